@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Literal
 from comity.answers import RunAnswer
 from comity.episode import Episode, LiveEpisode, Progress
 from comity.output import run_folder
-from comity.output.resolved import resolved_yaml
+from comity.output.resolved import resolved_files
 from comity.output.run_folder import RunFolder
 from comity.report.episodes.run import account_after, account_before, account_under_way
 from comity.report.plans.plan import plan_answer
@@ -82,7 +82,8 @@ def _recorded(
     account = account_before(prepared, folder, seed)
     folder.write(run_folder.RUN, account)
     try:
-        folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
+        for name, text in resolved_files(prepared).items():
+            folder.write(name, text)
         folder.write(run_folder.PLAN, plan_answer(prepared))
         episode = _run(live, folder, account, watch)
         answer = account_after(account, episode, folder)
@@ -105,7 +106,8 @@ def page_of(episode: Episode) -> str:
     with TemporaryDirectory() as place:
         folder = RunFolder(Path(place) / prepared.file.scenario.name)
         folder.path.mkdir()
-        folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
+        for name, text in resolved_files(prepared).items():
+            folder.write(name, text)
         folder.write(run_folder.PLAN, plan_answer(prepared))
         with _records(folder, episode) as records:
             records.keep(episode, episode.frames)

@@ -14,8 +14,8 @@ from comity.parameters.values import Fact, cases_of, infer_for
 from comity.people.dated import UNKNOWN
 from comity.people.profile import NOBODY, PERSONAL, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
-from comity.tables.csv_table import NUMBER
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
+from comity_fis.validation.csv_table import NUMBER
 
 if TYPE_CHECKING:
     from datetime import date

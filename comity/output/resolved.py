@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from copy import deepcopy
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from comity.output.run_folder import SCENARIO, TABLES
 from comity.scenario import Limits, MapPlace, Person, RobotStart, Scenario
+from comity_fis import NominalVariable
 from comity_fis.validation.yaml_file import dump_yaml
 from comity_sim2d.maps.file import FurniturePiece
 
@@ -13,9 +17,16 @@ if TYPE_CHECKING:
     from pydantic import BaseModel
 
     from comity.preparation import Prepared
+    from comity_fis import Population, PopulationTable, Rulebook
 
 FIRST = ("name", "profile")
 """People write who or what somebody or something is, and then where."""
+
+
+def resolved_files(prepared: Prepared) -> dict[str, str]:
+    """Text by name in the run folder: `scenario.yaml`, and the tables of scores that its rulebook names."""
+    kept = _kept_tables(prepared.rulebook).values()
+    return {SCENARIO: resolved_yaml(prepared), **{name: table.text for name, table in kept}}
 
 
 def resolved_yaml(prepared: Prepared) -> str:
@@ -26,7 +37,7 @@ def resolved_yaml(prepared: Prepared) -> str:
     )
     if prepared.day is not None:
         content["at"] = prepared.day.isoformat()
-    content["rulebook"] = prepared.rulebook_file.data
+    content["rulebook"] = _with_kept_tables(prepared)
     for name, profile in prepared.profiles.items():
         content["people"][name]["profile"] = profile.model_dump(mode="json", exclude_defaults=True)
     for name, learnt in prepared.learnt.items():
@@ -41,6 +52,36 @@ def resolved_yaml(prepared: Prepared) -> str:
     place = content["place"]["map"] if isinstance(scenario.place, MapPlace) else content["place"]
     place["furniture"] = [_ordered(piece, FurniturePiece, FIRST) for piece in place["furniture"]]
     return dump_yaml(_ordered(content, Scenario))
+
+
+def _with_kept_tables(prepared: Prepared) -> Any:
+    """The rulebook as it was read, but that it names the copies of its tables."""
+    data = deepcopy(prepared.rulebook_file.data)
+    for (*way, key), (name, _) in _kept_tables(prepared.rulebook).items():
+        place = data["variables"]
+        for step in way:
+            place = place[step]
+        place[key] = name
+    return data
+
+
+def _kept_tables(rulebook: Rulebook) -> dict[tuple[str, ...], tuple[str, PopulationTable[Population]]]:
+    """The CSV files that a rulebook names, by the place where it does, each with its name in the folder."""
+    tables: dict[tuple[str, ...], PopulationTable[Population]] = {}
+    for name, variable in rulebook.variables.items():
+        if variable.derived_from and variable.derived_from.table:
+            tables[name, "derived_from", "table"] = variable.derived_from.table
+        if isinstance(variable, NominalVariable) and variable.table:
+            tables[name, "categories_from"] = variable.table
+    texts: dict[str, str] = {}
+    kept: dict[tuple[str, ...], tuple[str, PopulationTable[Population]]] = {}
+    for place, table in tables.items():
+        if table.text:  # a name twice means two files in two folders
+            file = Path(table.name).with_suffix(".csv").name
+            while texts.setdefault(file, table.text) != table.text:
+                file = f"other-{file}"
+            kept[place] = f"{TABLES}/{file}", table
+    return kept
 
 
 def _ordered(

@@ -28,6 +28,8 @@ READINGS = "readings.csv"
 BLACKBOARD = "blackboard.csv"
 RECORDS = (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, BLACKBOARD)
 """What a run is made of; the other files are made of these."""
+TABLES = "scores"
+"""A folder of the tables of scores that the rulebook names."""
 PICTURE = "picture.png"
 ANIMATION = "episode.gif"
 REPLAY = "replay.html"
@@ -51,6 +53,7 @@ class RunFolder:
         text = (
             content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
         )
+        (self / name).parent.mkdir(exist_ok=True)
         with written_whole(self / name) as part:
             part.write_text(text, encoding="utf-8", newline="\n")
 
@@ -71,9 +74,9 @@ class RunFolder:
 
     def files(self) -> tuple[str, ...]:
         """What the run has written so far."""
-        return tuple(
-            name for name in (*RECORDS, PICTURE, ANIMATION, REPLAY, COMPARISON) if (self / name).is_file()
-        )
+        tables = sorted(f"{TABLES}/{path.name}" for path in (self / TABLES).glob("*.csv"))
+        names = (*RECORDS, *tables, PICTURE, ANIMATION, REPLAY, COMPARISON)
+        return tuple(name for name in names if (self / name).is_file())
 
     def bytes_per_minute(self, simulated_s: float) -> dict[str, int]:
         """How large the trace, the readings and the frames are, per simulated minute; by file.
@@ -154,6 +157,8 @@ def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
             held.enter_context(_locked(path))
             for name in folder.files():
                 (folder / name).unlink()
+            with suppress(OSError):
+                (folder / TABLES).rmdir()
         yield folder
 
 

@@ -6,16 +6,18 @@ the person may name a region.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_fis import InputError, NominalVariable, find_score, individualism_scores, regions
-from comity_fis.culture.derivation import without_score
+from comity_fis import InputError, NominalVariable, Score
 
 if TYPE_CHECKING:
     from comity.people.culture import Belonging
-    from comity_fis import Rulebook, Score, Variable
+    from comity_fis import Population, PopulationTable, Rulebook, Variable
+
+    Table = PopulationTable[Population]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,18 +46,22 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
     sources: dict[str, str] = {}
     notes: list[str] = []
     region: str | None = None
-    for variable in reads_culture(rulebook) if belonging.disclosed else ():
-        if isinstance(variable, NominalVariable) and not _from_scores(variable):
+    variables = reads_culture(rulebook) if belonging.disclosed else ()
+    tables = [table for table in map(_table, variables) if table is not None]
+    own = belonging.words in _own_words(rulebook)
+    for variable in variables:
+        table = _table(variable)
+        if table is None or (isinstance(variable, NominalVariable) and own and belonging.region is None):
             facts[variable.name] = variable.check(belonging.words)
             continue
-        table = (variable.derived_from and variable.derived_from.table) or "individualism"
-        row, region = _row(belonging, table)
+        row, stands = _row(belonging, table, tables, own=own)
+        region = region or stands
         if row is None:
-            notes.append(without_score(belonging.label(None), table))
-        elif isinstance(variable, NominalVariable):
-            facts[variable.name] = row.key
+            notes.append(table.without_score(belonging.label(None)))
+        elif isinstance(row, Score) and not isinstance(variable, NominalVariable):
+            facts[variable.name], sources[variable.name] = row.value, row.source
         else:
-            facts[variable.name], sources[variable.name] = float(row.value), row.source
+            facts[variable.name] = row.key
     return Standing(
         belonging.label(region), belonging.weight, facts, sources, tuple(dict.fromkeys(notes)), region
     )
@@ -70,32 +76,54 @@ def reads_culture(rulebook: Rulebook) -> tuple[Variable, ...]:
     )
 
 
-def _from_scores(variable: NominalVariable) -> bool:
-    """Whether its categories are the keys of the table of scores, rather than the rulebook's own words."""
-    return {row.key for row in individualism_scores()} <= set(variable.categories)
+def _own_words(rulebook: Rulebook) -> frozenset[str]:
+    """The categories of the culture itself."""
+    variable = rulebook.variables.get("culture")
+    return frozenset(variable.categories) if isinstance(variable, NominalVariable) else frozenset()
 
 
-def _row(belonging: Belonging, table: str) -> tuple[Score | None, str | None]:
-    """The row, and the region's name where it stands for the culture."""
+def _table(variable: Variable) -> Table | None:
+    """The table that knows a culture by its names; None where only the rulebook's own words do."""
+    if isinstance(variable, NominalVariable) and variable.table is not None:
+        return variable.table
+    return variable.derived_from.table if variable.derived_from else None
+
+
+def _row(
+    belonging: Belonging, table: Table, tables: Sequence[Table], *, own: bool
+) -> tuple[Population | None, str | None]:
+    """The row, and the region's name where it stands for the culture.
+
+    Args:
+        belonging: The culture.
+        table: The one to look into.
+        tables: All that the rulebook looks into.
+        own: Whether it is one of the rulebook's own words, which no table has to know.
+    """
     if belonging.region is not None:
-        return _region(belonging.region, table), belonging.region
+        return _region(belonging.region, table, tables), belonging.region
     try:
-        found = find_score(belonging.words, table)
+        found = table.find(belonging.words)
     except InputError:
-        if belonging.otherwise is None:
+        if belonging.otherwise is None and not own:
             raise
         found = None
     if found is None and belonging.otherwise is not None:
-        return _region(belonging.otherwise, table), belonging.otherwise
+        return _region(belonging.otherwise, table, tables), belonging.otherwise
     return found, None
 
 
-def _region(words: str, table: str) -> Score:
-    found = find_score(words, table)
-    if found is None:
-        raise InputError(
-            expected=f"a region with a score in the table of {table}",
-            got=f"{words!r}, which has none",
-            remedy=f"Name one of {', '.join(regions(table))}, or leave it out.",
-        )
-    return found
+def _region(words: str, table: Table, tables: Sequence[Table]) -> Population | None:
+    """The row of a region; None where only another table has it."""
+    for one in (table, *tables):
+        with suppress(InputError):
+            if (found := one.find(words)) is not None:
+                return found if one == table else None
+    table.find(words)  # refuses what is neither a country nor a region
+    raise InputError(
+        expected=f"a region with a score in the table of {table.name}",
+        got=f"{words!r}, which has none",
+        remedy=f"Name one of {', '.join(table.regions)}, or leave it out."
+        if table.regions
+        else "Leave it out: the table has no regions.",
+    )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from comity.tables.csv_table import CsvTable, read_csv
 from comity_fis import closest
+from comity_fis.validation.csv_table import CsvTable, read_csv
 from comity_fis.variables.partitioning import MOST_SCORES
 
 MISSING = {"", "NA"}

@@ -11,7 +11,7 @@ from comity.parameters.values import infer_for
 from comity.people.profile import NOBODY
 from comity.tables.measurement import Convention, Measurement
 from comity.tables.measurements import Measurements
-from comity_fis import InputError, NumericParameter, Where, score
+from comity_fis import InputError, NumericParameter, Where, find_score, score
 from comity_fis.audit.accuracy import Compared, StudyAccuracy, accuracy
 from comity_fis.audit.agreement import StudyAgreement, agreement
 from comity_fis.audit.order import equality_band
@@ -149,14 +149,15 @@ def _infer(
 ) -> tuple[Mapping[str, ParameterValue], float | None]:
     culture = row.facts.get("culture")
     try:
-        # A culture without a score would be met as nobody in particular: its row would measure nothing.
-        individualism = None if culture is None else score(str(culture))
+        found = None if culture is None else find_score(str(culture))
         inference = infer_for(NOBODY, rulebook, situation=row.facts)
+        if culture is not None and found is None and not inference.sources:
+            score(str(culture))  # refused: without any score the row would measure the neutral values
     except InputError as error:
         raise error.at(where) from None
     if isinstance(number := inference.inputs.get("individualism"), float):
         return inference.parameters, number
-    return inference.parameters, individualism
+    return inference.parameters, None if found is None else found.value
 
 
 def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Radii) -> Numbers:

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
 
-from comity.tables.csv_table import CsvTable, Row, short
 from comity_fis import (
     InputError,
     NumericParameter,
@@ -17,6 +16,7 @@ from comity_fis import (
     Where,
     closest,
 )
+from comity_fis.validation.csv_table import CsvTable, Row, short
 from comity_fis.variables.unit import factor
 
 Convention = Literal["surface", "centre"]

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
-from comity.tables.csv_table import CsvTable, read_csv, short
 from comity.tables.measurement import Measurement, RowReader, facts_of
 from comity_fis import Rulebook
+from comity_fis.validation.csv_table import CsvTable, read_csv, short
 
 REQUIRED = ("parameter", "value", "unit")
 OPTIONAL = ("study", "source", "measured", "partner", "n", "sd", "note")

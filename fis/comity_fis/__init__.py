@@ -1,8 +1,6 @@
 """Fuzzy inference for culture-aware robots: from what a person disclosed to the parameters of actions."""
 
-from comity_fis.culture.iso3166 import Country, countries, country
 from comity_fis.culture.mixture import Part, mixed
-from comity_fis.culture.scores import Score, find_score, individualism_scores, regions, score
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
@@ -21,6 +19,10 @@ from comity_fis.rulebook.variable_data import variable_data
 from comity_fis.rules.hedge import HEDGES
 from comity_fis.rules.methods import Methods
 from comity_fis.rules.rule import Rule, Source
+from comity_fis.scores.iso3166 import Country, countries, country
+from comity_fis.scores.population_table import Population, PopulationTable, Score
+from comity_fis.scores.score_file import read_scores
+from comity_fis.scores.shipped import find_score, individualism, individualism_scores, score
 from comity_fis.variables.linguistic import all_known, from_data, terms_known
 from comity_fis.variables.measurement import Coercion, Level
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
@@ -65,6 +67,8 @@ __all__ = [
     "ParameterValue",
     "Part",
     "PartValue",
+    "Population",
+    "PopulationTable",
     "RatioScale",
     "Rule",
     "RuleAccount",
@@ -83,13 +87,14 @@ __all__ = [
     "facts_first",
     "find_score",
     "from_data",
+    "individualism",
     "individualism_scores",
     "kept_back",
     "load_rulebook",
     "mixed",
     "partition",
     "read_rulebook",
-    "regions",
+    "read_scores",
     "rests_on_facts",
     "rulebook_schema",
     "score",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from contextlib import suppress
+from importlib.resources import files
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -11,7 +12,6 @@ from hypothesis import strategies as st
 
 from comity.tables.column import read_column
 from comity_fis import InputError, load_rulebook, read_rulebook
-from comity_fis.culture.scores import files
 
 SHIPPED = str(files("comity_fis").joinpath("data/individualism.csv"))
 TWO_GROUPS = [3, 4, 5, 5, 6, 7, 8, 44, 45, 46, 46, 47, 48, 50]

@@ -37,7 +37,7 @@ def test_countries_have_iso_codes_and_the_others_names():
     ],
 )
 def test_spot_values(key, value):
-    assert score(key) == score(key, "individualism") == value
+    assert score(key) == value
 
 
 @pytest.mark.parametrize(
@@ -74,11 +74,6 @@ def test_kosovo_is_known_and_has_no_score():
     assert find_score("Kosovo") is find_score("XKX") is None
     with pytest.raises(InputError, match="let the person name a region"):
         score("Kosovo")
-
-
-def test_there_is_one_table():
-    with pytest.raises(InputError, match="individualism"):
-        score("DEU", "individualsm")
 
 
 def test_every_country_of_the_table_is_found_by_code_and_by_name():

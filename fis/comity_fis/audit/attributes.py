@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.culture.scores import score_table
 from comity_fis.inference.column import UNDISCLOSED
+from comity_fis.scores.population_table import PopulationTable, Score
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def _attribute(fact: str, variables: Sequence[Variable]) -> Attribute:
     labels: dict[str, None] = {}
     for variable in variables:
         if table := _table(variable):
-            labels |= dict.fromkeys(row.key for row in score_table(table))
+            labels |= dict.fromkeys(row.key for row in table.rows)
         elif isinstance(variable, NominalVariable):
             labels |= dict.fromkeys(variable.categories)
     return Attribute(
@@ -78,7 +78,7 @@ def _attribute(fact: str, variables: Sequence[Variable]) -> Attribute:
     )
 
 
-def _table(variable: Variable) -> str | None:
+def _table(variable: Variable) -> PopulationTable[Score] | None:
     """The table of scores that translates the fact; None where the fact is the value itself."""
     return variable.derived_from.table if variable.derived_from else None
 
@@ -88,7 +88,7 @@ def _column(variable: Variable, labels: Sequence[str]) -> NDArray[Any]:
         numbers = {category: i for i, category in enumerate(variable.categories, variable.first_number)}
         return np.array([*(numbers.get(label, UNDISCLOSED) for label in labels), UNDISCLOSED], dtype=np.int64)
     table = _table(variable)
-    scores = {row.key: float(row.value) for row in score_table(table)} if table else {}
+    scores = {row.key: row.value for row in table.rows} if table else {}
     return np.array([*(scores.get(label, nan) for label in labels), nan])
 
 

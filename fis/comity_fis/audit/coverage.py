@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from comity_fis.audit.evidence import deciding_rules
 from comity_fis.audit.sweep import decided_by
-from comity_fis.culture.scores import individualism_scores
 from comity_fis.rules.rule import literals
+from comity_fis.scores.shipped import individualism_scores
 from comity_fis.variables.variable import NominalVariable
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class Coverage:
     """Whom a rulebook knows anything about."""
 
     scored: int
-    """Rows of the table of scores."""
+    """Rows of the tables of scores, each culture once."""
     cultures: int
     """Of them, those that change something when they are all that is known."""
     named: tuple[str, ...]
@@ -57,7 +57,7 @@ class Coverage:
 
 def coverage(rulebook: Rulebook, known: Mapping[str, Attribute]) -> Coverage:
     """Disclose one fact at a time and see what is decided."""
-    scored = {row.key for row in individualism_scores()}
+    scored = _scored(rulebook)
     deciding = {name: decided_by(rulebook, name, known) for name in rulebook.parameters}
     alone = tuple(
         _reached(rulebook, name, attribute) for name in deciding for attribute in deciding[name].values()
@@ -77,6 +77,16 @@ def coverage(rulebook: Rulebook, known: Mapping[str, Attribute]) -> Coverage:
         },
         unruled=tuple(name for name, decides in deciding.items() if not decides),
     )
+
+
+def _scored(rulebook: Rulebook) -> frozenset[str]:
+    """The cultures in the tables that variables are derived from; of individualism where there are none."""
+    tables = [
+        variable.derived_from.table.rows
+        for variable in rulebook.variables.values()
+        if variable.derived_from and variable.derived_from.fact == CULTURE and variable.derived_from.table
+    ]
+    return frozenset(row.key for rows in tables or [individualism_scores()] for row in rows)
 
 
 def _reached(rulebook: Rulebook, parameter: str, attribute: Attribute) -> Reached:

@@ -1,1 +1,1 @@
-"""Countries, Hofstede's scores, and several cultures in one person."""
+"""Facts that follow from a culture, and several cultures in one person."""

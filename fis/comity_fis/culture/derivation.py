@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from comity_fis.culture.scores import find_score, regions
 from comity_fis.errors import InputError
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
@@ -43,22 +42,31 @@ def derived(variable: Variable, fact: object, variables: Mapping[str, Variable])
             )
         return Derived(None)  # the variable of the fact's own name says what it may be
     try:
-        row = find_score(fact, derivation.table)
+        row = derivation.table.find(fact)
     except InputError:
         own = variables.get(derivation.fact)
         if not isinstance(own, NominalVariable) or fact not in own.categories:
             raise
         row = None
     if row is None:
-        return Derived(None, note=without_score(fact, derivation.table))
+        return Derived(None, note=derivation.table.without_score(fact))
     if isinstance(variable, NumericVariable):
-        return Derived(float(row.value), source=row.source)
+        return Derived(row.value, source=row.source)
     return Derived(row.key)
 
 
-def without_score(culture: str, table: str) -> str:
-    """The note about a culture of which a table of scores says nothing."""
-    return (
-        f"{culture} has no score in the table of {table}, and none is guessed: the rules are "
-        f"told nothing of it. Whoever wants to may name a region: {', '.join(regions(table))}."
-    )
+def by_key(variable: NominalVariable, fact: str) -> Derived:
+    """A culture as the category that a table has for it, whatever it is called: `DEU` for `Germany`.
+
+    Args:
+        variable: Whose categories are the keys of a table.
+        fact: As it was told.
+
+    Raises:
+        InputError: if it is neither a category, nor a country, nor a region of the table.
+    """
+    assert variable.table is not None
+    if fact in variable.categories:
+        return Derived(fact)
+    row = variable.table.find(fact)
+    return Derived(None, note=variable.table.without_score(fact)) if row is None else Derived(row.key)

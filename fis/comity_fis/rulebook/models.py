@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from math import inf
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 from pydantic import (
     AfterValidator,
@@ -24,7 +24,6 @@ from pydantic import (
     model_validator,
 )
 
-from comity_fis.culture.scores import score_table
 from comity_fis.errors import MOST_NAMED, WrongValueError, closest
 from comity_fis.membership.function import (
     Bump,
@@ -46,6 +45,8 @@ from comity_fis.rules.methods import (
     Methods,
 )
 from comity_fis.rules.rule import Condition, Evidence, Source
+from comity_fis.scores.population_table import Population, PopulationTable, Score
+from comity_fis.scores.shipped import INDIVIDUALISM
 from comity_fis.variables.measurement import Coercion, Level
 from comity_fis.variables.parameter import Category, NominalParameter, NumericParameter
 from comity_fis.variables.shift import Shift
@@ -157,16 +158,49 @@ class CoercionModel(_Model):
         return Coercion(Level[self.to.upper()], self.reason)
 
 
+TableName = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
+"""`individualism`, or the path of a CSV file."""
+
+
+class Tables(NamedTuple):
+    """The tables that one variable names, read."""
+
+    scores: PopulationTable[Score] | None = None
+    """What it is derived from."""
+    populations: PopulationTable[Population] | None = None
+    """What its categories are from."""
+
+
+NO_TABLES = Tables()
+
+
 class DerivationModel(_Model):
     """Where a value comes from when the profile does not state it."""
 
     fact: Name
-    table: Literal["individualism"] | None = None
-    """None: the fact itself, under another name."""
+    table: TableName | None = Field(
+        None,
+        description="The table that gives a culture its score: individualism, or a CSV file with a column "
+        "country, relative to this file. None: the fact itself, under another name.",
+    )
+    column: Words | None = Field(
+        None,
+        description="The heading of the scores in a CSV file; None: the only one, or the variable's.",
+    )
 
-    def build(self) -> Derivation:
+    @model_validator(mode="after")
+    def _column_of_a_file(self) -> DerivationModel:
+        if self.column is not None and self.table in (None, INDIVIDUALISM):
+            raise WrongValueError(
+                expected="`column` beside a CSV file as `table`",
+                got=f"table {self.table}" if self.table else "no table",
+                remedy="Name the file, or leave `column` out.",
+            )
+        return self
+
+    def build(self, table: PopulationTable[Score] | None) -> Derivation:
         """The derivation."""
-        return Derivation(self.fact, self.table)
+        return Derivation(self.fact, table)
 
 
 class PartitionModel(_Model):
@@ -212,7 +246,7 @@ class NumericVariableModel(_VariableModel):
     shapes: Shapes
     partition: PartitionModel | None = None
 
-    def build(self, name: str) -> NumericVariable:
+    def build(self, name: str, tables: Tables = NO_TABLES) -> NumericVariable:
         """The variable."""
         return NumericVariable(
             name=name,
@@ -222,7 +256,7 @@ class NumericVariableModel(_VariableModel):
             terms={term: model.build() for term, model in self.terms.items()},
             unit=self.unit,
             coercion=self.coercion.build() if self.coercion else None,
-            derived_from=self.derived_from.build() if self.derived_from else None,
+            derived_from=self.derived_from.build(tables.scores) if self.derived_from else None,
             partition=self.partition.build() if self.partition else None,
             shapes=self.shapes,
             reason=self.reason,
@@ -234,20 +268,22 @@ class NominalVariableModel(_VariableModel):
 
     level: Literal["nominal"]
     categories: Annotated[list[Name], Field(max_length=MAX_NAMES)] = []
-    categories_from: Literal["individualism"] | None = None
-    """The keys of a table of scores."""
+    categories_from: TableName | None = Field(
+        None, description="A table whose countries and regions are categories: as for derived_from."
+    )
     groups: dict[Name, list[Name]] = {}
 
-    def build(self, name: str) -> NominalVariable:
+    def build(self, name: str, tables: Tables = NO_TABLES) -> NominalVariable:
         """The variable."""
-        rows = score_table(self.categories_from) if self.categories_from else ()
+        rows = tables.populations.rows if tables.populations else ()
         return NominalVariable(
             name=name,
             kind=self.kind,
             categories=(*self.categories, *(row.key for row in rows)),
             groups={group: Categories(frozenset(members)) for group, members in self.groups.items()},
             labels={row.key: row.name for row in rows if row.key != row.name},
-            derived_from=self.derived_from.build() if self.derived_from else None,
+            table=tables.populations,
+            derived_from=self.derived_from.build(tables.scores) if self.derived_from else None,
             reason=self.reason,
         )
 
@@ -263,7 +299,7 @@ class OrdinalVariableModel(_VariableModel):
     groups: dict[Name, Annotated[list[Name], Field(min_length=1)]] = {}
     """Terms that stand for several consecutive categories."""
 
-    def build(self, name: str) -> OrdinalVariable:
+    def build(self, name: str, tables: Tables = NO_TABLES) -> OrdinalVariable:
         """The variable."""
         return OrdinalVariable(
             name=name,
@@ -271,7 +307,7 @@ class OrdinalVariableModel(_VariableModel):
             categories=tuple(self.categories),
             groups={group: Categories(frozenset(members)) for group, members in self.groups.items()},
             numbered_from=self.numbered_from,
-            derived_from=self.derived_from.build() if self.derived_from else None,
+            derived_from=self.derived_from.build(tables.scores) if self.derived_from else None,
             reason=self.reason,
         )
 

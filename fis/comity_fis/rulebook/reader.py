@@ -7,29 +7,60 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 
 from comity_fis.errors import InputError, WrongValueError, closest
-from comity_fis.rulebook.models import NominalParameterModel, RulebookModel, RuleModel
+from comity_fis.rulebook.models import (
+    NominalParameterModel,
+    NominalVariableModel,
+    RulebookModel,
+    RuleModel,
+    Tables,
+    VariableModel,
+)
+from comity_fis.rulebook.named_table import named_populations, named_scores, refuse_outside
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rulebook.situation import refuse_person_in_shift
 from comity_fis.rules.grammar import Terms, parse_guard, parse_rule
 from comity_fis.rules.rule import Condition, Rule, Source
 from comity_fis.validation.yaml_file import Location, YamlFile
 from comity_fis.variables.parameter import Parameter
-from comity_fis.variables.variable import Variable
+from comity_fis.variables.variable import NumericVariable, Variable
 
 KEPT = 16
-"""Rulebooks that were compiled already; nothing changes one."""
+"""Rulebooks that were compiled already; nothing changes one but its tables of scores."""
 
 
-@lru_cache(maxsize=KEPT)
 def rulebook_from(file: YamlFile) -> Rulebook:
-    """The rulebook that a file describes.
+    """The rulebook that a file describes, with the tables of scores that it names as they are now.
 
     Raises:
         InputError: with the line of the first thing that cannot be used.
     """
-    model = file.check(RulebookModel)
+    model = _checked(file)
+    return _compiled(file, tuple(_tables(name, variable, file) for name, variable in model.variables.items()))
+
+
+@lru_cache(maxsize=KEPT)
+def _checked(file: YamlFile) -> RulebookModel:
+    return file.check(RulebookModel)
+
+
+def _tables(name: str, variable: VariableModel, file: YamlFile) -> Tables:
+    scores = populations = None
+    if (derived := variable.derived_from) is not None and derived.table is not None:
+        place = ("variables", name, "derived_from", "table")
+        scores = named_scores(derived.table, file, place, column=derived.column, variable=name)
+    if isinstance(variable, NominalVariableModel) and variable.categories_from is not None:
+        populations = named_populations(
+            variable.categories_from, file, ("variables", name, "categories_from")
+        )
+    return Tables(scores, populations)
+
+
+@lru_cache(maxsize=KEPT)
+def _compiled(file: YamlFile, tables: tuple[Tables, ...]) -> Rulebook:
+    """The rulebook; `tables` are those of each variable in turn."""
+    model = _checked(file)
     sources = {key: source.build(key) for key, source in model.sources.items()}
-    variables = _variables(model, file)
+    variables = _variables(model, file, tables)
     parameters = _parameters(model, file, {name: variable.terms for name, variable in variables.items()})
     reader = _RuleReader(file, sources, variables, parameters)
     rules = tuple(reader.read(number, rule) for number, rule in enumerate(model.rules, 1))
@@ -45,11 +76,13 @@ def rulebook_from(file: YamlFile) -> Rulebook:
         )
 
 
-def _variables(model: RulebookModel, file: YamlFile) -> dict[str, Variable]:
+def _variables(model: RulebookModel, file: YamlFile, tables: tuple[Tables, ...]) -> dict[str, Variable]:
     variables: dict[str, Variable] = {}
-    for name, variable in model.variables.items():
+    for (name, variable), read in zip(model.variables.items(), tables, strict=True):
         with file.placing("variables", name):
-            variables[name] = variable.build(name)
+            variables[name] = built = variable.build(name, read)
+        if isinstance(built, NumericVariable) and read.scores is not None:
+            refuse_outside(built, read.scores, file)
     return variables
 
 

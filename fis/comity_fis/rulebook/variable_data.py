@@ -14,7 +14,7 @@ from comity_fis.membership.function import (
     TwoTermGaussian,
 )
 from comity_fis.variables.resolution import resolved
-from comity_fis.variables.variable import NumericVariable
+from comity_fis.variables.variable import Derivation, NumericVariable
 
 DIGITS = 12
 """Significant ones, of the variable's range: the fit itself is good to about nine."""
@@ -35,8 +35,7 @@ def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dic
         "coercion": coercion and {"to": str(coercion.to), "reason": coercion.reason},
         "range": list(map(float, variable.domain.ends)),
         "unit": variable.unit,
-        "derived_from": derived
-        and {"fact": derived.fact, **({"table": derived.table} if derived.table else {})},
+        "derived_from": derived and derivation_data(derived),
         "terms": {name: term_data(term, digits, span) for name, term in variable.terms.items()},
         "shapes": variable.shapes,
         "reason": variable.reason,
@@ -52,6 +51,13 @@ def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dic
         },
     }
     return {key: value for key, value in content.items() if value is not None}
+
+
+def derivation_data(derivation: Derivation) -> dict[str, str]:
+    """What a rulebook file says of where a value comes from."""
+    table = derivation.table
+    named = {} if table is None else {"table": table.name, "column": table.column}
+    return {key: value for key, value in {"fact": derivation.fact, **named}.items() if value}
 
 
 def term_data(

@@ -7,7 +7,7 @@ from math import isfinite
 from typing import Any
 
 from comity_fis.rulebook.rulebook import Rulebook
-from comity_fis.rulebook.variable_data import term_data, variable_data
+from comity_fis.rulebook.variable_data import derivation_data, term_data, variable_data
 from comity_fis.rules.methods import MAMDANI
 from comity_fis.rules.rule import Rule
 from comity_fis.validation.yaml_file import dump_yaml
@@ -23,7 +23,7 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
     """The text of a rulebook file that reads back as the same rulebook.
 
     Args:
-        rulebook: Any rulebook; tables of scores that its categories were taken from are written out.
+        rulebook: Any rulebook; tables of scores are named as it named them.
         origin: What it was made from, for the first line.
     """
     content: dict[str, Any] = {
@@ -55,13 +55,15 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
 
 
 def _worded_variable(variable: NominalVariable) -> dict[str, Any]:
+    keys = {row.key for row in variable.table.rows} if variable.table else set[str]()
     return _stated(
         kind=variable.kind,
         level=str(variable.level),
-        categories=list(variable.categories),
+        categories=[name for name in variable.categories if name not in keys],
+        categories_from=variable.table.name if variable.table else None,
         numbered_from=variable.numbered_from if isinstance(variable, OrdinalVariable) else None,
         groups={name: sorted(group.members) for name, group in variable.groups.items()} or None,
-        derived_from=variable.derived_from and _stated(**asdict(variable.derived_from)),
+        derived_from=variable.derived_from and derivation_data(variable.derived_from),
         reason=variable.reason,
     )
 

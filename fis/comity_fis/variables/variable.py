@@ -9,6 +9,7 @@ from typing import Any, Literal
 from comity_fis.errors import InputError, WrongValueError, closest, shown
 from comity_fis.membership.function import Categories, NumericMembership
 from comity_fis.membership.interval import Interval
+from comity_fis.scores.population_table import Population, PopulationTable, Score
 from comity_fis.variables.frozen import freeze
 from comity_fis.variables.measurement import Coercion, Level, effective_level, level_text
 from comity_fis.variables.own_words import in_own_words
@@ -25,8 +26,8 @@ class Derivation:
 
     fact: str
     """What the profile states instead, for example `culture`."""
-    table: str | None = None
-    """The table that translates it, see `comity_fis.score`; None where the fact is the value itself."""
+    table: PopulationTable[Score] | None = None
+    """The table that translates it, see `comity_fis.read_scores`; None where the fact is the value itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +123,8 @@ class NominalVariable:
     """Further terms that stand for several categories."""
     labels: Mapping[str, str] = field(default_factory=dict)
     """What a category is called in plain words, where its name is a code."""
+    table: PopulationTable[Population] | None = None
+    """The table whose keys are categories: they may be told by any name that it understands."""
     derived_from: Derivation | None = None
     reason: str = ""
     terms: Mapping[str, Categories] = field(init=False)

@@ -12,7 +12,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TextIO
 
-from comity_fis import InputError, Where
+from comity_fis.errors import InputError, Where
 from comity_fis.validation.no_file import no_file
 
 MAX_BYTES = 20_000_000
@@ -81,15 +81,24 @@ def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) 
             has more cells than there are headings.
     """
     file = called or str(path)
-    with _opened(path, file) as text:
-        lines = _Lines(text)
-        first = next(lines, None)
-        if first is None:
-            raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.")
-        line, delimiter = lines.number, _delimiter(first, wanted, file, lines.number)
-        rows = _rows(file, csv.reader(chain([first], lines), delimiter=delimiter), lines)
-        heading = tuple(cell.strip() for cell in next(rows).cells)
-        yield CsvTable(file, line, heading, delimiter, _fitting(rows, heading, file))
+    with opened(path, file) as text:
+        yield csv_table(text, wanted, file)
+
+
+def csv_table(text: TextIO, wanted: Collection[str], file: str) -> CsvTable:
+    """The table that a text holds, see `read_csv`; its rows are read as they are asked for.
+
+    Raises:
+        InputError: if it holds none.
+    """
+    lines = _Lines(text)
+    first = next(lines, None)
+    if first is None:
+        raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.")
+    line, delimiter = lines.number, _delimiter(first, wanted, file, lines.number)
+    rows = _rows(file, csv.reader(chain([first], lines), delimiter=delimiter), lines)
+    heading = tuple(cell.strip() for cell in next(rows).cells)
+    return CsvTable(file, line, heading, delimiter, _fitting(rows, heading, file))
 
 
 def refusal(file: str, expected: str, got: str, remedy: str, line: int | None = None) -> InputError:
@@ -119,8 +128,8 @@ class _Lines(Iterator[str]):
 
 
 @contextmanager
-def _opened(path: Path, file: str) -> Iterator[TextIO]:
-    """The file as text, with every refusal of the system as one of ours."""
+def opened(path: Path, file: str) -> Iterator[TextIO]:
+    """A CSV file as text, with every refusal of the system as one of ours."""
     try:
         if not path.is_file():
             raise refusal(file, "a CSV file", no_file(path), "Check the path and its spelling.")

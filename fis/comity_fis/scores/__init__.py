@@ -1,0 +1,1 @@
+"""Countries, and tables that give them a score, such as Hofstede's individualism."""
