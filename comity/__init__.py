@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.people.profile import ProfileGiven
     from comity_domain import PlanningFailed
-    from comity_executor import MakeAct
+    from comity_executor import MakeAct, MapRobot
     from comity_fis import ComityError, Inference, InputError
 
     __version__: str
@@ -57,6 +57,7 @@ def run(
     seed: int = 0,
     out: str | Path | None = None,
     acts: Mapping[str, MakeAct] | None = None,
+    robot: MapRobot | None = None,
 ) -> Episode:
     """Run one episode.
 
@@ -70,6 +71,8 @@ def run(
         out: Write the run folder there; None writes nothing.
         acts: Behaviours of your own in place of the robot's acts, by the act's name: `utter`, or a gesture of
             the rulebook. Each is a class or function of the name of its node and the person.
+        robot: A real robot in the place of the simulated one, on the scenario's map, from where it is and
+            sees people (`comity_executor.MapRobot` says what it needs).
 
     Returns:
         What happened: outcome, visits, trace, frames and metrics.
@@ -79,19 +82,25 @@ def run(
         PlanningFailed: if the planner finds no plan.
     """
     from comity.episode import execute
+    from comity.live.loading import require_map_robot
+    from comity.live.start import as_seen
     from comity.preparation import prepare, require_seed
     from comity.scenario import load_scenario
 
     require_seed(seed)
     file = load_scenario(str(scenario))
+    if robot is not None:
+        require_map_robot(robot, type(robot).__name__)
+        file = as_seen(file, robot)
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
-        return execute(prepared, seed=seed, acts=acts or {})
+        return execute(prepared, seed=seed, acts=acts or {}, robot=robot)
     from pathlib import Path
 
     from comity.recording import record
 
-    return record(prepared, seed=seed, out=Path(out), acts=acts or {}).episode
+    called = None if robot is None else type(robot).__name__
+    return record(prepared, seed=seed, out=Path(out), acts=acts or {}, robot=robot, called=called).episode
 
 
 def infer(

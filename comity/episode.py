@@ -7,9 +7,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from html import escape
 from math import dist
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, cast
 
 from comity.data_frames import events_table, frames_table, readings_table
+from comity.live.driving import drive, stop_of
+from comity.live.real_world import RealWorld
 from comity.monitoring.fallible_planner import FalliblePlanner
 from comity.monitoring.lateness import late_s
 from comity.monitoring.measuring import figures
@@ -17,6 +19,7 @@ from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
 from comity.monitoring.told import values_at
 from comity.schedule import Disturbance, Schedule, Stage
+from comity.simulation.happenings import told as told_only
 from comity.simulation.walks import walks
 from comity_executor import (
     NO_ACTS,
@@ -44,10 +47,12 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
     from comity.data_frames import Table
+    from comity.environment import Environment
     from comity.monitoring.told import Told
     from comity.preparation import Prepared
     from comity.schedule import Happening
     from comity_domain import Plan, PlanStep
+    from comity_executor import LoopReport, MapRobot, Planner
     from comity_fis import Inference
     from comity_sim2d.people.reactions import Shown
 
@@ -95,6 +100,8 @@ class Episode:
     """What the robot's sensors told the tree."""
     writes: tuple[Write, ...]
     """Every value that an entry of the blackboard got, in order."""
+    loop: LoopReport | None = None
+    """How the loop of a real robot kept its rate; None in the simulated world."""
 
     def __repr__(self) -> str:
         name, seconds = self.prepared.file.scenario.name, of_episode(self.metrics)["duration_s"]
@@ -198,9 +205,13 @@ class LiveEpisode:
         seed: For the noise of sensors, where the scenario has any.
         happenings: What happens while it runs, besides the scenario's changes and faults.
         acts: Behaviours of your own in place of the robot's acts, by the act's name (see `Execution`).
+        robot: A real robot in the place of the simulated one, on the scenario's map (see `MapRobot`). What
+            people say happens at its times; faults, walks, doors and stops are those of the real world.
+        planner: Whom to ask when things change, in the place of ours.
 
     Raises:
         InputError: `acts` names no act that a greeting can have.
+        RobotError: The robot cannot be driven.
     """
 
     def __init__(
@@ -210,56 +221,100 @@ class LiveEpisode:
         seed: int = 0,
         happenings: Iterable[Happening] = (),
         acts: Mapping[str, MakeAct] = NO_ACTS,
+        robot: MapRobot | None = None,
+        planner: Planner | None = None,
     ) -> None:
         _check_acts(prepared, acts)
         self._prepared = prepared
         self._seed = seed
-        self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
+        self._base = robot
+        self._world: Environment
+        if robot is None:
+            self._world = World(
+                prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places
+            )
+        else:
+            self._world = RealWorld(robot, prepared.scene)
+            self._world.robot.learn_places(prepared.asked.places)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
         self._listener = WorldPlanner(prepared, self._world)
         self._planner = FalliblePlanner(self._listener)
-        self._schedule = Schedule((*prepared.happenings, *happenings))
+        happens = (*prepared.happenings, *happenings)
+        self._schedule = Schedule(happens if robot is None else told_only(happens))
+        self._heartbeat = stop_of(robot) if robot else None
+        self._loop: LoopReport | None = None
         self._execution = Execution(
             prepared.plan,
             self._world.robot,
             prepared.values,
             limits,
-            planner=self._planner,
+            planner=planner or self._planner,
             unserved=prepared.asked.unreachable,
             acts=acts,
+            emergency=self._heartbeat.read if self._heartbeat else None,
         )
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:
         """Carry the plan out to its end, or to the scenario's limit.
 
         Args:
-            watch: Called once per simulated second.
+            watch: Called once per second of the episode.
         """
-        world, execution, limits = self._world, self._execution, self._prepared.file.scenario.limits
-        stage = Stage(world, self._planner, execution)
+        # Where the world is real, nothing is left that touches it.
+        stage = Stage(cast("World", self._world), self._planner, self._execution)
         self._schedule.step(stage)
-        while self._tick() == "running":
-            now_s = world.time_s
-            if now_s >= limits.time_s:
-                over = (
-                    f"the scenario's limit of {limits.time_s:g} s was reached "
-                    "(`time_s` of its limits allows more)"
-                )
-                execution.stop(over, halt="timed_out")
-                break
-            if watch and now_s % 1.0 < 1e-9:
-                watch(Progress(now_s, _doing(execution)))
+        if isinstance(self._world, World):
+            self._run_simulated(self._world, stage, watch)
+        else:
+            self._run_real(cast("RealWorld", self._world), stage, watch)
+
+    def _run_simulated(self, world: World, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
+        while self._tick(world) == "running" and not self._ends_in_time():
+            if watch and world.time_s % 1.0 < 1e-9:
+                watch(self._progress())
             world.step()
             self._schedule.step(stage)
-        _come_to_rest(world, execution)
+        _come_to_rest(world, self._execution)
 
-    def _tick(self) -> ExecutionStatus:
+    def _run_real(self, world: RealWorld, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
+        told_s = 0
+
+        def each() -> None:
+            nonlocal told_s
+            world.observe()
+            self._schedule.step(stage)
+            self._ends_in_time()
+            if watch and world.time_s >= told_s + 1:
+                told_s = int(world.time_s)
+                watch(self._progress())
+
+        assert self._base is not None
+        self._loop = drive(self._execution, self._base, self._heartbeat, each)
+        world.observe()
+
+    def _ends_in_time(self) -> bool:
+        """Whether the scenario's time is over, which ends the execution."""
+        limit_s = self._prepared.file.scenario.limits.time_s
+        if self._world.time_s < limit_s:
+            return False
+        over = f"the scenario's limit of {limit_s:g} s was reached (`time_s` of its limits allows more)"
+        self._execution.stop(over, halt="timed_out")
+        return True
+
+    def _progress(self) -> Progress:
+        return Progress(self._world.time_s, _doing(self._execution))
+
+    def resume(self) -> bool:
+        """Let a real robot go on after its stop was pressed and released (see `Execution.resume`)."""
+        return self._execution.resume()
+
+    def _tick(self, world: World) -> ExecutionStatus:
         """Tick the tree; where nobody is there to resume after a stop, all ends once the robot rests.
 
         After a contact it goes on when its base lets it: in a simulation that harms nobody and is counted.
         """
         execution = self._execution
-        was_pressed = self._world.robot.emergency_stop.was_pressed
+        was_pressed = world.robot.emergency_stop.was_pressed
         resumes = self._prepared.file.scenario.limits.resumes or not was_pressed
         if resumes:
             execution.resume()
@@ -330,7 +385,8 @@ class LiveEpisode:
     @property
     def disturbances(self) -> tuple[Disturbance, ...]:
         """Changes, faults and messages so far, by time; walks are told once the episode is over."""
-        return self._schedule.disturbances
+        silences = self._world.silences if isinstance(self._world, RealWorld) else ()
+        return tuple(sorted((*self._schedule.disturbances, *silences), key=lambda one: one.t))
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
@@ -366,18 +422,26 @@ class LiveEpisode:
             disturbances=self._disturbances(frames),
             readings=execution.readings,
             writes=execution.writes,
+            loop=self._loop,
         )
 
 
-def execute(prepared: Prepared, *, seed: int = 0, acts: Mapping[str, MakeAct] = NO_ACTS) -> Episode:
+def execute(
+    prepared: Prepared,
+    *,
+    seed: int = 0,
+    acts: Mapping[str, MakeAct] = NO_ACTS,
+    robot: MapRobot | None = None,
+) -> Episode:
     """Carry a plan out.
 
     Args:
         prepared: The scenario with its plan.
         seed: For the noise of sensors, where the scenario has any.
         acts: Behaviours of your own in place of the robot's acts, by the act's name.
+        robot: A real robot in the place of the simulated one.
     """
-    live = LiveEpisode(prepared, seed=seed, acts=acts)
+    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot)
     live.run()
     return live.so_far()
 

@@ -22,6 +22,7 @@ from comity_sim2d import Frames, FramesFile
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
+    from comity_executor import MapRobot
 
 View = Literal["page", "picture", "gif"]
 """What shows an episode to people: `replay.html`, `picture.png` and `episode.gif`."""
@@ -46,6 +47,8 @@ def record(
     views: Collection[View] = VIEWS,
     watch: Callable[[Progress], None] | None = None,
     acts: Mapping[str, MakeAct] = NO_ACTS,
+    robot: MapRobot | None = None,
+    called: str | None = None,
 ) -> Recorded:
     """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
 
@@ -56,16 +59,19 @@ def record(
         views: What to make of it for people to look at.
         watch: Told how far the episode is.
         acts: Behaviours of your own in place of the robot's acts, by the act's name.
+        robot: A real robot in the place of the simulated one.
+        called: How the account calls it.
 
     Raises:
         InputError: if the folder cannot be used or `acts` names no act; nothing is written then.
     """
-    live = LiveEpisode(prepared, seed=seed, acts=acts)
+    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot)
     while True:
         path = run_folder.place_for(out, prepared.file.scenario.name)
         try:
             with run_folder.claimed(path, new=out is None) as folder:
-                return _recorded(prepared, folder, live, seed=seed, views=views, watch=watch)
+                account = account_before(prepared, folder, seed, robot=called)
+                return _recorded(prepared, folder, live, account, views=views, watch=watch)
         except FileExistsError:
             continue  # another run took the number
 
@@ -74,12 +80,11 @@ def _recorded(
     prepared: Prepared,
     folder: RunFolder,
     live: LiveEpisode,
+    account: RunAnswer,
     *,
-    seed: int,
     views: Collection[View],
     watch: Callable[[Progress], None] | None,
 ) -> Recorded:
-    account = account_before(prepared, folder, seed)
     folder.write(run_folder.RUN, account)
     try:
         for name, text in resolved_files(prepared).items():

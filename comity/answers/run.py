@@ -189,12 +189,26 @@ class AttemptsAnswer(Answer):
     failed: tuple[FailedAttemptAnswer, ...]
 
 
+class LoopAnswer(Answer):
+    """How the loop of a real robot kept its rate."""
+
+    ticks: int
+    late: int = Field(description="Ticks that took longer than their share of time.")
+    longest_s: float = Field(description="The longest of those.")
+    interrupted_by: str | None = Field(
+        description="`SIGINT` or `SIGTERM`; null where it came to its own end."
+    )
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
     status: Literal["running", "done", "crashed"]
     outcome: Outcome | None
     scenario: str
+    robot: str | None = Field(
+        default=None, description="The real robot that carried it out; null for the simulated one."
+    )
     rulebook: str
     profiles: Mapping[str, str]
     at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
@@ -231,6 +245,7 @@ class RunAnswer(Answer):
     repeated: tuple[AttemptsAnswer, ...] = Field(
         default=(), description="Actions that were tried again after a failure."
     )
+    loop: LoopAnswer | None = Field(default=None, description="Of a real robot; null in the simulated world.")
     bytes_per_minute: Mapping[str, int] = Field(
         default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from contextlib import nullcontext, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.recording import Recorded, View
+    from comity_executor import MapRobot
 
 Out = Annotated[
     Path | None,
@@ -33,6 +36,22 @@ Out = Annotated[
 Learn = Annotated[bool, typer.Option("--learn", help="Remember how each person took the robot's coming.")]
 Gif = Annotated[bool, typer.Option("--gif", help="Write a GIF of the episode, too; it takes a while.")]
 NoPictures = Annotated[bool, typer.Option("--no-pictures", help="Leave the picture out.")]
+RobotName = Annotated[
+    str | None,
+    typer.Option(
+        "--robot", metavar="MODULE:CLASS", help="A real robot of yours in the place of the simulated one."
+    ),
+]
+AsShadow = Annotated[
+    bool,
+    typer.Option("--shadow", help="Sense, plan and explain, but command nothing: others drive the robot."),
+]
+MaxSpeed = Annotated[
+    float | None,
+    typer.Option(
+        "--max-speed", metavar="V", min=0.01, help="Go no faster than V m/s, whatever the scenario says."
+    ),
+]
 Open = Annotated[bool, typer.Option("--open", help="Open the page in the browser.")]
 
 
@@ -45,6 +64,9 @@ def run(
     seed: Seed = 0,
     out: Out = None,
     learn: Learn = False,
+    robot: RobotName = None,
+    shadow: AsShadow = False,
+    max_speed: MaxSpeed = None,
     open_: Open = False,
     gif: Gif = False,
     no_pictures: NoPictures = False,
@@ -55,10 +77,12 @@ def run(
     Writes a run folder with the plan, the trace, all frames, a picture and a page that shows the episode;
     with --gif a GIF, too, which `comity replay RUN --gif FILE` can also make later. With --learn it also adds
     what was noticed of each person with a profile of their own to what is known of them; without it, a run
-    changes nothing there. Exit code 1: a person could not be served.
+    changes nothing there. With --robot a robot of your own carries it out, on the scenario's map and from
+    where it is and sees people. Exit code 1: a person could not be served.
     """
     from comity.adaptation.learning import in_words, keep, observed, refuse_nobody_kept
     from comity.commands.progress import watching
+    from comity.live.start import as_seen, slowed
     from comity.output.run_folder import place_for
     from comity.preparation import prepare
     from comity.recording import record
@@ -66,14 +90,26 @@ def run(
     from comity.report.text import show
     from comity.scenario import load_scenario
 
-    file = load_scenario(scenario)
+    file = slowed(load_scenario(scenario), max_speed)
     place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
-    with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
-        people = pairs(as_, "--as", "guest=german_man")
-        prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed)
-        if learn:
-            refuse_nobody_kept(prepared)
-        recorded = record(prepared, seed=seed, out=out, views=_views(gif, no_pictures), watch=watch)
+    with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
+        base = _robot(robot, shadow=shadow)
+        if base is not None:
+            file = as_seen(file, base)
+        with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
+            people = pairs(as_, "--as", "guest=german_man")
+            prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed)
+            if learn:
+                refuse_nobody_kept(prepared)
+            recorded = record(
+                prepared,
+                seed=seed,
+                out=out,
+                views=_views(gif, no_pictures),
+                watch=watch,
+                robot=base,
+                called=f"{robot} (shadow: nothing was commanded)" if shadow else robot,
+            )
     seen = observed(recorded.episode, day(at)) if learn else {}
     kept = keep(seen)
     if as_json:
@@ -85,6 +121,24 @@ def run(
     if open_:
         _open(recorded)
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
+
+
+def _robot(name: str | None, *, shadow: bool) -> MapRobot | None:
+    """The robot that was named, if one was; in its shadow, where nothing is to be commanded."""
+    from comity.live.loading import load_robot
+    from comity.live.shadow import Shadow
+    from comity_fis import InputError
+
+    if name is None:
+        if shadow:
+            raise InputError(
+                expected="a robot to be the shadow of",
+                got="--shadow without --robot",
+                remedy="Add `--robot MODULE:CLASS`.",
+            )
+        return None
+    base = load_robot(name)
+    return Shadow(base) if shadow else base
 
 
 def _views(gif: bool, no_pictures: bool) -> tuple[View, ...]:

@@ -14,8 +14,9 @@ from comity_sim2d.senses.taken_apart import taken_apart
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping
 
+    from comity.environment import Environment
     from comity_fis import Inference
-    from comity_sim2d import Door, Person, Pose, World
+    from comity_sim2d import Door, Person, Pose
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +64,7 @@ class Moment:
             return scene(people=taken_apart(people, body, floor_plan(left, self.doors)))
 
 
-def moment_of(world: World, values: Mapping[str, Inference], visited: Collection[str]) -> Moment:
+def moment_of(world: Environment, values: Mapping[str, Inference], visited: Collection[str]) -> Moment:
     """What the robot of a world takes it for now.
 
     Args:

@@ -12,8 +12,9 @@ from comity_sim2d import wrap_angle
 from comity_sim2d.senses import active_faults
 
 if TYPE_CHECKING:
+    from comity.environment import Environment
     from comity_fis import Inference
-    from comity_sim2d import Person, World
+    from comity_sim2d import Person
 
 MOVED_M, TURNED_DEG = 0.5, 45.0
 """Somebody who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
@@ -48,7 +49,7 @@ class Watch:
         world: Its robot knows where everybody is, and which doors are shut.
     """
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: Environment) -> None:
         self._world = world
         self._told: list[News] = []
         self._noted: list[News] = []

@@ -44,9 +44,9 @@ from comity_sim2d import PastPeople, Scene, SceneError
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable
 
+    from comity.environment import Environment
     from comity.preparation import Prepared
     from comity_fis import Inference
-    from comity_sim2d import World
 
 
 class WorldPlanner:
@@ -57,7 +57,7 @@ class WorldPlanner:
         world: Its robot knows where everybody is, and which doors are shut.
     """
 
-    def __init__(self, prepared: Prepared, world: World) -> None:
+    def __init__(self, prepared: Prepared, world: Environment) -> None:
         self._prepared = prepared
         self._world = world
         self._values = dict(prepared.values)

@@ -237,7 +237,7 @@ def open_run(path: Path) -> RunFolder:
         raise InputError(
             expected="the folder of a run, with its run.json",
             got=got,
-            remedy="`comity run` writes one and names it.",
+            remedy="`comity run` writes one and names it, of your own robot with `--robot MODULE:CLASS`.",
             where=Where(str(path)),
         )
     return RunFolder(path)

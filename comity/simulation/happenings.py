@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity.schedule import Announced
 from comity.simulation.sent_way import SentWay, sent_way, up_to_a_door
 from comity_sim2d import Person, Route
 from comity_sim2d.people.footing import is_taken
@@ -16,7 +17,7 @@ from comity_sim2d.scene.person import find_person
 from comity_sim2d.senses import active_faults
 
 if TYPE_CHECKING:
-    from comity.schedule import Stage
+    from comity.schedule import Happening, Stage
     from comity_fis import Inference
     from comity_sim2d import World
     from comity_sim2d.scene.door import Door
@@ -39,6 +40,14 @@ class ValuesChange:
         """Tell the planner, once."""
         stage.planner.tell(self.person, self.values, self.text)
         yield from ()
+
+
+def told(happenings: Iterable[Happening]) -> Iterator[Happening]:
+    """Those of which people tell the robot; all others touch the simulated world."""
+    for happening in happenings:
+        inner = happening.happening if isinstance(happening, Announced) else happening
+        if isinstance(inner, ValuesChange):
+            yield happening
 
 
 @dataclass(frozen=True, slots=True)

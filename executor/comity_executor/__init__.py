@@ -17,6 +17,7 @@ from comity_executor.robots.capabilities import Capabilities, CapabilityValues
 from comity_executor.robots.carrier import Carrier
 from comity_executor.robots.check import RobotCheck, RobotError, check_robot
 from comity_executor.robots.goals import (
+    LOST,
     STATES,
     ActGoal,
     ActStatus,
@@ -27,8 +28,9 @@ from comity_executor.robots.goals import (
     MotionGoal,
     MotionStatus,
 )
+from comity_executor.robots.map_robot import Localisation, MapGoal, MapRobot, PersonTrack
 from comity_executor.robots.noticed import Noticed
-from comity_executor.robots.robot import Reading, Robot
+from comity_executor.robots.robot import Reading, Robot, Words
 from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.robots.senses import ReadingSeries, ReadingsFile
 from comity_executor.speech.manner import Manner, manner_of
@@ -50,6 +52,7 @@ from comity_executor.trees.tree import Tree, build_tree
 
 __all__ = [
     "DEFAULT_LIMITS",
+    "LOST",
     "NO_ACTS",
     "STATES",
     "ActGoal",
@@ -74,10 +77,13 @@ __all__ = [
     "Intervention",
     "LeafCoverage",
     "Limits",
+    "Localisation",
     "Loop",
     "LoopReport",
     "MakeAct",
     "Manner",
+    "MapGoal",
+    "MapRobot",
     "Motion",
     "MotionGoal",
     "MotionStatus",
@@ -85,6 +91,7 @@ __all__ = [
     "Node",
     "Noticed",
     "Overrun",
+    "PersonTrack",
     "Planner",
     "Reading",
     "ReadingSeries",
@@ -104,6 +111,7 @@ __all__ = [
     "Watchdog",
     "WatchdogError",
     "Why",
+    "Words",
     "Write",
     "btcpp_xml",
     "build_tree",

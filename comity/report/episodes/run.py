@@ -11,6 +11,7 @@ from comity.answers import (
     ActAnswer,
     ActTowardsAnswer,
     DeedAnswer,
+    LoopAnswer,
     PersonAnswer,
     PlannedInsteadAnswer,
     RunAnswer,
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from comity.episode import Episode, LiveEpisode
     from comity.output.run_folder import RunFolder
     from comity.preparation import Prepared
-    from comity_executor import Visit
+    from comity_executor import LoopReport, Visit
     from comity_fis import Inference, ParameterValue
     from comity_sim2d import ActEvent
 
@@ -47,12 +48,15 @@ SAME_CM = 0.05
 """Half of the last digit that is told: below it distances are the same."""
 
 
-def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
-    """What can be said before the world moves."""
+def account_before(
+    prepared: Prepared, folder: RunFolder, seed: int, *, robot: str | None = None
+) -> RunAnswer:
+    """What can be said before the world moves; of a real robot how it is called."""
     return RunAnswer(
         status="running",
         outcome=None,
         scenario=prepared.file.scenario.name,
+        robot=robot,
         rulebook=prepared.rulebook.name,
         profiles={person: profile.name for person, profile in prepared.profiles.items()},
         seed=seed,
@@ -102,8 +106,20 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "disturbances": tuple(disturbance_answers(episode.disturbances)),
             "repeated": tuple(repeated(episode.events, episode.nodes)),
             "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
+            "loop": _loop(episode.loop),
             "files": folder.files(),
         }
+    )
+
+
+def _loop(report: LoopReport | None) -> LoopAnswer | None:
+    if report is None:
+        return None
+    return LoopAnswer(
+        ticks=report.ticks,
+        late=len(report.overruns),
+        longest_s=max((one.took_s for one in report.overruns), default=0.0),
+        interrupted_by=report.interrupted_by,
     )
 
 
@@ -237,9 +253,13 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
     late = sum(bool(visit.late_s) for visit in answer.visits)
     yield (
         f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
-        f"{f'({late} late) ' if late else ''}in {answer.simulated_s:.1f} simulated seconds"
+        f"{f'({late} late) ' if late else ''}in {answer.simulated_s:.1f} "
+        + ("simulated seconds" if answer.robot is None else f"seconds with {answer.robot}")
         + (f", facts as of {answer.at}" if answer.at else "")
     )
+    if answer.loop is not None and answer.loop.late:
+        late_ticks = f"{answer.loop.late} of {answer.loop.ticks} ticks were late"
+        yield f"  {late_ticks}, the longest took {answer.loop.longest_s:.2f} s"
     yield table(
         [_reached(visit) for visit in answer.visits],
         head=(

@@ -86,10 +86,10 @@ def check_robot(
         people: The people it is to read.
         values: The parameters of people, by name: whose distances are compared.
     """
-    problems = [problem for name in CALLS if (problem := _call_problem(robot, name))]
+    problems = [problem for name in CALLS if (problem := call_problem(robot, name, *CALLS[name]))]
     if not problems:
-        problems = [problem for problem in _form_problems(cast("Robot", robot), people) if problem]
-    problems += _capability_problems(robot)
+        problems = [problem for problem in form_problems(robot, people) if problem]
+    problems += capability_problems(robot)
     stated = getattr(getattr(robot, "capabilities", None), "tolerance_m", 0.0)
     tolerance_m = float(stated) if isinstance(stated, Real) else 0.0
     distances = sorted((_distance_m(each), name) for name, each in (values or {}).items())
@@ -117,10 +117,11 @@ def _distance_m(inference: Inference) -> float:
     return float(inference["conversational_distance"].number)
 
 
-def _call_problem(robot: object, name: str) -> str | None:
-    """What is wrong with a call before it is made."""
+def call_problem(
+    robot: object, name: str, arguments: tuple[object, ...], named: Mapping[str, object]
+) -> str | None:
+    """What is wrong with a call before it is made with such arguments; None: nothing."""
     call = getattr(robot, name, None)
-    arguments, named = CALLS[name]
     shown = ", ".join([*(type(each).__name__ for each in arguments), *named])
     if not callable(call):
         got = "no such attribute" if call is None else repr(call)
@@ -134,8 +135,9 @@ def _call_problem(robot: object, name: str) -> str | None:
     return None
 
 
-def _form_problems(robot: Robot, people: Iterable[str]) -> list[str | None]:
+def form_problems(robot: object, people: Iterable[str] = ()) -> list[str | None]:
     """What is wrong with what is returned; a call that raises now may work later."""
+    robot = cast("Robot", robot)
     return [
         _checked(robot.emergency, _emergency_problem),
         _checked(robot.motion, _motion_problem),
@@ -176,7 +178,8 @@ def _reading_problem(said: object) -> str | None:
     return f"read: expected None or an object with the numbers {', '.join(wrong)}, got {said!r}"
 
 
-def _capability_problems(robot: object) -> list[str]:
+def capability_problems(robot: object) -> list[str]:
+    """What is wrong with the numbers that a robot states."""
     stated = getattr(robot, "capabilities", None)
     found = []
     for field in fields(CapabilityValues):

@@ -10,13 +10,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Protocol
 
 from comity_sim2d.pose import Pose
+from comity_sim2d.scene.person import Person
 from comity_sim2d.senses.sight import Sight
-from comity_sim2d.senses.tracking import Track
 
 LOOKS = 5
 """So many empty looks in a row are no accident: a quarter of a second at 20 Hz (our choice)."""
+
+
+class Track(Protocol):
+    """What is known of where one person is."""
+
+    @property
+    def is_seen(self) -> bool:
+        """In the newest measurement."""
+        ...
+
+    def ahead(self, time_s: float, /) -> Person:
+        """Where they are so much later."""
+        ...
 
 
 @dataclass(slots=True)

@@ -1,0 +1,68 @@
+"""What a real robot said and did, put on record as the simulated one does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from comity_executor import ActGoal, ActStatus, GoalId, GoalStatus
+from comity_executor.robots.goals import LOST
+from comity_sim2d import ActEvent
+from comity_sim2d.robot.acts import is_spoken
+
+
+@dataclass(slots=True)
+class _Act:
+    goal: GoalId
+    """What the robot calls it."""
+    event: ActEvent
+    is_over: bool = False
+
+
+class ActRecord:
+    """Acts by names of our own: they are text, and goals of motion are numbers."""
+
+    def __init__(self) -> None:
+        self._acts: list[_Act] = []
+
+    def begin(self, act: ActGoal, goal: GoalId, t: float) -> str:
+        """Put an act on record; what it is called from now on.
+
+        Args:
+            act: What is done.
+            goal: What the robot calls it.
+            t: The time [s].
+        """
+        spoken = is_spoken(act.act, act.text)
+        event = ActEvent(
+            t_start=t,
+            t_end=t,
+            act=act.act,
+            person=act.to,
+            text=act.text,
+            volume=act.manner.volume if spoken else None,
+            rate=act.manner.rate if spoken else None,
+            amplitude=None if spoken or act.thing is not None else act.manner.amplitude,
+            thing=act.thing,
+        )
+        self._acts.append(_Act(goal, event))
+        return f"act {len(self._acts)}"
+
+    def goal_of(self, name: GoalId) -> GoalId:
+        """What the robot calls an act."""
+        return self._act(name).goal
+
+    def note(self, name: GoalId, status: GoalStatus, t: float) -> GoalStatus:
+        """Put on record how an act goes; the same by the name that it has here."""
+        act = self._act(name)
+        if not act.is_over:
+            act.event = replace(act.event, t_end=t, stopped=status.state in LOST)
+            act.is_over = status.state == "succeeded" or status.state in LOST
+        return ActStatus(name, status.state, status.text)  # type: ignore[arg-type]  # the tree refuses others
+
+    @property
+    def events(self) -> tuple[ActEvent, ...]:
+        """All acts in the order in which they began; one that runs ends when it was looked at last."""
+        return tuple(act.event for act in self._acts)
+
+    def _act(self, name: GoalId) -> _Act:
+        return self._acts[int(str(name).removeprefix("act ")) - 1]

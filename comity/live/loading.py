@@ -1,0 +1,102 @@
+"""A robot of the user's own by its name: `MODULE:CLASS`, or what a package offers as `comity.robots`."""
+
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+from importlib.metadata import EntryPoint, entry_points
+from inspect import Parameter, signature
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+from comity.live.map_robot_check import problems_of
+from comity_fis import InputError
+
+if TYPE_CHECKING:
+    from comity_executor import MapRobot
+
+GROUP = "comity.robots"
+"""The entry points by which installed packages offer robots."""
+
+
+def load_robot(name: str) -> MapRobot:
+    """Make a robot.
+
+    Args:
+        name: `my_robot:Base`, of a module that can be imported from here; or the name of an entry point.
+
+    Raises:
+        InputError: There is no such robot, it cannot be made, or it lacks a call.
+    """
+    make = _imported(name) if ":" in name else _offered(name)
+    needs = _arguments(make)
+    if needs:
+        raise InputError(
+            expected=f"{name} to be made without arguments",
+            got=f"one that needs {', '.join(needs)}",
+            remedy="Write a function without arguments that makes it, and name that.",
+        )
+    try:
+        robot = make()
+    except Exception as error:
+        raise InputError(
+            expected=f"a robot made by {name}()",
+            got=f"{type(error).__name__}: {error}",
+            remedy="Is the robot switched on, and its computer within reach?",
+        ) from error
+    require_map_robot(robot, name)
+    return cast("MapRobot", robot)
+
+
+def require_map_robot(robot: object, name: str) -> None:
+    """Refuse a robot that cannot be driven.
+
+    Raises:
+        InputError: With everything that is missing or of a wrong form.
+    """
+    problems = problems_of(robot)
+    if problems:
+        raise InputError(
+            expected=f"a robot with all calls of comity_executor.MapRobot in {name}",
+            got="\n  ".join(("one that cannot be driven:", *problems)),
+            remedy="docs/how-to/connect-a-robot.md says what each call is to do.",
+        )
+
+
+def _imported(name: str) -> Any:
+    module, _, attribute = name.partition(":")
+    here = str(Path.cwd())
+    if here not in sys.path:
+        sys.path.insert(0, here)  # as `python -m` does
+    try:
+        return getattr(import_module(module), attribute)
+    except (ImportError, AttributeError, ValueError) as error:
+        raise InputError(
+            expected="a robot as MODULE:CLASS, of a module that can be imported from this folder",
+            got=f"{name!r}: {error}",
+            remedy="Write `--robot my_robot:Base` for the class `Base` in my_robot.py.",
+        ) from None
+
+
+def _offered(name: str) -> Any:
+    offers: dict[str, EntryPoint] = {each.name: each for each in entry_points(group=GROUP)}
+    if name in offers:
+        return offers[name].load()
+    known = f"one of {', '.join(sorted(offers))}" if offers else "no installed package offers one"
+    raise InputError(
+        expected=f"a robot as MODULE:CLASS, or the name of one that a package offers ({known})",
+        got=repr(name),
+        remedy="Write `--robot my_robot:Base` for the class `Base` in my_robot.py.",
+    )
+
+
+def _arguments(make: Any) -> list[str]:
+    """What it cannot be made without."""
+    if not callable(make):
+        return ["to be a class or a function"]
+    try:
+        parameters = signature(make).parameters.values()
+    except ValueError:
+        return []
+    plain = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY)
+    return [each.name for each in parameters if each.default is Parameter.empty and each.kind in plain]

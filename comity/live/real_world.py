@@ -1,0 +1,106 @@
+"""The world around a real robot, as far as the robot tells it, with the records that a run folder holds."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from comity.live.robot_on_map import RobotOnMap
+from comity.schedule import Disturbance
+from comity_sim2d.frames import Recorder, frame_row
+from comity_sim2d.senses.active_faults import ActiveFaults
+
+if TYPE_CHECKING:
+    from comity_executor import MapRobot
+    from comity_sim2d import ActEvent, Door, DoorTurn, Frames, Scene, Touch
+    from comity_sim2d.people.reactions import Shown
+
+DIGITS = 4
+"""Of metres, seconds and radians in the frames: a real robot knows no more."""
+
+
+class RealWorld:
+    """An environment that goes on by itself.
+
+    Args:
+        base: The robot.
+        scene: The map, and everybody where they were when the plan was made.
+    """
+
+    def __init__(self, base: MapRobot, scene: Scene) -> None:
+        self.scene = scene
+        self.robot = RobotOnMap(base, scene)
+        self.faults = ActiveFaults()
+        """None: what goes wrong here goes wrong by itself."""
+        people = ((person.name, person.radius_m) for person in scene.people)
+        self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *people])
+        self._recorded_s = -1.0
+        self._silences: list[Disturbance] = []
+        self.observe()
+
+    def observe(self) -> None:
+        """Take in what the robot senses now, and keep it as a frame."""
+        self.robot.sense()
+        self._note_silence()
+        now_s = round(self.time_s, DIGITS)
+        if now_s <= self._recorded_s:
+            return  # a simulated clock that has not gone on
+        self._recorded_s = now_s
+        rows = [frame_row(self.robot.pose), *(frame_row(person.pose) for person in self.robot.people)]
+        self._recorder.record(
+            now_s, [(round(x, DIGITS), round(y, DIGITS), heading) for x, y, heading in rows]
+        )
+
+    def _note_silence(self) -> None:
+        """Put on record since when something is silent, and until when it was."""
+        is_silent = bool(self._silences) and self._silences[-1].end_s is None
+        silence = self.robot.silence
+        if silence and not is_silent:
+            told = f"{silence}: the base stands until it is heard again"
+            self._silences.append(Disturbance(self.time_s, None, "fault", self.robot.name, told))
+        elif is_silent and not silence:
+            self._silences[-1] = replace(self._silences[-1], end_s=self.time_s)
+
+    @property
+    def silences(self) -> tuple[Disturbance, ...]:
+        """When localisation or tracker were not heard."""
+        return tuple(self._silences)
+
+    @property
+    def time_s(self) -> float:
+        """Since the start."""
+        return self.robot.now_s()
+
+    @property
+    def doors(self) -> tuple[Door, ...]:
+        """As the map has them: a real robot is taken not to know of others."""
+        return self.scene.doors
+
+    @property
+    def door_turns(self) -> tuple[DoorTurn, ...]:
+        """None."""
+        return ()
+
+    @property
+    def frames(self) -> Frames:
+        """Where everybody was so far, as the robot believed."""
+        return self._recorder.frames()
+
+    def frames_since(self, count: int) -> Frames:
+        """The same without the first `count` frames."""
+        return self._recorder.frames(count)
+
+    @property
+    def events(self) -> tuple[ActEvent, ...]:
+        """What the robot said and did."""
+        return self.robot.events
+
+    @property
+    def robot_touches(self) -> tuple[Touch, ...]:
+        """None: a bump is told by the robot's stop."""
+        return ()
+
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        """None: only what the robot noticed is known."""
+        return ()

@@ -1,0 +1,131 @@
+"""A robot of one's own on a map: it glides, on a clock of its own, and logs every command."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from comity_executor import (
+    ActGoal,
+    ActStatus,
+    CapabilityValues,
+    GoalId,
+    Localisation,
+    MapGoal,
+    MotionStatus,
+    PersonTrack,
+)
+
+LEASE_S = 0.3
+
+
+@dataclass
+class Gliding:
+    """It moves straight to the pose of its goal; what hinders it is set from outside."""
+
+    people: dict[str, tuple[float, float, float]]
+    """Where everybody is, x and y [m] and heading [deg]; a test moves them."""
+    x: float = 1.0
+    y: float = 1.0
+    heading_rad: float = 0.0
+    latency_s: float = 0.0
+    """A goal is taken up so much later."""
+    t: float = 100.0
+    pressed: str | bool = False
+    knows_where: bool = True
+    tracks_people: bool = True
+    log: list[tuple[float, str, object]] = field(default_factory=list)
+    """Time, command and what it was told."""
+    path: list[tuple[float, float, float, float]] = field(default_factory=list)
+    """Time, place and speed after every step."""
+    _speed: float = 0.0
+    _goals: int = 0
+    _waiting: list[tuple[float, int, MapGoal]] = field(default_factory=list)
+    _goal: MapGoal | None = None
+    _newest: int | None = None
+    _renewed_s: float = -math.inf
+    _acts: list[float] = field(default_factory=list)
+    _stamp_s: float = 100.0
+    _tracked_s: float = 100.0
+
+    @property
+    def capabilities(self) -> CapabilityValues:
+        return CapabilityValues(lease_s=LEASE_S, latency_s=self.latency_s)
+
+    def now_s(self) -> float:
+        return self.t
+
+    def sleep(self, seconds: float) -> None:
+        self.t += seconds
+        while self._waiting and self._waiting[0][0] <= self.t:
+            _, self._newest, self._goal = self._waiting.pop(0)
+        self._speed = 0.0
+        goal = self._goal
+        if goal is not None and self.t - self._renewed_s <= LEASE_S + self.latency_s:
+            gap_m = math.dist((self.x, self.y), (goal.x_m, goal.y_m))
+            step_m = min(gap_m, goal.speed_m_s * seconds)
+            if gap_m > 1e-9:
+                self.x += step_m * (goal.x_m - self.x) / gap_m
+                self.y += step_m * (goal.y_m - self.y) / gap_m
+            self.heading_rad, self._speed = goal.heading_rad, step_m / seconds
+        self.path.append((self.t, self.x, self.y, self._speed))
+
+    def localisation(self) -> Localisation | None:
+        if self.knows_where:
+            self._stamp_s = self.t
+        return Localisation(self.x, self.y, self.heading_rad, self._speed, self._stamp_s)
+
+    def tracks(self) -> list[PersonTrack] | None:
+        if not self.tracks_people:
+            return None
+        return [
+            PersonTrack(name, x, y, self.t, math.radians(deg), person=name, identified_s=self.t)
+            for name, (x, y, deg) in self.people.items()
+        ]
+
+    def go(self, goal: MapGoal) -> GoalId:
+        self.log.append((self.t, "go", goal))
+        self._goals += 1
+        self._renewed_s = self.t
+        if self.latency_s:
+            self._waiting.append((self.t + self.latency_s, self._goals, goal))
+        else:
+            self._newest, self._goal = self._goals, goal
+        return self._goals
+
+    def renew(self, goal: GoalId) -> None:
+        self._renewed_s = self.t
+
+    def motion(self) -> MotionStatus:
+        goal = self._goal
+        if goal is None:
+            return MotionStatus(self._newest, "stopped", stamp_s=self.t, is_at_rest=self._speed == 0.0)
+        is_there = math.dist((self.x, self.y), (goal.x_m, goal.y_m)) < 1e-6
+        state = "succeeded" if is_there else "running"
+        return MotionStatus(self._newest, state, stamp_s=self.t, is_at_rest=self._speed == 0.0)
+
+    def perform(self, act: ActGoal) -> GoalId:
+        self.log.append((self.t, "perform", act))
+        self._acts.append(self.t + 1.0)
+        return f"act {len(self._acts)}"
+
+    def performance(self, act: GoalId) -> ActStatus:
+        return ActStatus(act, "succeeded" if self.t >= self._acts[int(str(act)[4:]) - 1] else "running")
+
+    def stop(self, goal: GoalId | None = None) -> None:
+        self.log.append((self.t, "stop", goal))
+        if goal is None or goal == self._goals:
+            self._goal, self._waiting, self._newest = None, [], self._goals or None
+
+    def emergency(self) -> str | bool:
+        return self.pressed
+
+    def told(self, command: str) -> list[object]:
+        """All that one command was given."""
+        return [what for _, each, what in self.log if each == command]
+
+    def furthest_speed_m_s(self, person: str, within_m: float) -> float:
+        """The fastest it was within so much of a person's body; bodies are 0.25 m and 0.2 m thick."""
+        x, y, _ = self.people[person]
+        near = (v for _, px, py, v in self.path if math.dist((px, py), (x, y)) - 0.45 <= within_m)
+        return max(near, default=0.0)
