@@ -13,6 +13,7 @@ from comity.data_frames import events_table, frames_table, readings_table
 from comity.live.driving import drive, stop_of
 from comity.live.real_world import RealWorld
 from comity.monitoring.fallible_planner import FalliblePlanner
+from comity.monitoring.guarding import Guarding
 from comity.monitoring.lateness import late_s
 from comity.monitoring.measuring import figures
 from comity.monitoring.patience import limits_of
@@ -102,6 +103,8 @@ class Episode:
     """Every value that an entry of the blackboard got, in order."""
     loop: LoopReport | None = None
     """How the loop of a real robot kept its rate; None in the simulated world."""
+    uncertain: frozenset[str] = frozenset()
+    """Of whom a real robot was not sure at some time who they were: nothing is learnt about them."""
 
     def __repr__(self) -> str:
         name, seconds = self.prepared.file.scenario.name, of_episode(self.metrics)["duration_s"]
@@ -239,6 +242,7 @@ class LiveEpisode:
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
         self._listener = WorldPlanner(prepared, self._world)
         self._planner = FalliblePlanner(self._listener)
+        self._guard = Guarding(prepared, self._planner)
         happens = (*prepared.happenings, *happenings)
         self._schedule = Schedule(happens if robot is None else told_only(happens))
         self._heartbeat = stop_of(robot) if robot else None
@@ -261,7 +265,7 @@ class LiveEpisode:
             watch: Called once per second of the episode.
         """
         # Where the world is real, nothing is left that touches it.
-        stage = Stage(cast("World", self._world), self._planner, self._execution)
+        stage = Stage(cast("World", self._world), self._guard, self._execution)
         self._schedule.step(stage)
         if isinstance(self._world, World):
             self._run_simulated(self._world, stage, watch)
@@ -278,10 +282,12 @@ class LiveEpisode:
 
     def _run_real(self, world: RealWorld, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
         told_s = 0
+        self._guard.doubt(world.robot.uncertain)
 
         def each() -> None:
             nonlocal told_s
             world.observe()
+            self._guard.doubt(world.robot.uncertain)
             self._schedule.step(stage)
             self._ends_in_time()
             if watch and world.time_s >= told_s + 1:
@@ -334,7 +340,7 @@ class LiveEpisode:
         Raises:
             KeyError: if nobody is called so.
         """
-        self._planner.tell(person, values, text)
+        self._guard.tell(person, values, text)
         now_s = self._world.time_s
         self._schedule.record(Disturbance(now_s, now_s, "message", person, text))
 
@@ -385,8 +391,8 @@ class LiveEpisode:
     @property
     def disturbances(self) -> tuple[Disturbance, ...]:
         """Changes, faults and messages so far, by time; walks are told once the episode is over."""
-        silences = self._world.silences if isinstance(self._world, RealWorld) else ()
-        return tuple(sorted((*self._schedule.disturbances, *silences), key=lambda one: one.t))
+        halts = self._world.halts if isinstance(self._world, RealWorld) else ()
+        return tuple(sorted((*self._schedule.disturbances, *halts), key=lambda one: one.t))
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
@@ -423,6 +429,7 @@ class LiveEpisode:
             readings=execution.readings,
             writes=execution.writes,
             loop=self._loop,
+            uncertain=frozenset(self._guard.was_uncertain),
         )
 
 

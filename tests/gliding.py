@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
 
 from comity_executor import (
     ActGoal,
@@ -17,6 +19,17 @@ from comity_executor import (
 )
 
 LEASE_S = 0.3
+SCENARIO = """schema_version: 1
+name: two
+place: {width_m: 8, height_m: 6}
+robot: {at_m: [1, 1]}
+people:
+  host: {at_m: [3.0, 3.0], facing_deg: 0, profile: german_man}
+  guest: {at_m: [6.0, 3.0], facing_deg: 180, profile: arab_woman}
+goals:
+  - greet: host
+  - greet: guest
+"""
 
 
 @dataclass
@@ -34,6 +47,14 @@ class Gliding:
     pressed: str | bool = False
     knows_where: bool = True
     tracks_people: bool = True
+    dropped: set[str] = field(default_factory=set)
+    """Whom the tracker does not see."""
+    called: dict[str, str] = field(default_factory=dict)
+    """Whom it takes for whom."""
+    sure_of: dict[str, float] = field(default_factory=dict)
+    """When it made sure last, by the name that it gives; who is not here is made sure of all the while."""
+    velocity: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """Of people, in m/s, as the tracker says."""
     log: list[tuple[float, str, object]] = field(default_factory=list)
     """Time, command and what it was told."""
     path: list[tuple[float, float, float, float]] = field(default_factory=list)
@@ -78,10 +99,21 @@ class Gliding:
     def tracks(self) -> list[PersonTrack] | None:
         if not self.tracks_people:
             return None
-        return [
-            PersonTrack(name, x, y, self.t, math.radians(deg), person=name, identified_s=self.t)
-            for name, (x, y, deg) in self.people.items()
-        ]
+        return [self._track(i, name) for i, name in enumerate(self.people) if name not in self.dropped]
+
+    def _track(self, i: int, name: str) -> PersonTrack:
+        x, y, deg = self.people[name]
+        called = self.called.get(name, name)
+        return PersonTrack(
+            i,
+            x,
+            y,
+            self.t,
+            math.radians(deg),
+            self.velocity.get(name, (0.0, 0.0)),
+            person=called,
+            identified_s=self.sure_of.get(called, self.t),
+        )
 
     def go(self, goal: MapGoal) -> GoalId:
         self.log.append((self.t, "go", goal))
@@ -129,3 +161,15 @@ class Gliding:
         x, y, _ = self.people[person]
         near = (v for _, px, py, v in self.path if math.dist((px, py), (x, y)) - 0.45 <= within_m)
         return max(near, default=0.0)
+
+
+def written(here: Path, text: str) -> str:
+    """The path of a file that holds a scenario."""
+    path = here / "two.scenario.yaml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def gliding(**more: Any) -> Gliding:
+    """A robot in the room of `SCENARIO`."""
+    return Gliding({"host": (3.0, 3.0, 0.0), "guest": (6.0, 3.0, 180.0)}, **more)

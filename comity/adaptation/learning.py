@@ -45,7 +45,7 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
         kept = prepared.kept_as[visit.person]
         person = prepared.file.scenario.people[visit.person]
         seen = observation(visit, prepared.values[visit.person], situation_of(person), day or date.today())
-        if kept and seen:
+        if kept and seen and visit.person not in episode.uncertain:
             invented = person.comfort is not None  # the scenario reacted, not whoever is kept
             found[kept] = seen.model_copy(update={"simulated": invented})
     return found

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from math import atan2, hypot
+from math import atan2, dist
 from typing import TYPE_CHECKING
 
 from comity_sim2d.navigation.yielding import Walker, is_walking
@@ -16,7 +16,13 @@ if TYPE_CHECKING:
     from comity_executor import PersonTrack
     from comity_sim2d import Person, Pose, Scene
 
+IsFree = Callable[[float, float, float], bool]
+"""Of a disc of floor: x, y and radius [m]."""
+MOST_RADIUS_M = 2.0
+"""No body of a scene is larger."""
 STANDING = (0.0, 0.0)
+GROWS_M_S, GROWS_M = 1.4, 2.0
+"""A person out of sight may have gone so fast, a brisk walk, and so far at most (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +32,22 @@ class Seen:
     person: Person
     """Where they are, or were when they were seen last."""
     velocity: tuple[float, float] = STANDING
-    """In m/s; of a person who is not seen, 0."""
+    """In m/s; of a person who is not seen, as they were seen last."""
     is_seen: bool = False
     """In the newest tracks."""
     stamp_s: float | None = None
     """When they were seen last, by the clock of the episode; None: never."""
+    has_vanished: bool = False
+    """Whether they may be elsewhere: they walked when they were seen last, or the tracker dropped them.
+
+    Who stood and is merely out of view is taken to stand there still.
+    """
+
+    def grown_m(self, now_s: float) -> float:
+        """How far they may be by now from where they were seen last [m]."""
+        if not self.has_vanished or self.stamp_s is None:
+            return 0.0
+        return min(GROWS_M, GROWS_M_S * max(0.0, now_s - self.stamp_s))
 
     def ahead(self, seconds: float) -> Person:
         """Where they are so much later, at that velocity."""
@@ -48,18 +65,37 @@ class PeopleSeen:
     def __init__(self, scene: Scene) -> None:
         sensor = scene.robot.sensor
         self._seen: Mapping[str, Seen] = {person.name: Seen(person) for person in scene.people}
-        self._missing = Missing(Sight(sensor, floor_plan(scene)), sensor.sigma_m)
+        self._plan = floor_plan(scene)
+        self._sight = Sight(sensor, self._plan)
+        self._missing = Missing(self._sight, sensor.sigma_m)
         self._last_s: float | None = None
+        self._robot_radius_m = scene.robot.radius_m
 
     @property
     def people(self) -> tuple[Person, ...]:
         """All people of the scenario where the robot believes them to be."""
         return tuple(each.person for each in self._seen.values())
 
-    @property
-    def present(self) -> tuple[Person, ...]:
-        """Those whose places it knows."""
-        return tuple(person for person in self.people if person.name not in self._missing.lost)
+    def obstacles(self, now_s: float) -> tuple[Person, ...]:
+        """Everybody as large as where they may be by now, but for those whose floor was seen free."""
+        return tuple(
+            replace(each.person, radius_m=min(MOST_RADIUS_M, each.person.radius_m + each.grown_m(now_s)))
+            for name, each in self._seen.items()
+            if each.has_vanished or name not in self._missing.lost
+        )
+
+    def may_be_at(self, robot: Pose, now_s: float) -> str | None:
+        """Who is out of sight and may have come to the robot by now, as a sentence; None: nobody.
+
+        Nobody comes through a wall.
+        """
+        for name, each in self._seen.items():
+            reach_m = self._robot_radius_m + each.person.radius_m + each.grown_m(now_s)
+            if not each.has_vanished or dist(robot.xy, each.person.xy) > reach_m:
+                continue
+            if self._plan.wall_between(each.person.xy, robot.xy) is None:
+                return f"{name} was seen last at {each.stamp_s:.1f} s and may have come here by now"
+        return None
 
     @property
     def lost(self) -> Mapping[str, float | None]:
@@ -77,11 +113,8 @@ class PeopleSeen:
     @property
     def walkers(self) -> tuple[Walker, ...]:
         """Who is under way."""
-        return tuple(Walker(each.person, each.velocity) for each in self._seen.values() if self.walks(each))
-
-    def walks(self, seen: Seen) -> bool:
-        """Whether a person is under way."""
-        return is_walking(seen.velocity)
+        seen = (each for each in self._seen.values() if each.is_seen and is_walking(each.velocity))
+        return tuple(Walker(each.person, each.velocity) for each in seen)
 
     def learn(self, name: str, *, distance_m: float, speed_m_s: float | None) -> None:
         """Know how a person wants the robot to move near them, as `SimRobot.learn`."""
@@ -89,27 +122,43 @@ class PeopleSeen:
         person = replace(one.person, personal_distance_m=distance_m, approach_speed_m_s=speed_m_s)
         self._seen = {**self._seen, name: replace(one, person=person)}
 
-    def take_in(self, tracks: Iterable[PersonTrack], eye: Pose, now_s: float) -> None:
+    def take_in(
+        self, tracks: Iterable[PersonTrack], eye: Pose, now_s: float, *, is_free: IsFree | None = None
+    ) -> None:
         """Take in the newest tracks.
 
         Args:
             tracks: Times by the clock of the episode.
             eye: Where the robot is.
             now_s: The time.
+            is_free: Whether the floor around a place is seen to be free, of a robot that can say so.
         """
         named = {track.person: track for track in tracks if track.person in self._seen}
-        self._seen = {name: _after(one, named.get(name), now_s) for name, one in self._seen.items()}
+        self._seen = {
+            name: _tracked(one, named[name], now_s) if name in named else self._unseen(one, eye, is_free)
+            for name, one in self._seen.items()
+        }
         self._missing.take_in(self._seen, eye, self._last_s)
         self._last_s = now_s
 
+    def _unseen(self, before: Seen, eye: Pose, is_free: IsFree | None) -> Seen:
+        """A person after a tick in which they were not seen."""
+        if before.stamp_s is None:
+            return before
+        vanishes = before.has_vanished
+        if before.is_seen:
+            vanishes = is_walking(before.velocity) or self._sight.sees(eye, [before.person])[0]
+        x, y, radius_m = before.person.x_m, before.person.y_m, before.person.radius_m
+        if vanishes and is_free is not None and is_free(x, y, radius_m + GROWS_M):
+            vanishes = False
+        return replace(before, is_seen=False, has_vanished=vanishes)
 
-def _after(before: Seen, track: PersonTrack | None, now_s: float) -> Seen:
-    """A person after a tick; one whose heading is not known faces where they walk, or as before."""
-    if track is None:
-        return replace(before, velocity=STANDING, is_seen=False)
+
+def _tracked(before: Seen, track: PersonTrack, now_s: float) -> Seen:
+    """A person who is seen; one whose heading is not known faces where they walk, or as before."""
     (vx, vy), age_s = track.velocity_m_s, max(0.0, now_s - track.stamp_s)
     heading = before.person.heading_rad if track.heading_rad is None else track.heading_rad
-    if track.heading_rad is None and is_walking((vx, vy)) and hypot(vx, vy) > 0.0:
+    if track.heading_rad is None and is_walking((vx, vy)):
         heading = atan2(vy, vx)
     person = replace(
         before.person, x_m=track.x_m + vx * age_s, y_m=track.y_m + vy * age_s, heading_rad=heading

@@ -35,13 +35,13 @@ class RealWorld:
         people = ((person.name, person.radius_m) for person in scene.people)
         self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *people])
         self._recorded_s = -1.0
-        self._silences: list[Disturbance] = []
+        self._halts: list[Disturbance] = []
         self.observe()
 
     def observe(self) -> None:
         """Take in what the robot senses now, and keep it as a frame."""
         self.robot.sense()
-        self._note_silence()
+        self._note_halt()
         now_s = round(self.time_s, DIGITS)
         if now_s <= self._recorded_s:
             return  # a simulated clock that has not gone on
@@ -51,20 +51,20 @@ class RealWorld:
             now_s, [(round(x, DIGITS), round(y, DIGITS), heading) for x, y, heading in rows]
         )
 
-    def _note_silence(self) -> None:
-        """Put on record since when something is silent, and until when it was."""
-        is_silent = bool(self._silences) and self._silences[-1].end_s is None
-        silence = self.robot.silence
-        if silence and not is_silent:
-            told = f"{silence}: the base stands until it is heard again"
-            self._silences.append(Disturbance(self.time_s, None, "fault", self.robot.name, told))
-        elif is_silent and not silence:
-            self._silences[-1] = replace(self._silences[-1], end_s=self.time_s)
+    def _note_halt(self) -> None:
+        """Put on record since when the base has to stand, and until when it had to."""
+        has_stood = bool(self._halts) and self._halts[-1].end_s is None
+        reason = self.robot.has_to_stand
+        if reason and not has_stood:
+            told = f"{reason}: the base stands until that is over"
+            self._halts.append(Disturbance(self.time_s, None, "fault", self.robot.name, told))
+        elif has_stood and not reason:
+            self._halts[-1] = replace(self._halts[-1], end_s=self.time_s)
 
     @property
-    def silences(self) -> tuple[Disturbance, ...]:
-        """When localisation or tracker were not heard."""
-        return tuple(self._silences)
+    def halts(self) -> tuple[Disturbance, ...]:
+        """When the base had to stand, and why."""
+        return tuple(self._halts)
 
     @property
     def time_s(self) -> float:

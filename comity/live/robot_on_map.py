@@ -14,9 +14,10 @@ from math import dist, inf, pi
 from typing import TYPE_CHECKING
 
 from comity.live.act_record import ActRecord
+from comity.live.identities import Identities
 from comity.live.people_seen import PeopleSeen
-from comity_executor import MapGoal, MotionStatus
-from comity_sim2d import RouteMap, Wish, choose_pose, wrap_angle
+from comity_executor import MapGoal, MotionStatus, without_names
+from comity_sim2d import Person, RouteMap, Wish, choose_pose, wrap_angle
 from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S
 from comity_sim2d.navigation.docking import docked, spot_beside
 from comity_sim2d.navigation.past_people import PastPeople
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
         Words,
     )
     from comity_fis.defuzzification.curve import Curve
-    from comity_sim2d import ActEvent, Person, Scene
+    from comity_sim2d import ActEvent, Scene
 
 FOLLOW_M, FOLLOW_RAD = 0.05, 5.0 * pi / 180.0
 """A pose that has moved or turned by more is told to the base anew (our choice)."""
@@ -62,6 +63,10 @@ class RobotOnMap:
         self._start_s = base.now_s()
         self._surroundings = Surroundings.of(scene)
         self._seen = PeopleSeen(scene)
+        self._names = frozenset(person.name for person in scene.people)
+        self._identities = Identities(self._names)
+        self._strangers: tuple[Person, ...] = ()
+        """People whom the tracker sees and the scenario does not know."""
         self._localised: Localisation | None = None
         self._tracked_s = self._start_s
         """When the tracker was heard last."""
@@ -86,27 +91,33 @@ class RobotOnMap:
         if tracks is None or self._localised is None:
             return
         self._tracked_s = now_s
-        self._seen.take_in([self._by_own_clock(track) for track in tracks], self.pose, self.now_s())
+        own = [self._by_own_clock(track) for track in tracks]
+        is_free = getattr(self._base, "floor_is_free", None)
+        self._seen.take_in(own, self.pose, self.now_s(), is_free=is_free)
+        self._identities.take_in(own, self.now_s())
+        self._strangers = tuple(_stranger(track) for track in own if track.person not in self._names)
 
     def _by_own_clock(self, track: PersonTrack) -> PersonTrack:
-        return replace(track, stamp_s=track.stamp_s - self._start_s)
+        sure_s = None if track.identified_s is None else track.identified_s - self._start_s
+        return replace(track, stamp_s=track.stamp_s - self._start_s, identified_s=sure_s)
 
     @property
-    def silence(self) -> str | None:
-        """What has not been heard for too long, so that the robot stands; None: nothing."""
+    def uncertain(self) -> frozenset[str]:
+        """Of whom it is not sure who they are."""
+        return self._identities.uncertain
+
+    @property
+    def has_to_stand(self) -> str | None:
+        """Why it must not move for now: it does not know where it is, or who is there; None: it may."""
         now_s, here = self._base.now_s(), self._localised
         ages = {
             "localisation": inf if here is None else now_s - here.stamp_s,
             "tracker": now_s - self._tracked_s,
         }
-        return next(
-            (
-                f"nothing was heard of the {what} for {_age(age)}"
-                for what, age in ages.items()
-                if age > SILENT_S
-            ),
-            None,
-        )
+        for what, age in ages.items():
+            if age > SILENT_S:
+                return f"nothing was heard of the {what} for {_age(age)}"
+        return self._seen.may_be_at(self.pose, self.now_s())
 
     @property
     def name(self) -> str:
@@ -178,7 +189,7 @@ class RobotOnMap:
     def read(self, person: str) -> Reading | None:
         """Distances and angles to a person whom the tracker sees; None otherwise."""
         seen, here = self._seen.of(person), self._localised
-        if not seen.is_seen or seen.stamp_s is None or here is None or self.silence:
+        if not seen.is_seen or seen.stamp_s is None or here is None or self.has_to_stand:
             return None
         stands = docked(self.pose, self._scene.robot.radius_m, seen.person)
         return Reading(
@@ -224,7 +235,7 @@ class RobotOnMap:
         """Let the base go on, or tell it where the goal is by now."""
         if goal != self._goals or self._goal is None:
             return
-        if self.silence or self._told is None or _differs(self._told, self._pose_of(self._goal)):
+        if self.has_to_stand or self._told is None or _differs(self._told, self._pose_of(self._goal)):
             self._go_on(self._base_goals)
         else:
             self._base.renew(self._base_goals[-1])
@@ -236,7 +247,7 @@ class RobotOnMap:
             before: What the base calls the goal that goes on so, last of all the newest.
         """
         assert self._goal is not None
-        if self.silence:
+        if self.has_to_stand:
             if self._told is not None:
                 self._base.stop(before[-1])
             self._told, self._base_goals = None, []
@@ -269,7 +280,7 @@ class RobotOnMap:
         return MotionStatus(
             self._goals,
             "accepted",
-            self.silence or "",
+            self.has_to_stand or "",
             stamp_s=self.now_s(),
             is_blocked=True,
             is_at_rest=said.is_at_rest,
@@ -282,7 +293,9 @@ class RobotOnMap:
         return self._goals if goal in self._base_goals else self._goals - 1 or None
 
     def perform(self, act: ActGoal) -> str:
-        """Begin an act; what it is called here."""
+        """Begin an act; what it is called here. Nobody is named of whom it is not sure who they are."""
+        if act.text is not None and self.uncertain:
+            act = replace(act, text=without_names(act.text, self.uncertain))
         return self._record.begin(act, self._base.perform(act), self.now_s())
 
     def performance(self, act: GoalId) -> GoalStatus:
@@ -314,7 +327,7 @@ class RobotOnMap:
         xy = here.xy if goal.pose is None else spot_beside(person, self._scene.robot.radius_m, goal.pose)
         if self._is_near(person, speed_m_s):
             speed_m_s = min(speed_m_s, goal.near_m_s)
-        for other in self._seen.present:
+        for other in self._bodies:
             if self._is_near(other, speed_m_s):
                 speed_m_s = min(speed_m_s, other.approach_speed_m_s or NEAR_PEOPLE_M_S)
         return MapGoal(goal.kind, goal.to, *xy, direction_to(xy, person.xy), speed_m_s)
@@ -326,8 +339,13 @@ class RobotOnMap:
         gap_m = dist(self.pose.xy, person.xy) - self._scene.robot.radius_m - person.radius_m
         return gap_m <= NEAR_PEOPLE_M + ahead_m
 
+    @property
+    def _bodies(self) -> tuple[Person, ...]:
+        """Everybody who is or may be there, as large as where they may be."""
+        return (*self._seen.obstacles(self.now_s()), *self._strangers)
+
     def _around(self) -> Surroundings:
-        return self._surroundings.with_people(self._seen.present)
+        return self._surroundings.with_people(self._bodies)
 
     def _blocked_by(self, said: Motion) -> tuple[str, ...]:
         """The people in the way, by the map where the base does not name them."""
@@ -342,7 +360,7 @@ class RobotOnMap:
             keep_m=goal.pose.distance_m,
             detour_m=goal.detour_m,
         )
-        return found.people if found else ()
+        return tuple(name for name in found.people if name in self._names) if found else ()
 
     def _pose_xy(self, goal: MotionGoal) -> tuple[float, float]:
         there = self._pose_of(goal)
@@ -353,6 +371,11 @@ def _differs(told: MapGoal, wanted: MapGoal) -> bool:
     moved_m = dist((told.x_m, told.y_m), (wanted.x_m, wanted.y_m))
     turned_rad = abs(wrap_angle(told.heading_rad - wanted.heading_rad))
     return moved_m > FOLLOW_M or turned_rad > FOLLOW_RAD or told.speed_m_s != wanted.speed_m_s
+
+
+def _stranger(track: PersonTrack) -> Person:
+    """Somebody of whom nothing is known."""
+    return Person(f"track {track.track}", track.x_m, track.y_m, track.heading_rad or 0.0)
 
 
 def _age(age_s: float) -> str:

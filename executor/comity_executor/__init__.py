@@ -34,7 +34,7 @@ from comity_executor.robots.robot import Reading, Robot, Words
 from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.robots.senses import ReadingSeries, ReadingsFile
 from comity_executor.speech.manner import Manner, manner_of
-from comity_executor.speech.wording import farewell_text, greeting_text, offer_text
+from comity_executor.speech.wording import farewell_text, greeting_text, offer_text, without_names
 from comity_executor.subtree import VisitSubtree
 from comity_executor.tracing.blackboard_file import BlackboardFile, read_blackboard
 from comity_executor.tracing.coverage import LeafCoverage, leaf_coverage
@@ -132,4 +132,5 @@ __all__ = [
     "trace_lines",
     "trace_sha256",
     "tree_text",
+    "without_names",
 ]

@@ -7,7 +7,8 @@ None puts a formal pronoun beside what may be a first name, and none welcomes: t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from comity_fis.errors import InputError, closest
@@ -139,6 +140,19 @@ def name_of(person: str) -> str:
     """How somebody is called: with the capitals that their name has, or else with one for each word."""
     name = person.replace("_", " ")
     return name.title() if name.islower() else name
+
+
+def without_names(text: str, people: Iterable[str]) -> str:
+    """The same words to somebody of whom it is not sure who they are.
+
+    Args:
+        text: One of ours.
+        people: Whose names are not to be said, with whatever joins or follows them.
+    """
+    names = "|".join(re.escape(name_of(person)) for person in sorted(people, key=len, reverse=True))
+    joins = "|".join(re.escape(phrases.joined) for phrases in PHRASES.values())
+    name = rf"(?:{names})(?:-san|-sama)?"
+    return re.sub(rf",? {name}(?:(?:, |{joins}){name})*", "", text)
 
 
 def by_formality(wordings: Wordings, values: Inference) -> str:

@@ -7,7 +7,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from gliding import Gliding
+from gliding import SCENARIO, Gliding, gliding, written
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -21,17 +21,6 @@ from comity.scenario import load_scenario
 from comity_executor import MapGoal
 from comity_fis import InputError
 
-SCENARIO = """schema_version: 1
-name: two
-place: {width_m: 8, height_m: 6}
-robot: {at_m: [1, 1]}
-people:
-  host: {at_m: [3.0, 3.0], facing_deg: 0, profile: german_man}
-  guest: {at_m: [6.0, 3.0], facing_deg: 180, profile: arab_woman}
-goals:
-  - greet: host
-  - greet: guest
-"""
 PROFILES = ("arab_woman", "german_woman", "arab_man", "german_man", "japanese_woman", "unknown")
 BODIES_M = 0.45
 
@@ -39,16 +28,6 @@ BODIES_M = 0.45
 @pytest.fixture
 def file(here):
     return load_scenario(written(here, SCENARIO))
-
-
-def written(here, text: str) -> str:
-    path = here / "two.scenario.yaml"
-    path.write_text(text, encoding="utf-8")
-    return str(path)
-
-
-def gliding(**more) -> Gliding:
-    return Gliding({"host": (3.0, 3.0, 0.0), "guest": (6.0, 3.0, 180.0)}, **more)
 
 
 def carried_out(file, robot, **given_) -> comity.episode.Episode:

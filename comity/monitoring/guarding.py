@@ -1,0 +1,93 @@
+"""What holds of people of whom the robot does not know for sure who they are.
+
+Whoever may be one of several people is met as all of them allow: as a stranger is, and farther and more
+slowly where anybody among them wants that. What permits (a nearer wish, consent to touch, what was learnt, a
+name) waits until the robot has made sure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from comity.parameters.passing import asked_speed_m_s
+from comity.parameters.values import infer_for
+from comity.people.profile import NOBODY, Profile
+from comity_fis import InputError
+
+if TYPE_CHECKING:
+    from comity.preparation import Prepared
+    from comity.schedule import Listener
+    from comity_executor import FaultError
+    from comity_fis import Inference
+
+DISTANCE, SPEED = "conversational_distance", "approach_speed"
+
+
+class Guarding:
+    """Stands before who plans, and passes on what may be gone by while it is not sure who is who.
+
+    Args:
+        prepared: The scenario, with everybody's parameters.
+        planner: Who plans.
+    """
+
+    def __init__(self, prepared: Prepared, planner: Listener) -> None:
+        self._prepared = prepared
+        self._planner = planner
+        self._own = dict(prepared.values)
+        """Everybody's own parameters, as they were told last."""
+        self._uncertain: frozenset[str] = frozenset()
+        self.was_uncertain: set[str] = set()
+        """Of whom it was not sure at some time: nothing that was noticed is learnt about them."""
+
+    def tell(self, person: str, values: Inference, text: str) -> None:
+        """Somebody's parameters are others: at once where it is sure who they are, or they protect."""
+        self._own[person] = values
+        if person not in self._uncertain:
+            self._planner.tell(person, values, text)
+        for name in self._uncertain:
+            self._planner.tell(name, self._guarded(name), text)
+
+    def note(self, about: str, text: str, fault: str | None) -> None:
+        """To the planner."""
+        self._planner.note(about, text, fault)
+
+    def break_down(self, error: FaultError, calls: int) -> None:
+        """To the planner."""
+        self._planner.break_down(error, calls)
+
+    def doubt(self, uncertain: frozenset[str]) -> None:
+        """Know from now on of whom the robot is not sure."""
+        if uncertain == self._uncertain:
+            return
+        sure, self._uncertain = self._uncertain - uncertain, uncertain
+        self.was_uncertain |= uncertain
+        for name in sorted(sure):
+            self._planner.tell(name, self._own[name], f"the robot has made sure who {name} is")
+        others = " or ".join((*sorted(uncertain), "a stranger"))
+        for name in sorted(uncertain):
+            text = f"whom the robot takes for {name} may be {others}: what holds for each of them is kept"
+            self._planner.tell(name, self._guarded(name), text)
+
+    def _guarded(self, name: str) -> Inference:
+        """A stranger's parameters, as far and as slow as anybody wants who they may be."""
+        stranger = self._inferred(name, {})
+        candidates = [stranger, *(self._own[each] for each in sorted(self._uncertain))]
+        farthest_m = max(each[DISTANCE].number for each in candidates)
+        speeds = [speed for each in candidates if (speed := asked_speed_m_s(each)) is not None]
+        wishes = {DISTANCE: farthest_m} if farthest_m > stranger[DISTANCE].number else {}
+        if speeds and min(speeds) < stranger[SPEED].number:
+            wishes[SPEED] = min(speeds)
+        return self._inferred(name, wishes) if wishes else stranger
+
+    def _inferred(self, name: str, wishes: Mapping[str, float]) -> Inference:
+        """What holds of a stranger in this person's place, with such wishes."""
+        prepared, scenario = self._prepared, self._prepared.file.scenario
+        stranger = replace(NOBODY, profile=Profile(name="a stranger", settings=dict(wishes)))
+        situation = {"posture": scenario.people[name].posture}
+        with suppress(InputError):
+            return infer_for(stranger, prepared.rulebook, situation=situation, at=prepared.day)
+        return infer_for(stranger, prepared.rulebook, at=prepared.day)
