@@ -79,7 +79,14 @@ from comity.answers.run import (
     SettledAnswer,
     VisitAnswer,
 )
-from comity.answers.trace import CauseAnswer, DifferenceAnswer, EventAnswer, ReasonAnswer, TraceAnswer
+from comity.answers.trace import (
+    CauseAnswer,
+    DifferenceAnswer,
+    EventAnswer,
+    ReadingAnswer,
+    ReasonAnswer,
+    TraceAnswer,
+)
 from comity.answers.visits import MeetingAnswer, VisitsAnswer
 
 __all__ = [
@@ -148,6 +155,7 @@ __all__ = [
     "PrintedDistanceAnswer",
     "ProfileAnswer",
     "ReadAnswer",
+    "ReadingAnswer",
     "ReasonAnswer",
     "RevisionAnswer",
     "RuleStrengthAnswer",

@@ -30,6 +30,19 @@ class EventAnswer(Answer):
     because: tuple[CauseAnswer, ...]
 
 
+class ReadingAnswer(Answer):
+    """What the robot read of one person."""
+
+    person: str
+    t: float
+    distance_m: float
+    centre_distance_m: float
+    bearing_deg: float
+    facing_error_deg: float
+    speed_m_s: float
+    stamp_s: float = Field(description="When it was measured.")
+
+
 class ReasonAnswer(Answer):
     """Why a node is in its state."""
 
@@ -41,6 +54,11 @@ class ReasonAnswer(Answer):
         description="Further results that have to stay as they are, the latest first."
     )
     because: tuple[CauseAnswer, ...] = Field(description="The chain of causes, nearest first.")
+    now: ReadingAnswer | None = Field(
+        default=None,
+        description="What the robot read of the person that the node is about, at the time that is asked "
+        "about; the chain has what it read when things changed.",
+    )
 
 
 class DifferenceAnswer(Answer):

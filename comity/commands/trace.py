@@ -54,6 +54,8 @@ def trace(
     from comity.output.run_folder import open_run
     from comity.report.episodes.blackboard import blackboard_at, blackboard_text
     from comity.report.episodes.parting import parting
+    from comity.report.episodes.reading_now import readings_at
+    from comity.report.episodes.times import time_of
     from comity.report.episodes.trace import (
         after_end_text,
         end_text,
@@ -82,13 +84,18 @@ def trace(
     chosen = selected(recorded, node=node, between=between, until=at)
     around = selected_disturbances(recorded, node=node, between=between, until=at)
     whys = reasons(recorded, why, at) if why is not None else None
+    readings = readings_at(open_run(run), at if (t := time_of(why)) is None else t) if why else {}
     apart = parting(recorded, load(open_run(diff))) if diff is not None else None
     if as_json:
-        print_json(trace_answer(recorded, chosen, around, whys=whys, differences=apart, entries=entries))
+        print_json(
+            trace_answer(
+                recorded, chosen, around, whys=whys, differences=apart, entries=entries, readings=readings
+            )
+        )
     elif entries is not None:
         show(*blackboard_text(entries), *end_text(recorded, entries, at))
     elif whys is not None:
-        show(*after_end_text(recorded, why or ""), *why_text(whys))
+        show(*after_end_text(recorded, why or ""), *why_text(whys, readings))
     elif apart is not None:
         show(*differences_text(apart, (str(run), str(diff))))
     else:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from heapq import merge
 from math import inf
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.answers import DisturbanceAnswer, RunAnswer, TraceAnswer
@@ -21,8 +22,11 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sized
     from pathlib import Path
 
+    from comity.answers import ReadingAnswer
     from comity.output.run_folder import RunFolder
     from comity_executor import Write
+
+NO_READINGS: Mapping[str, ReadingAnswer] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +130,7 @@ def trace_answer(
     whys: Iterable[Why] | None = None,
     differences: Iterable[Divergence] | None = None,
     entries: Iterable[Write] | None = None,
+    readings: Mapping[str, ReadingAnswer] = NO_READINGS,
 ) -> TraceAnswer:
     """The answer of `comity trace --json`."""
     return TraceAnswer(
@@ -135,7 +140,7 @@ def trace_answer(
         events=tuple(map(event_answer, events)),
         disturbances=tuple(disturbances),
         blackboard=None if entries is None else blackboard_answer(entries),
-        why=None if whys is None else tuple(map(reason_answer, whys)),
+        why=None if whys is None else tuple(reason_answer(why, readings) for why in whys),
         differences=None if differences is None else tuple(map(difference_answer, differences)),
     )
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from comity.answers import CauseAnswer, DifferenceAnswer, EventAnswer, ReasonAnswer
+from comity.answers import CauseAnswer, DifferenceAnswer, EventAnswer, ReadingAnswer, ReasonAnswer
+from comity.report.episodes.reading_now import reading_for, reading_text
 from comity.report.text import table, unbroken
 from comity_executor import first_divergence
 
@@ -23,13 +24,14 @@ OF_PLANS = {
 _STATES = {"running": "is running", "success": "succeeded", "failure": "failed"}
 
 
-def reason_answer(why: Why) -> ReasonAnswer:
-    """A reason as `comity trace --json` has it."""
+def reason_answer(why: Why, readings: Mapping[str, ReadingAnswer]) -> ReasonAnswer:
+    """A reason as `comity trace --json` has it, with the readings of the time that is asked about."""
     return ReasonAnswer(
         event=event_answer(why.event),
         switched_by=event_answer(why.switched_by) if why.switched_by else None,
         standing_on=tuple(map(event_answer, why.standing_on)),
         because=tuple(map(_cause_answer, why.because)),
+        now=reading_for(why, readings),
     )
 
 
@@ -47,13 +49,20 @@ def difference_answer(divergence: Divergence) -> DifferenceAnswer:
     )
 
 
-def why_text(reasons: Iterable[Why]) -> Iterator[str]:
-    """For every node, what it does and the results that it stands on; each result down to the facts, once."""
+def why_text(reasons: Iterable[Why], readings: Mapping[str, ReadingAnswer]) -> Iterator[str]:
+    """For every node, what it does and the results that it stands on; each result down to the facts, once.
+
+    Args:
+        reasons: One for each node.
+        readings: What the robot read of people at the time that is asked about.
+    """
     told: set[tuple[float, int]] = set()
     for why in reasons:
         event = why.event
         since = "since" if event.status == "running" else "at"
         yield f"{event.node} {_state(event)} {since} t={event.t:.2f} s"
+        if event.status == "running" and (now := reading_for(why, readings)) and now.t > event.t:
+            yield f"  now {reading_text(now)}"
         if event.because:
             yield f"  because {links(event.because)}"
             yield from _chain(event.because)

@@ -1,0 +1,59 @@
+"""What the robot read of a person at the time that is asked about, beside what it read at the switch."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from comity.answers import ReadingAnswer
+from comity.output.run_folder import READINGS
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity.output.run_folder import RunFolder
+    from comity_executor import Why
+
+ABOUT = re.compile(r"\((?:[^()]*, )?([^(),]+)\)$")
+"""The person at the end of a node's name: `dock(host)`, `done?(utter, host)`."""
+
+
+def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswer]:
+    """The last reading of every person up to a time [s], by name; up to the end when None.
+
+    Raises:
+        InputError: The run's file of readings is damaged.
+    """
+    path = folder / READINGS
+    last: dict[str, ReadingAnswer] = {}
+    if not path.is_file():
+        return last
+    with path.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(line for line in file if line.endswith("\n")):
+            try:
+                if t is not None and float(row["t"]) > t + 1e-6:
+                    break
+                last[row["person"]] = ReadingAnswer.model_validate(row)
+            except (KeyError, TypeError, ValueError):
+                raise InputError(
+                    expected="readings of a run, one a line",
+                    got=f"{row}",
+                    remedy="Run the episode again.",
+                    where=Where(str(path)),
+                ) from None
+    return last
+
+
+def reading_for(why: Why, readings: Mapping[str, ReadingAnswer]) -> ReadingAnswer | None:
+    """The reading of the person that a node is about; None where it is about nobody who was read."""
+    person = ABOUT.search(why.event.node)
+    return readings.get(person[1]) if person else None
+
+
+def reading_text(reading: ReadingAnswer) -> str:
+    """A reading in words."""
+    return (
+        f"t={reading.t:.2f} s: distance {reading.distance_m:.2f} m, bearing {reading.bearing_deg:.1f} deg, "
+        f"facing error {reading.facing_error_deg:.1f} deg, {reading.speed_m_s:.2f} m/s"
+    )
