@@ -81,9 +81,9 @@ def run(
         InputError: if anything given cannot be used.
         PlanningFailed: if the planner finds no plan.
     """
-    from comity.episode import execute
     from comity.live.loading import require_map_robot
     from comity.live.start import as_seen
+    from comity.live_episode import execute
     from comity.preparation import prepare, require_seed
     from comity.scenario import load_scenario
 

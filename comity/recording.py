@@ -10,7 +10,8 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Literal
 
 from comity.answers import RunAnswer
-from comity.episode import Episode, LiveEpisode, Progress
+from comity.episode import Episode
+from comity.live_episode import LiveEpisode, Progress
 from comity.output import run_folder
 from comity.output.resolved import resolved_files
 from comity.output.run_folder import RunFolder
@@ -21,6 +22,7 @@ from comity_executor import NO_ACTS, BlackboardFile, MakeAct, ReadingsFile, Trac
 from comity_sim2d import Frames, FramesFile
 
 if TYPE_CHECKING:
+    from comity.live.operator import Operator
     from comity.preparation import Prepared
     from comity_executor import MapRobot
 
@@ -48,6 +50,7 @@ def record(
     watch: Callable[[Progress], None] | None = None,
     acts: Mapping[str, MakeAct] = NO_ACTS,
     robot: MapRobot | None = None,
+    operator: Operator | None = None,
     called: str | None = None,
 ) -> Recorded:
     """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
@@ -60,12 +63,13 @@ def record(
         watch: Told how far the episode is.
         acts: Behaviours of your own in place of the robot's acts, by the act's name.
         robot: A real robot in the place of the simulated one.
+        operator: Whose words it goes by.
         called: How the account calls it.
 
     Raises:
         InputError: if the folder cannot be used or `acts` names no act; nothing is written then.
     """
-    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot)
+    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot, operator=operator)
     while True:
         path = run_folder.place_for(out, prepared.file.scenario.name)
         try:

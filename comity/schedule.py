@@ -62,8 +62,9 @@ class Happening(Protocol):
         ...
 
 
-Kind = Literal["change", "fault", "message", "walk"]
-"""Of a disturbance: a change or a fault of the scenario, what a person says, a walk of a person."""
+Kind = Literal["change", "fault", "message", "walk", "operator"]
+"""Of a disturbance: a change or a fault of the scenario, what a person says, a walk of a person, a word of a
+real robot's operator."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,8 @@ from numpy.typing import NDArray
 from places import FLAT
 from pydantic import TypeAdapter
 
-from comity.episode import Episode, LiveEpisode
+from comity.episode import Episode
+from comity.live_episode import LiveEpisode
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
 from comity.schedule import Happening

@@ -17,7 +17,7 @@ import numpy as np
 from fault_study import tracks_of
 from judging import contacts_with_people
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from datetime import date, timedelta
 from typing import TYPE_CHECKING
 
-from comity.episode import LiveEpisode
+from comity.live_episode import LiveEpisode
 from comity.parameters.acquaintance import model_m, observation, situation_of
 from comity.people.learnt_file import PARAMETER, Learning, Observation, comfort_on, learnt_on
 from comity.people.profile import load_profile

@@ -169,7 +169,7 @@ class DisturbanceAnswer(Answer):
 
     t: float = Field(description="When it began.")
     end_s: float | None = Field(description="When it was over; null where it was not by the end.")
-    kind: Literal["change", "fault", "message", "walk"]
+    kind: Literal["change", "fault", "message", "walk", "operator"]
     about: str = Field(description="The person, door or part of the robot.")
     text: str = Field(description="What happened, in words.")
 

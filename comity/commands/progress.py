@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from comity.report.text import console
 
 if TYPE_CHECKING:
-    from comity.episode import Progress
+    from comity.live_episode import Progress
 
 
 @contextmanager

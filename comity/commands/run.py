@@ -22,10 +22,11 @@ from comity.commands.options import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
+    from comity.live.operator import Operator
     from comity.recording import Recorded, View
     from comity_executor import MapRobot
 
@@ -45,6 +46,14 @@ RobotName = Annotated[
 AsShadow = Annotated[
     bool,
     typer.Option("--shadow", help="Sense, plan and explain, but command nothing: others drive the robot."),
+]
+WithOperator = Annotated[
+    bool,
+    typer.Option(
+        "--operator",
+        help="With --robot: plans wait for approval, and words are taken from standard input (a line each): "
+        "approve, skip PERSON, nearer PERSON, farther PERSON, mark TEXT, stop, resume.",
+    ),
 ]
 MaxSpeed = Annotated[
     float | None,
@@ -66,6 +75,7 @@ def run(
     learn: Learn = False,
     robot: RobotName = None,
     shadow: AsShadow = False,
+    operator: WithOperator = False,
     max_speed: MaxSpeed = None,
     open_: Open = False,
     gif: Gif = False,
@@ -93,7 +103,7 @@ def run(
     file = slowed(load_scenario(scenario), max_speed)
     place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
     with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
-        base = _robot(robot, shadow=shadow)
+        base = _robot(robot, needs={"--shadow": shadow, "--operator": operator}, shadow=shadow)
         if base is not None:
             file = as_seen(file, base)
         with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
@@ -108,6 +118,7 @@ def run(
                 views=_views(gif, no_pictures),
                 watch=watch,
                 robot=base,
+                operator=_operator() if operator else None,
                 called=f"{robot} (shadow: nothing was commanded)" if shadow else robot,
             )
     seen = observed(recorded.episode, day(at)) if learn else {}
@@ -123,22 +134,35 @@ def run(
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
 
 
-def _robot(name: str | None, *, shadow: bool) -> MapRobot | None:
+def _robot(name: str | None, *, needs: Mapping[str, bool], shadow: bool) -> MapRobot | None:
     """The robot that was named, if one was; in its shadow, where nothing is to be commanded."""
     from comity.live.loading import load_robot
     from comity.live.shadow import Shadow
     from comity_fis import InputError
 
     if name is None:
-        if shadow:
-            raise InputError(
-                expected="a robot to be the shadow of",
-                got="--shadow without --robot",
-                remedy="Add `--robot MODULE:CLASS`.",
-            )
+        for option, is_given in needs.items():
+            if is_given:
+                raise InputError(
+                    expected="a real robot",
+                    got=f"{option} without --robot",
+                    remedy="Add `--robot MODULE:CLASS`.",
+                )
         return None
     base = load_robot(name)
     return Shadow(base) if shadow else base
+
+
+def _operator() -> Operator:
+    """Who types words into standard input."""
+    from comity.live.operator import Operator, listen
+
+    def tell(text: str) -> None:
+        print(text, file=sys.stderr, flush=True)
+
+    operator = Operator(approves=True, tell=tell)
+    listen(sys.stdin, operator, refuse=tell)
+    return operator
 
 
 def _views(gif: bool, no_pictures: bool) -> tuple[View, ...]:

@@ -97,7 +97,7 @@ def _met(acquaintance: Acquaintance, comfort: Comfort, times: int, *, quiet: boo
     """All meetings, with a word on how far they are where somebody watches."""
     from comity.adaptation.visits import meet
     from comity.commands.progress import watching
-    from comity.episode import Progress
+    from comity.live_episode import Progress
 
     meetings = []
     with watching(f"{acquaintance.profile}: visit 1 of {times}", quiet=quiet) as watch:

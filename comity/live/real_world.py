@@ -11,6 +11,7 @@ from comity_sim2d.frames import Recorder, frame_row
 from comity_sim2d.senses.active_faults import ActiveFaults
 
 if TYPE_CHECKING:
+    from comity.live.operator import Operator
     from comity_executor import MapRobot
     from comity_sim2d import ActEvent, Door, DoorTurn, Frames, Scene, Touch
     from comity_sim2d.people.reactions import Shown
@@ -25,11 +26,12 @@ class RealWorld:
     Args:
         base: The robot.
         scene: The map, and everybody where they were when the plan was made.
+        operator: Who may hold the robot.
     """
 
-    def __init__(self, base: MapRobot, scene: Scene) -> None:
+    def __init__(self, base: MapRobot, scene: Scene, operator: Operator | None = None) -> None:
         self.scene = scene
-        self.robot = RobotOnMap(base, scene)
+        self.robot = RobotOnMap(base, scene, operator)
         self.faults = ActiveFaults()
         """None: what goes wrong here goes wrong by itself."""
         people = ((person.name, person.radius_m) for person in scene.people)
@@ -54,7 +56,7 @@ class RealWorld:
     def _note_halt(self) -> None:
         """Put on record since when the base has to stand, and until when it had to."""
         has_stood = bool(self._halts) and self._halts[-1].end_s is None
-        reason = self.robot.has_to_stand
+        reason = self.robot.is_blind
         if reason and not has_stood:
             told = f"{reason}: the base stands until that is over"
             self._halts.append(Disturbance(self.time_s, None, "fault", self.robot.name, told))

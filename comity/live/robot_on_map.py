@@ -8,7 +8,7 @@ that a base that does not know where it is, or who is there, stops by itself.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from math import dist, inf, pi
 from typing import TYPE_CHECKING
@@ -17,6 +17,7 @@ from comity.live.act_record import ActRecord
 from comity.live.identities import Identities
 from comity.live.people_seen import PeopleSeen
 from comity_executor import MapGoal, MotionStatus, without_names
+from comity_executor.robots.stop_button import is_false
 from comity_sim2d import Person, RouteMap, Wish, choose_pose, wrap_angle
 from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S
 from comity_sim2d.navigation.docking import docked, spot_beside
@@ -27,6 +28,7 @@ from comity_sim2d.robot.motion import Reading
 from comity_sim2d.scene.obstacles import Surroundings
 
 if TYPE_CHECKING:
+    from comity.live.operator import Operator
     from comity_executor import (
         ActGoal,
         Capabilities,
@@ -55,11 +57,13 @@ class RobotOnMap:
     Args:
         base: The robot.
         scene: The map, everybody where they were when the plan was made, and the robot's body and speed.
+        operator: Who may hold it.
     """
 
-    def __init__(self, base: MapRobot, scene: Scene) -> None:
+    def __init__(self, base: MapRobot, scene: Scene, operator: Operator | None = None) -> None:
         self._base = base
         self._scene = scene
+        self._operator = operator
         self._start_s = base.now_s()
         self._surroundings = Surroundings.of(scene)
         self._seen = PeopleSeen(scene)
@@ -108,7 +112,13 @@ class RobotOnMap:
 
     @property
     def has_to_stand(self) -> str | None:
-        """Why it must not move for now: it does not know where it is, or who is there; None: it may."""
+        """Why it must not move for now: the operator holds it, or it is blind; None: it may."""
+        held = self._operator.holds() if self._operator is not None else False
+        return str(held) if held else self.is_blind
+
+    @property
+    def is_blind(self) -> str | None:
+        """Why it does not know enough to move: where it is, or who is there; None: it does."""
         now_s, here = self._base.now_s(), self._localised
         ages = {
             "localisation": inf if here is None else now_s - here.stamp_s,
@@ -294,6 +304,8 @@ class RobotOnMap:
 
     def perform(self, act: ActGoal) -> str:
         """Begin an act; what it is called here. Nobody is named of whom it is not sure who they are."""
+        if self._operator is not None and (held := self._operator.holds()):
+            raise RuntimeError(held)  # it is tried again once the operator lets it
         if act.text is not None and self.uncertain:
             act = replace(act, text=without_names(act.text, self.uncertain))
         return self._record.begin(act, self._base.perform(act), self.now_s())
@@ -317,6 +329,19 @@ class RobotOnMap:
     def emergency(self) -> str | bool:
         """The base's own stop."""
         return self._base.emergency()
+
+    def stop_of(self, asked: Callable[[], object]) -> Callable[[], object]:
+        """The stop as the execution reads it: the operator's, where the base's own is not pressed.
+
+        Args:
+            asked: Says what the base's own is.
+        """
+
+        def read() -> object:
+            said = asked()
+            return self._operator.holds() if self._operator is not None and is_false(said) else said
+
+        return read
 
     def _pose_of(self, goal: MotionGoal) -> MapGoal:
         here, speed_m_s = self.pose, min(goal.speed_m_s, self._scene.robot.max_speed_m_s)

@@ -51,6 +51,10 @@ class Guarding:
         for name in self._uncertain:
             self._planner.tell(name, self._guarded(name), text)
 
+    def own(self, person: str) -> Inference:
+        """A person's own parameters, whether or not the robot is sure who they are."""
+        return self._own[person]
+
     def note(self, about: str, text: str, fault: str | None) -> None:
         """To the planner."""
         self._planner.note(about, text, fault)

@@ -68,6 +68,8 @@ class WorldPlanner:
         """To whom there was a way at some time."""
         self._moved: set[str] = set()
         """Who moved, of which the execution does not know yet."""
+        self._skipped: dict[str, str] = {}
+        """Who is left out on the way, and why."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from now on; the robot keeps to them on its way at once.
@@ -87,6 +89,17 @@ class WorldPlanner:
         self._values[person] = values
         self._told.append(Told(self._world.time_s, person, values, text))
         self._world.robot.learn(person, distance_m=own_distance_m(values), speed_m_s=asked_speed_m_s(values))
+
+    def skip(self, person: str, reason: str) -> None:
+        """Leave a person out from now on.
+
+        Raises:
+            KeyError: if nobody is called so.
+        """
+        if person not in self._values:
+            raise KeyError(person)
+        self._skipped[person] = reason
+        self._watch.tell(News(person, reason))
 
     @property
     def told(self) -> tuple[Told, ...]:
@@ -183,7 +196,9 @@ class WorldPlanner:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
             no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
             robot, refused = self._world.robot, self._refused(course)
-            unseen = [name for name in asked.unreachable if robot.would_see(name)]
+            unseen = [
+                name for name in asked.unreachable if name not in self._skipped and robot.would_see(name)
+            ]
             hope = self._hope(course, asked, unseen, refused)
             watched = (name for name in refused if robot.has_to_watch(name))
             look_for = next(chain(watched, unseen), None)
@@ -238,7 +253,7 @@ class WorldPlanner:
             moment.values,
             self._world.robot.carried(),
             self._refused(course),
-            moment.lost,
+            {**moment.lost, **self._skipped},
             moment.walking,
         )
 
@@ -266,7 +281,7 @@ class WorldPlanner:
         found = (
             what_may_help(scene, visitee, met=self._met, refused=refused)
             for visitee in visitees
-            if visitee.name in asked.unreachable.keys() - moment.absent
+            if visitee.name in asked.unreachable.keys() - moment.absent - self._skipped.keys()
         )
         otherwise = (f"{name}, whom it does not see, may stand otherwise by now" for name in unseen)
         return "; ".join(dict.fromkeys(filter(None, (*otherwise, *found)))) or None

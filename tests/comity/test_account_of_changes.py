@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from comity.answers import RunAnswer
-from comity.episode import LiveEpisode
+from comity.live_episode import LiveEpisode
 from comity.output.run_folder import RunFolder
 from comity.preparation import prepare
 from comity.report.episodes.run import account_before, account_under_way

@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 import yaml
 
-from comity.episode import LiveEpisode
+from comity.live_episode import LiveEpisode
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity.simulation.happenings import EmergencyStopPressed

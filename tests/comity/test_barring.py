@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.planning.barring import barring
 from comity.preparation import prepare
 from comity.scenario import load_scenario

@@ -9,7 +9,7 @@ import re
 import pytest
 
 import comity as front_door
-from comity.episode import LiveEpisode
+from comity.live_episode import LiveEpisode
 from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
 from comity.scenario import load_scenario

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sampling import sampled
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.planning.diagnosis import in_words
 from comity.planning.eyeshot import needed_range_m
 from comity.preparation import prepare

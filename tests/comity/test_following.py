@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import pytest
 
-from comity.episode import Episode, LiveEpisode
+from comity.episode import Episode
+from comity.live_episode import LiveEpisode
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
 from comity.schedule import Stage

@@ -6,7 +6,7 @@ import csv
 
 import pytest
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_sim2d import EPISODE, VISIT, speeds_m_s

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from comity.episode import Episode, execute
+from comity.episode import Episode
+from comity.live_episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 

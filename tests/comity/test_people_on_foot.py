@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_fis import InputError

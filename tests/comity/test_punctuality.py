@@ -9,7 +9,7 @@ from itertools import count
 import pytest
 import yaml
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.planning.diagnosis import GoalsUnmet
 from comity.planning.reckoning import Ways
 from comity.planning.request import spots_of

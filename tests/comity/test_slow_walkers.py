@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from comity.episode import Episode, execute
+from comity.episode import Episode
+from comity.live_episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity.system import library

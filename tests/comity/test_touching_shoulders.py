@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from comity.episode import execute
+from comity.live_episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 

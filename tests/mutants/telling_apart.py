@@ -162,7 +162,7 @@ def _give_up(*_: object) -> None:
 
 def _digests(number: int) -> dict[str, str]:
     """Of all that comes of one scenario; where it has no plan, of the reason for that."""
-    from comity.episode import execute
+    from comity.live_episode import execute
     from comity.planning.diagnosis import GoalsUnmet
     from comity.preparation import prepare
     from comity.scenario import load_scenario

@@ -37,7 +37,8 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.episode import Episode, LiveEpisode
+    from comity.episode import Episode
+    from comity.live_episode import LiveEpisode
     from comity.output.run_folder import RunFolder
     from comity.preparation import Prepared
     from comity_executor import LoopReport, Visit

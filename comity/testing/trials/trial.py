@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from comity.episode import Episode, execute
+from comity.episode import Episode
+from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
 from comity.specification.goals import greeted
 from comity_executor import node_names

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from comity_fis.rules.rule import Rule
     from comity_fis.variables.measurement import Coercion
 
-Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
+Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral", "operator"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeVar
 
-from comity.episode import LiveEpisode
+from comity.live_episode import LiveEpisode
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
 from comity_executor import ReadingsFile, TraceFile

@@ -98,7 +98,7 @@ goals: [{{greet: host}}]
 
 
 def _episode(prepared: Any) -> float:
-    from comity.episode import execute
+    from comity.live_episode import execute
 
     start = time.process_time()
     episode = execute(prepared)
@@ -107,7 +107,7 @@ def _episode(prepared: Any) -> float:
 
 def _parts(people: int) -> list[Row]:
     """Where the time goes, by stopwatches around the parts of one episode."""
-    from comity.episode import LiveEpisode
+    from comity.live_episode import LiveEpisode
 
     live = LiveEpisode(_prepared(people))
     world, execution = live._world, live._execution

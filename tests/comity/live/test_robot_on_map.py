@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import comity
-from comity.episode import LiveEpisode
 from comity.live.loading import load_robot
 from comity.live.shadow import Shadow
 from comity.live.start import as_seen, slowed
+from comity.live_episode import LiveEpisode
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_executor import MapGoal

@@ -9,9 +9,9 @@ from gliding import SCENARIO, Gliding, gliding, written
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.episode import LiveEpisode
 from comity.live.people_seen import GROWS_M, PeopleSeen
 from comity.live.start import as_seen
+from comity.live_episode import LiveEpisode
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_executor import PersonTrack

@@ -1,0 +1,389 @@
+"""An episode under way, in the simulated world or around a real robot, tick by tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from math import dist
+from typing import TYPE_CHECKING, cast
+
+from comity.episode import Episode, Outcome
+from comity.live.driving import drive, stop_of
+from comity.live.real_world import RealWorld
+from comity.monitoring.fallible_planner import FalliblePlanner
+from comity.monitoring.guarding import Guarding
+from comity.monitoring.lateness import late_s
+from comity.monitoring.measuring import figures
+from comity.monitoring.operating import Approved, Operating
+from comity.monitoring.patience import limits_of
+from comity.monitoring.replanning import WorldPlanner
+from comity.schedule import Disturbance, Schedule, Stage
+from comity.simulation.happenings import told as told_only
+from comity.simulation.walks import walks
+from comity_executor import (
+    NO_ACTS,
+    Execution,
+    ExecutionStatus,
+    MakeAct,
+    Node,
+    ReadingSeries,
+    Revision,
+    TraceEvent,
+    Write,
+)
+from comity_executor.memory.meeting import NO_GESTURE, UTTER
+from comity_fis.errors import InputError
+from comity_sim2d import DoorTurn, Frames, World
+from comity_sim2d.base.drive import stopping_time_s
+from comity_sim2d.pose import wrap_angle
+
+if TYPE_CHECKING:
+    from comity.environment import Environment
+    from comity.live.operator import Operator
+    from comity.preparation import Prepared
+    from comity.schedule import Happening
+    from comity_domain import Plan
+    from comity_executor import LoopReport, MapRobot, Planner
+    from comity_fis import Inference
+    from comity_sim2d.people.reactions import Shown
+
+AFTERMATH_S = 0.5
+"""The world goes on for so long after the last act, so that the frames show the robot at rest."""
+LONGEST_AFTERMATH_S, REST_M_S, REST_RAD_S = 5.0, 0.01, 0.01
+"""Longer, up to the first [s], while the robot moves faster than the second [m/s] or turns faster than the
+third [rad/s]: it may go back before a person who comes. A soft base takes longer to stop."""
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far an episode is, for whoever waits for it."""
+
+    simulated_s: float
+    doing: str
+
+
+class LiveEpisode:
+    """An episode under way: whatever ends it, what happened so far can be read.
+
+    Args:
+        prepared: The scenario with its plan.
+        seed: For the noise of sensors, where the scenario has any.
+        happenings: What happens while it runs, besides the scenario's changes and faults.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name (see `Execution`).
+        robot: A real robot in the place of the simulated one, on the scenario's map (see `MapRobot`). What
+            people say happens at its times; faults, walks, doors and stops are those of the real world.
+        planner: Whom to ask when things change, in the place of ours.
+        operator: Whose words a real robot goes by; every one is told in the trace.
+
+    Raises:
+        InputError: `acts` names no act that a greeting can have, or there is an operator and no robot.
+        RobotError: The robot cannot be driven.
+    """
+
+    def __init__(
+        self,
+        prepared: Prepared,
+        *,
+        seed: int = 0,
+        happenings: Iterable[Happening] = (),
+        acts: Mapping[str, MakeAct] = NO_ACTS,
+        robot: MapRobot | None = None,
+        planner: Planner | None = None,
+        operator: Operator | None = None,
+    ) -> None:
+        _check_acts(prepared, acts)
+        self._prepared = prepared
+        self._seed = seed
+        self._base = robot
+        self._world: Environment
+        self._heartbeat = None
+        stop = None
+        if robot is None:
+            _refuse(operator)
+            self._world = World(
+                prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places
+            )
+        else:
+            self._world = RealWorld(robot, prepared.scene, operator)
+            self._world.robot.learn_places(prepared.asked.places)
+            self._heartbeat = stop_of(robot)
+            own_stop = self._heartbeat.read if self._heartbeat else robot.emergency
+            stop = self._world.robot.stop_of(own_stop)
+        limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
+        self._listener = WorldPlanner(prepared, self._world)
+        self._planner = FalliblePlanner(self._listener)
+        self._guard = Guarding(prepared, self._planner)
+        happens = (*prepared.happenings, *happenings)
+        self._schedule = Schedule(happens if robot is None else told_only(happens))
+        self._loop: LoopReport | None = None
+        asks: Planner = planner or self._planner
+        self._execution = Execution(
+            prepared.plan,
+            self._world.robot,
+            prepared.values,
+            limits,
+            planner=Approved(asks, operator) if operator else asks,
+            unserved=prepared.asked.unreachable,
+            acts=acts,
+            emergency=stop,
+        )
+        self._operating = operator and Operating(
+            operator,
+            self._listener,
+            self._guard,
+            self._schedule,
+            self._execution,
+            tolerance_m=self._world.robot.capabilities.tolerance_m,
+        )
+
+    def run(self, watch: Callable[[Progress], None] | None = None) -> None:
+        """Carry the plan out to its end, or to the scenario's limit.
+
+        Args:
+            watch: Called once per second of the episode.
+        """
+        # Where the world is real, nothing is left that touches it.
+        stage = Stage(cast("World", self._world), self._guard, self._execution)
+        self._schedule.step(stage)
+        if isinstance(self._world, World):
+            self._run_simulated(self._world, stage, watch)
+        else:
+            self._run_real(cast("RealWorld", self._world), stage, watch)
+
+    def _run_simulated(self, world: World, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
+        while self._tick(world) == "running" and not self._ends_in_time():
+            if watch and world.time_s % 1.0 < 1e-9:
+                watch(self._progress())
+            world.step()
+            self._schedule.step(stage)
+        _come_to_rest(world, self._execution)
+
+    def _run_real(self, world: RealWorld, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
+        told_s = 0
+        self._guard.doubt(world.robot.uncertain)
+
+        def each() -> None:
+            nonlocal told_s
+            world.observe()
+            self._guard.doubt(world.robot.uncertain)
+            self._schedule.step(stage)
+            if self._operating:
+                self._operating.carry_out(world.time_s)
+            self._ends_in_time()
+            if watch and world.time_s >= told_s + 1:
+                told_s = int(world.time_s)
+                watch(self._progress())
+
+        assert self._base is not None
+        self._loop = drive(self._execution, self._base, self._heartbeat, each)
+        world.observe()
+
+    def _ends_in_time(self) -> bool:
+        """Whether the scenario's time is over, which ends the execution."""
+        limit_s = self._prepared.file.scenario.limits.time_s
+        if self._world.time_s < limit_s:
+            return False
+        over = f"the scenario's limit of {limit_s:g} s was reached (`time_s` of its limits allows more)"
+        self._execution.stop(over, halt="timed_out")
+        return True
+
+    def _progress(self) -> Progress:
+        return Progress(self._world.time_s, _doing(self._execution))
+
+    def resume(self) -> bool:
+        """Let a real robot go on after its stop was pressed and released (see `Execution.resume`)."""
+        return self._execution.resume()
+
+    def _tick(self, world: World) -> ExecutionStatus:
+        """Tick the tree; where nobody is there to resume after a stop, all ends once the robot rests.
+
+        After a contact it goes on when its base lets it: in a simulation that harms nobody and is counted.
+        """
+        execution = self._execution
+        was_pressed = world.robot.emergency_stop.was_pressed
+        resumes = self._prepared.file.scenario.limits.resumes or not was_pressed
+        if resumes:
+            execution.resume()
+        execution.tick()
+        if execution.stopped_by and execution.is_at_rest and not resumes:
+            execution.stop(f"{execution.stopped_by} (with `resumes: true` in its limits a scenario goes on)")
+        return execution.status
+
+    def change(self, person: str, values: Inference, text: str) -> None:
+        """Somebody's parameters are others from the next tick on: they said, or one learnt, something.
+
+        Args:
+            person: Who.
+            values: All their parameters.
+            text: What happened, in words, for the trace.
+
+        Raises:
+            KeyError: if nobody is called so.
+        """
+        self._guard.tell(person, values, text)
+        now_s = self._world.time_s
+        self._schedule.record(Disturbance(now_s, now_s, "message", person, text))
+
+    @property
+    def plan(self) -> Plan:
+        """The plan under way: the first one, or what came of it."""
+        return self._execution.plan
+
+    @property
+    def revisions(self) -> tuple[Revision, ...]:
+        """What took over from the first plan so far, in order."""
+        return self._execution.revisions
+
+    @property
+    def door_turns(self) -> tuple[DoorTurn, ...]:
+        """Every door that was opened or shut so far, in order."""
+        return self._world.door_turns
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The behaviour tree."""
+        return self._execution.nodes
+
+    @property
+    def events(self) -> tuple[TraceEvent, ...]:
+        """The trace so far."""
+        return self._execution.events
+
+    def frames_since(self, count: int) -> Frames:
+        """Where everybody was so far, without the first `count` frames."""
+        return self._world.frames_since(count)
+
+    @property
+    def readings(self) -> ReadingSeries:
+        """What the robot's sensors told the tree so far."""
+        return self._execution.readings
+
+    @property
+    def writes(self) -> tuple[Write, ...]:
+        """Every value that an entry of the blackboard got so far."""
+        return self._execution.writes
+
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        """What people truly showed so far, whether or not the robot noticed."""
+        return self._world.shown
+
+    @property
+    def disturbances(self) -> tuple[Disturbance, ...]:
+        """Changes, faults and messages so far, by time; walks are told once the episode is over."""
+        halts = self._world.halts if isinstance(self._world, RealWorld) else ()
+        return tuple(sorted((*self._schedule.disturbances, *halts), key=lambda one: one.t))
+
+    def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
+        people = (person.name for person in self._prepared.scene.people)
+        return tuple(sorted((*self.disturbances, *walks(frames, people)), key=lambda one: one.t))
+
+    def so_far(self) -> Episode:
+        """What happened."""
+        world, execution = self._world, self._execution
+        frames, told = world.frames, self._listener.told
+        return Episode(
+            prepared=self._prepared,
+            seed=self._seed,
+            outcome=_outcome(self._prepared, execution),
+            visits=execution.visits,
+            events=execution.events,
+            frames=frames,
+            acts=world.events,
+            door_turns=world.door_turns,
+            metrics=figures(
+                self._prepared,
+                frames,
+                world.robot_touches,
+                execution.visits,
+                execution.events,
+                revisions=execution.revisions,
+                told=told,
+            ),
+            nodes=execution.nodes,
+            values=execution.values,
+            steps=execution.steps,
+            revisions=execution.revisions,
+            told=told,
+            disturbances=self._disturbances(frames),
+            readings=execution.readings,
+            writes=execution.writes,
+            loop=self._loop,
+            uncertain=frozenset(self._guard.was_uncertain),
+        )
+
+
+def execute(
+    prepared: Prepared,
+    *,
+    seed: int = 0,
+    acts: Mapping[str, MakeAct] = NO_ACTS,
+    robot: MapRobot | None = None,
+) -> Episode:
+    """Carry a plan out.
+
+    Args:
+        prepared: The scenario with its plan.
+        seed: For the noise of sensors, where the scenario has any.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name.
+        robot: A real robot in the place of the simulated one.
+    """
+    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot)
+    live.run()
+    return live.so_far()
+
+
+def _refuse(operator: Operator | None) -> None:
+    if operator is not None:
+        raise InputError(
+            expected="an operator of a real robot",
+            got="one without a robot",
+            remedy="Give the robot, too: the simulated one runs faster than anybody could speak.",
+        )
+
+
+def _check_acts(prepared: Prepared, acts: Iterable[str]) -> None:
+    gestures = prepared.rulebook.parameters.get("greeting_gesture")
+    categories = getattr(gestures, "categories", ())
+    known = (UTTER, *(each.name for each in categories if each.name != NO_GESTURE))
+    for act in acts:
+        if act not in known:
+            raise InputError(
+                expected=f"an act of a greeting: {', '.join(known)}",
+                got=f"acts[{act!r}]",
+                remedy="Name one of these, or add the gesture to `greeting_gesture` of the rulebook.",
+            )
+
+
+def _come_to_rest(world: World, execution: Execution) -> None:
+    """Let the world go on after the end, until the robot has stood for a moment."""
+    end_s = world.time_s + max(LONGEST_AFTERMATH_S, stopping_time_s(world.scene.robot))
+    stands_s, before = 0.0, world.robot.pose
+    while stands_s < AFTERMATH_S - world.step_s / 2 and world.time_s < end_s:
+        world.step()
+        execution.tick()  # until it has heard that the robot rests
+        here = world.robot.pose
+        turned_rad = abs(wrap_angle(here.heading_rad - before.heading_rad))
+        is_still = dist(before.xy, here.xy) <= REST_M_S * world.step_s
+        rests = is_still and turned_rad <= REST_RAD_S * world.step_s
+        stands_s = stands_s + world.step_s if rests else 0.0
+        before = here
+
+
+def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
+    """Partial where somebody was greeted and somebody could not be served to the end, or only late."""
+    if execution.status == "stop_unconfirmed":
+        return execution.status
+    fared = {visit.person: visit.outcome for visit in execution.visits}
+    wanted = fared.keys() | prepared.asked.unreachable.keys()
+    if sum(outcome in ("greeted", "skipped") for outcome in fared.values()) == len(wanted):
+        return "partial" if any(late_s(prepared, visit) for visit in execution.visits) else "success"
+    if execution.status == "stopped":
+        return "stopped"
+    return "partial" if any(outcome in ("greeted", "unfinished") for outcome in fared.values()) else "failed"
+
+
+def _doing(execution: Execution) -> str:
+    """The person whose visit goes on, if any."""
+    pending = (visit.person for visit in execution.visits if visit.outcome == "pending")
+    return next((f"visiting {person}" for person in pending), "done")
