@@ -6,13 +6,15 @@ from collections.abc import Sequence
 from time import monotonic
 
 from comity_domain.choices.options import Options
-from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
 from comity_domain.explanation.around import options_around
 from comity_domain.labelling.search import cheapest_or_proof
 from comity_domain.labelling.skipping import SKIP, leaving, skip_steps
-from comity_domain.ordering.insertion import improved, quick_order
+from comity_domain.ordering.insertion import quick_order
+from comity_domain.ordering.local_search import improved
+from comity_domain.ordering.measuring import measured_options
+from comity_domain.ordering.none_found import none_found, require_free_hands
 from comity_domain.ordering.order import Order
-from comity_domain.ordering.settling import LATE_S, measured_options, settled
+from comity_domain.ordering.settling import LATE_S, settled
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
@@ -31,9 +33,10 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
     Args:
         request: People that cannot be reached on any side they accept have been left out of it.
         time_limit_s: Wall-clock seconds for the search, and for measuring what is not measured, > 0. Where
-            they do not suffice for the proof, the plan is the best found so far, neither `optimal` nor
-            `reproducible`. Only where there is none it may be a second more. What else there was is measured
-            when the reasons are read, which may take as long again.
+            they do not suffice, the plan is the best found so far, neither `optimal` nor `reproducible`.
+            A first plan is made whole however little time there is; only an order that keeps deadlines is
+            given up a second later. What else there was is measured when the reasons are read, which may
+            take as long again.
 
     Raises:
         NoPlan: There is none.
@@ -72,42 +75,17 @@ def _plan(order: Order, steps: Sequence[PlanStep], bounded: Options, *, reproduc
 
 
 def _order(choices: Options, time_limit_s: float) -> Order:
-    """The stops of the best plan; where the search proves nothing, made better by moving single stops."""
+    """The stops of the best plan; where the search proves nothing, made cheaper by moves."""
     ends_s = monotonic() + time_limit_s
     found, proven = cheapest_or_proof(choices, ends_s=ends_s)
     if found is not None and found.exact:
         return Order(found.stops, proven=True, reproducible=True, bound=found.cost)
     stops, in_time = (found.stops, found.in_time) if found else (None, monotonic() <= ends_s)
     if stops is None:
-        _require_free_hands(choices)
+        require_free_hands(choices)
         stops = quick_order(choices, ends_s=ends_s + LATE_S)
         in_time = in_time and (stops is not None or monotonic() <= ends_s)
     if stops is None:
-        raise _none_found(time_limit_s, in_time=in_time, proven=proven)
+        raise none_found(time_limit_s, in_time=in_time, proven=proven)
     stops, ended = improved(stops, choices, ends_s=ends_s)
     return Order(stops, proven=False, reproducible=in_time and ended)
-
-
-def _none_found(time_limit_s: float, *, in_time: bool, proven: bool) -> PlanningFailed:
-    remedy = "Name later deadlines, or look at the map for a person who is cut off from the others."
-    if proven:
-        return NoPlan("no plan reaches all goals", remedy=remedy)
-    if not in_time:
-        return out_of_time(time_limit_s)
-    return PlanningFailed(
-        "no order of visits was found that keeps every deadline and has a route to each next person, which "
-        "does not prove that there is none",
-        remedy=remedy,
-    )
-
-
-def _require_free_hands(choices: Options) -> None:
-    """Say so where a person can only be greeted with the hands, and these are full."""
-    bearer = choices.people.get(choices.bearer_of or "")
-    if bearer is not None and not bearer.may_come_bringing:
-        against = (bearer.ruled_out_bringing or {}).items()
-        reasons = "; ".join(f"{greeting.words}: {reason}" for greeting, reason in against)
-        raise PlanningFailed(
-            f"no greeting of {bearer.name} is left with what they are offered in the hands ({reasons})",
-            remedy="Let them be greeted in words, or with a nod, or hand over what the robot holds first.",
-        )

@@ -2,26 +2,26 @@
 
 Planned with bounds, a plan costs no more than with lengths. A cheapest plan all of whose ways are measured is
 therefore the cheapest of all. When time runs out, the best of those plans is taken whose ways are measured,
-and no plan costs less than the last that was planned with bounds. Among many people an order that is found at
-once is measured first, so that there is one.
+and no plan costs less than the last that was planned with bounds. Where the search would not be exact, an
+order that is found at once is measured first, and then what seems cheaper.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from time import monotonic
 
 from comity_domain.choices.options import Options, options
 from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
-from comity_domain.labelling.punctual import is_punctual
-from comity_domain.labelling.search import MOST_PROVEN, first_look
-from comity_domain.ordering.insertion import cost_of_order, quick_order
+from comity_domain.labelling.search import MOST_BY_WAYS, MOST_PROVEN, first_look
+from comity_domain.ordering.insertion import Stops, quick_order
+from comity_domain.ordering.local_search import improved
+from comity_domain.ordering.measuring import Measuring
+from comity_domain.ordering.none_found import none_found, require_free_hands
 from comity_domain.ordering.order import Order
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import Unmeasured, measured, unmeasured_legs, unmeasured_ways
-from comity_domain.tours.lateness import until_last_deadline
-from comity_domain.tours.tour import Stop, best_tour, path
 
 Search = Callable[[Options, float], Order]
 """A search: what may be chosen, and the seconds that are left."""
@@ -30,7 +30,7 @@ SHARE = 0.9
 LEAST_S = 0.5
 """Even where time is over a search is given so much."""
 LATE_S = 1.0
-"""So much longer a first plan is looked for: late is better than none."""
+"""So much longer a first order that keeps all deadlines is looked for: late is better than none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,25 +48,31 @@ def settled(request: VisitRequest, search: Search, *, time_limit_s: float, ends_
 
     Args:
         request: What was asked.
-        search: The one that has the last word.
+        search: The one that has the last word, for as few people as it can be exact for.
         time_limit_s: For engines and measuring together.
         ends_s: When that is over, by the machine's clock.
 
     Raises:
         PlanningFailed: There is no plan, or none was found in time.
     """
+    if len(request.visitees) > MOST_BY_WAYS:
+        return _by_moves(request, time_limit_s, ends_s)
     if request.survey is None:
         choices = options(request)
         return Settled(request, choices, search(choices, time_limit_s))
     return _Settling(request, search, time_limit_s, ends_s).settled()
 
 
-def measured_options(choices: Options, request: VisitRequest) -> Options:
-    """Of what may be chosen for a request, that by measured ways alone."""
-    if request.survey is None:
-        return choices
-    bounds = request.survey.legs
-    return replace(choices, legs={leg: cost for leg, cost in choices.legs.items() if leg not in bounds})
+def _by_moves(request: VisitRequest, time_limit_s: float, ends_s: float) -> Settled:
+    """A first order, made cheaper as long as there is time."""
+    measuring, search_ends_s = Measuring(request), ends_s - (1.0 - SHARE) * time_limit_s
+    require_free_hands(measuring.choices)
+    first, in_time = measuring.first_order(ends_s=ends_s + LATE_S)
+    if first is None:
+        raise none_found(time_limit_s, in_time=in_time)
+    measure = partial(measuring.news, ends_s=search_ends_s)
+    stops, ended = improved(first, measuring.choices, measure, ends_s=search_ends_s)
+    return Settled(measuring.request, measuring.choices, Order(stops, proven=False, reproducible=ended))
 
 
 class _Settling:
@@ -80,29 +86,21 @@ class _Settling:
     """
 
     def __init__(self, request: VisitRequest, search: Search, time_limit_s: float, ends_s: float) -> None:
-        self._request = request
+        self._measuring = Measuring(request)
         self._search = search
         self._limit_s = time_limit_s
         self._last_s = ends_s + LATE_S
         self._ends_s = ends_s - (1.0 - SHARE) * time_limit_s
-        self._met: dict[tuple[Stop, ...], None] = {}
+        self._met: dict[Stops, None] = {}
         """Orders of which all was to be measured that they took when they were the cheapest."""
         self._bound = 0
-        self._spelt_out: tuple[VisitRequest, Options] | None = None
-
-    @property
-    def _choices(self) -> Options:
-        """What may be chosen now: spelt out once, until more is measured."""
-        if self._spelt_out is None or self._spelt_out[0] is not self._request:
-            self._spelt_out = (self._request, options(self._request))
-        return self._spelt_out[1]
 
     def settled(self) -> Settled:
-        if len(self._request.visitees) > MOST_PROVEN:
+        if len(self._measuring.request.visitees) > MOST_PROVEN:
             self._take_one()
         failure: PlanningFailed = out_of_time(self._limit_s)
         while self._look_ahead():
-            choices = self._choices
+            choices = self._measuring.choices
             try:
                 order = self._search(choices, max(self._ends_s - monotonic(), LEAST_S))
             except NoPlan:
@@ -111,7 +109,7 @@ class _Settling:
                 failure = failed
                 break
             self._bound = max(self._bound, order.bound)
-            if self._is_measured(order.stops, choices, self._ends_s):
+            if self._is_measured(order.stops):
                 return self._settled(order if order.proven else self._best(order))
         cut_off = Order((), proven=False, reproducible=False)
         best = self._best(cut_off)
@@ -123,23 +121,18 @@ class _Settling:
         return self._settled(best)
 
     def _settled(self, order: Order) -> Settled:
-        return Settled(self._request, self._choices, order)
+        return Settled(self._measuring.request, self._measuring.choices, order)
 
     def _take_one(self) -> None:
-        """Measure an order that is found at once, until one stands."""
-        while monotonic() < self._last_s:
-            choices = self._choices
-            stops = quick_order(choices, ends_s=self._last_s)
-            if stops is None:
-                return
-            news = not self._is_measured(stops, choices, self._last_s)
-            if not news or self._cost(stops, self._measured_choices) is not None:
-                return
+        """Measure an order that is found at once."""
+        first, _ = self._measuring.first_order(ends_s=self._last_s)
+        if first is not None:
+            self._met[first] = None
 
     def _look_ahead(self) -> bool:
         """Measure what quick answers take, until there is no more; whether there was time for it."""
         while monotonic() < self._ends_s:
-            choices = self._choices
+            choices = self._measuring.choices
             try:
                 found = first_look(choices, ends_s=self._ends_s)
             except TimeoutError:
@@ -149,43 +142,19 @@ class _Settling:
                 return monotonic() < self._ends_s
             if found and found.exact:
                 self._bound = max(self._bound, found.cost)
-            if self._is_measured(stops, choices, self._ends_s):
+            if self._is_measured(stops):
                 return True
         return False
 
-    def _is_measured(self, stops: tuple[Stop, ...], choices: Options, ends_s: float) -> bool:
-        """Whether all that an order takes is measured; what is not is now, as far as there is time.
-
-        First what deadlines hang on, and no more where that makes somebody late.
-        """
-        missing = self._missing(stops, choices)
+    def _is_measured(self, stops: Stops) -> bool:
         self._met[stops] = None
-        if missing.ways:
-            self._request = measured(self._request, Unmeasured(ways=missing.ways), ends_s=ends_s)
-            if not is_punctual(stops, self._choices):
-                return False
-        self._request = measured(self._request, Unmeasured(missing.legs), ends_s=ends_s)
-        return not missing
+        return self._measuring.is_measured(stops, ends_s=self._ends_s)
 
     def _best(self, order: Order) -> Order:
         """The cheapest order that was met, by measured ways alone; what else is said of it is as given."""
-        choices = self._measured_choices if self._met else None
-        costs = {stops: cost for stops in self._met if choices and (cost := self._cost(stops, choices))}
+        choices = self._measuring.measured_choices if self._met else None
+        costs = {
+            stops: cost for stops in self._met if choices and (cost := self._measuring.cost(stops, choices))
+        }
         best = min(costs, key=lambda stops: costs[stops], default=order.stops)
         return replace(order, stops=best, bound=self._bound)
-
-    @property
-    def _measured_choices(self) -> Options:
-        return measured_options(self._choices, self._request)
-
-    def _cost(self, stops: tuple[Stop, ...], choices: Options) -> int | None:
-        """What an order costs; None where it takes what is not measured, or somebody waits too long."""
-        cost = cost_of_order(stops, choices)
-        return None if cost is None or self._missing(stops, choices) else cost
-
-    def _missing(self, stops: tuple[Stop, ...], choices: Options) -> Unmeasured:
-        """What is not measured of what an order takes, and what its deadlines hang on."""
-        visits = best_tour(stops, choices)
-        legs = unmeasured_legs(self._request, path(visits, choices))
-        ways = unmeasured_ways(self._request, path(until_last_deadline(visits, choices), choices))
-        return replace(legs, ways=ways.ways)
