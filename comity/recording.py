@@ -17,7 +17,7 @@ from comity.output.resolved import resolved_files
 from comity.output.run_folder import RunFolder
 from comity.report.episodes.run import account_after, account_before, account_under_way
 from comity.report.plans.plan import plan_answer
-from comity.system.own_files import written_whole
+from comity.system.own_files import create_private, written_whole
 from comity_executor import NO_ACTS, BlackboardFile, MakeAct, ReadingsFile, TraceFile
 from comity_sim2d import Frames, FramesFile
 
@@ -150,10 +150,10 @@ class _Records:
 @contextmanager
 def _records(folder: RunFolder, happens: Episode | LiveEpisode) -> Iterator[_Records]:
     with (
-        TraceFile(folder / run_folder.TRACE, happens.nodes) as trace,
-        FramesFile(folder / run_folder.FRAMES) as frames,
-        ReadingsFile(folder / run_folder.READINGS) as readings,
-        BlackboardFile(folder / run_folder.BLACKBOARD) as blackboard,
+        TraceFile(create_private(folder / run_folder.TRACE), happens.nodes) as trace,
+        FramesFile(create_private(folder / run_folder.FRAMES)) as frames,
+        ReadingsFile(create_private(folder / run_folder.READINGS)) as readings,
+        BlackboardFile(create_private(folder / run_folder.BLACKBOARD)) as blackboard,
     ):
         yield _Records(trace, frames, readings, blackboard)
 
@@ -202,10 +202,10 @@ def _show(folder: RunFolder, views: Collection[View]) -> None:
 
         run = read_run(folder)
         if "picture" in views:
-            with written_whole(folder / run_folder.PICTURE) as picture:
+            with written_whole(folder / run_folder.PICTURE, private=True) as picture:
                 draw_run(run, picture)
         if "gif" in views:
-            with written_whole(folder / run_folder.ANIMATION) as animation:
+            with written_whole(folder / run_folder.ANIMATION, private=True) as animation:
                 film_run(run, animation)
     if "page" in views:
         from comity.replay import replay_page

@@ -32,7 +32,7 @@ def metrics(
     answer = metrics_answer(found)
     if out is not None:
         refuse_foreign({out: MARK})
-        write_whole(out, metrics_csv(answer).encode())
+        write_whole(out, metrics_csv(answer).encode(), private=True)
     if as_json:
         print_json(answer)
     elif out is not None:

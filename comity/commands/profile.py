@@ -73,7 +73,7 @@ def export(
     text = store.exported(name)
     if out is not None:
         refuse_foreign({out: EXPORTED.encode()})
-        write_whole(out, text.encode())
+        write_whole(out, text.encode(), private=True)
     if as_json:
         print_json({"name": name, "profile": _kept(name), "learnt": store.learnt(name)})
     elif out is None:

@@ -81,7 +81,7 @@ def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | No
     called = declared.profile.name
     if picture is not None:
         refuse_foreign({picture: MARK})
-        write_whole(picture, life_picture(called, lived))
+        write_whole(picture, life_picture(called, lived), private=True)
     if as_json:
         print_json(life_answer(called, lived, str(picture) if picture else None))
     else:

@@ -45,7 +45,7 @@ def replay(
     beside = open_run(other) if other is not None else None
     target = out or folder / (COMPARISON if beside else REPLAY)
     refuse_foreign({target: MARK})
-    write_whole(target, replay_page(folder, beside).encode())
+    write_whole(target, replay_page(folder, beside).encode(), private=True)
     for one in (folder, beside):
         if one and not (one / READINGS).is_file():
             show(unbroken(f"Note  {one.path} has no {READINGS}; the page does not need it"))
@@ -68,7 +68,7 @@ def _film(folder: RunFolder, path: Path) -> None:
         )
     if path.resolve() != (folder / ANIMATION).resolve():  # there it is ours, also one without the mark
         refuse_foreign({path: GIF_MARK})
-    with writing(path), written_whole(path) as part:
+    with writing(path), written_whole(path, private=True) as part:
         film_run(read_run(folder), part)
     show(unbroken(f"GIF  {path}"))
 

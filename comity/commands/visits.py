@@ -120,4 +120,4 @@ def _draw(answer: VisitsAnswer, picture: Path) -> None:
     from comity.report.people.visits_picture import visits_picture
     from comity.system.own_files import write_whole
 
-    write_whole(picture, visits_picture(answer))
+    write_whole(picture, visits_picture(answer), private=True)

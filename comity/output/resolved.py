@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from comity.output.run_folder import SCENARIO, TABLES
+from comity.parameters.used import used_of
+from comity.people.profile import Declared
 from comity.scenario import Limits, MapPlace, Person, RobotStart, Scenario
 from comity_fis import NominalVariable
 from comity_fis.validation.yaml_file import dump_yaml
@@ -39,7 +41,8 @@ def resolved_yaml(prepared: Prepared) -> str:
         content["at"] = prepared.day.isoformat()
     content["rulebook"] = _with_kept_tables(prepared)
     for name, profile in prepared.profiles.items():
-        content["people"][name]["profile"] = profile.model_dump(mode="json", exclude_defaults=True)
+        used = used_of(Declared(profile, None), prepared.rulebook, prepared.day).profile
+        content["people"][name]["profile"] = used.model_dump(mode="json", exclude_defaults=True)
     for name, learnt in prepared.learnt.items():
         content["people"][name]["learnt"] = {
             parameter: {"offset": one.offset, "spread": one.spread, "text": one.text}

@@ -14,7 +14,7 @@ from typing import TypeVar
 from pydantic import BaseModel, ValidationError
 
 from comity.system.locks import LOCK, is_locked, locked
-from comity.system.own_files import read_regular, written_whole
+from comity.system.own_files import PRIVATE_FOLDER, read_regular, written_whole
 from comity_fis import InputError, Where
 
 Answer = TypeVar("Answer", bound=BaseModel)
@@ -53,8 +53,8 @@ class RunFolder:
         text = (
             content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
         )
-        (self / name).parent.mkdir(exist_ok=True)
-        with written_whole(self / name) as part:
+        (self / name).parent.mkdir(exist_ok=True, mode=PRIVATE_FOLDER)
+        with written_whole(self / name, private=True) as part:
             part.write_text(text, encoding="utf-8", newline="\n")
 
     def read(self, name: str, model: type[Answer]) -> Answer:
@@ -165,11 +165,11 @@ def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
 def _make(path: Path, *, new: bool) -> None:
     """Create the folder. Only a new one may have been taken by another run: whatever else is there, stays."""
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True, mode=PRIVATE_FOLDER)
     except FileExistsError:
         raise NotADirectoryError(20, f"{path.parent} is a file") from None
     try:
-        path.mkdir(exist_ok=not new)
+        path.mkdir(exist_ok=not new, mode=PRIVATE_FOLDER)
     except FileExistsError:
         if new:
             raise

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import learnt_with, situation_of
-from comity.parameters.unread import noting_unread
-from comity.parameters.values import infer_for, refuse_unknown
+from comity.parameters.in_run import infer_in_run
+from comity.parameters.values import refuse_unknown
 from comity.people.profile import Declared, Profile, ProfileGiven, day_for, declared_by, load_profile
 from comity.system.library import looks_like_a_file, require_file
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, shipped_rulebooks
@@ -57,12 +57,11 @@ class Cast:
         person, book = self.file.scenario.people[name], self.rulebook
         try:
             refuse_unknown(person.situation, book, f"the situation of {name}")
-            inference = infer_for(
+            return infer_in_run(
                 declared, book, situation=situation_of(person), at=self.day, learnt=self.learnt.get(name)
             )
         except InputError as error:
             raise error.at(self.file.where("people", name)) from None
-        return noting_unread(inference, book)
 
 
 def cast_of(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+from comity.parameters.used import used_facts
 from comity.people.dated import OLDEST
 from comity.people.language import iso639
 from comity_fis import Interval, NominalVariable, NumericVariable
@@ -47,7 +48,7 @@ def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     if word is None:
         return  # a typo, which the rulebook refuses
     known["gender"] = word
-    if word not in variable.categories:
+    if word not in variable.categories and "gender" in used_facts(rulebook):
         yield (
             f"gender {word}: no rule of {rulebook.name} speaks of it; its rules know "
             f"{' and '.join(variable.categories)}."

@@ -1,4 +1,4 @@
-"""Facts of a person that no rule can read: a profile works with every rulebook, and a note names them."""
+"""Facts of a person that no rule reads: a profile works with every rulebook, and a note names them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from comity.parameters.consent import CONSENT
+from comity.parameters.used import used_facts
 
 if TYPE_CHECKING:
     from comity_fis import Rulebook
@@ -17,22 +17,33 @@ TYPO = 0.8
 
 
 def notes_of_unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str, ...]:
-    """A note that names all facts which the rulebook has no variable for.
-
-    Consent is not among them: it bars contact under every rulebook.
+    """A note that names all facts which no rule that is on reads.
 
     Args:
         told: By a profile's keys; None is not disclosed.
         rulebook: The rules.
     """
-    read = {*rulebook.facts, CONSENT} | ({"languages"} if "language" in rulebook.facts else set())
-    unread = [name for name, fact in told.items() if fact is not None and name not in read]
+    unread = unread_facts(told, rulebook)
     if not unread:
         return ()
-    near = (get_close_matches(name, rulebook.facts, n=1, cutoff=TYPO) for name in unread)
+    near = (get_close_matches(name, rulebook.facts - {name}, n=1, cutoff=TYPO) for name in unread)
     meant = "".join(f" Did you mean {names[0]!r}?" for names in near if names)
     it, changes = ("it", "it changes") if len(unread) == 1 else ("them", "they change")
     return (
-        f"{', '.join(unread)}: the rulebook {rulebook.name} has no variable for {it}, so that {changes} "
+        f"{', '.join(unread)}: no rule of {rulebook.name} that is on reads {it}, so that {changes} "
         f"nothing here.{meant}",
     )
+
+
+def notes_for_a_run(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str, ...]:
+    """The same without names: a run keeps of a profile only what a rule or a wish used."""
+    count = len(unread_facts(told, rulebook))
+    facts = "fact of the profile is" if count == 1 else "facts of the profile are"
+    return (f"{count} {facts} read by no rule here, and not kept in the run.",) if count else ()
+
+
+def unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> list[str]:
+    """The names of the facts that are disclosed and that no rule which is on reads."""
+    read = used_facts(rulebook)
+    read |= {"languages"} if "language" in read else set()
+    return [name for name, fact in told.items() if fact is not None and name not in read]

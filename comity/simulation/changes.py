@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import situation_of
+from comity.parameters.in_run import infer_in_run
 from comity.parameters.passing import asked_speed_m_s, own_distance_m
-from comity.parameters.values import infer_for, refuse_unknown
+from comity.parameters.values import refuse_unknown
 from comity.schedule import Announced
 from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, Walk
 from comity.simulation.sent_way import way_of
@@ -129,7 +130,7 @@ def _by_time(file: ScenarioFile) -> list[tuple[int, Change]]:
 def _values(cast: Cast, i: int, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
     try:
         refuse_unknown(situation, cast.rulebook, f"the situation of {name}")
-        return infer_for(
+        return infer_in_run(
             declared, cast.rulebook, situation=situation, at=cast.day, learnt=cast.learnt.get(name)
         )
     except InputError as error:

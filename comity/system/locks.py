@@ -25,7 +25,7 @@ def locked(folder: Path, *, waits: bool = True) -> Iterator[None]:
     from filelock import FileLock
 
     path = folder / LOCK
-    with FileLock(path, timeout=-1 if waits else 0):
+    with FileLock(path, timeout=-1 if waits else 0, mode=0o600):
         try:
             yield
         finally:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import stat
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -52,25 +53,51 @@ def check_suffix(picture: Path) -> None:
         )
 
 
-def write_whole(path: Path, content: bytes) -> None:
+PRIVATE, PRIVATE_FOLDER = 0o600, 0o700
+"""Permissions of what tells of people: the user alone may read it."""
+
+
+def write_whole(path: Path, content: bytes, *, private: bool = False) -> None:
     """Write one file whole or not at all.
+
+    Args:
+        path: Of the file.
+        content: All of it.
+        private: Whether it tells of people, so that only the user may read it.
 
     Raises:
         InputError: if the system does not let us.
     """
-    with writing(path), written_whole(path) as part:
+    with writing(path), written_whole(path, private=private) as part:
         part.write_bytes(content)
 
 
+def create_private(path: Path) -> Path:
+    """Create an empty file that only the user may read, in the place of one of that name.
+
+    Raises:
+        OSError: if the system does not let us.
+    """
+    path.unlink(missing_ok=True)
+    os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, PRIVATE))
+    return path
+
+
 @contextmanager
-def written_whole(path: Path) -> Iterator[Path]:
+def written_whole(path: Path, *, private: bool = False) -> Iterator[Path]:
     """Where to write a file that has its name once it is all there, and leaves nothing otherwise.
+
+    Args:
+        path: Of the file.
+        private: Whether only the user may read it.
 
     Raises:
         OSError: if the system does not let us.
     """
     part = path.with_name(f".part.{path.name}")  # pictures are written in the format of their ending
     try:
+        if private:
+            create_private(part)
         yield part
         part.replace(path)
     finally:

@@ -1,0 +1,39 @@
+"""A person's parameters in a run, which holds of their profile only what a rule or a wish used."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from comity.parameters.unread import noting_unread
+from comity.parameters.unread_facts import notes_for_a_run
+from comity.parameters.used import used_of
+from comity.parameters.values import Facts, cases_of, infer_for
+
+if TYPE_CHECKING:
+    from datetime import date
+
+    from comity.people.profile import Declared
+    from comity_fis import Inference, Learnt, Rulebook
+
+
+def infer_in_run(
+    declared: Declared,
+    rulebook: Rulebook,
+    *,
+    situation: Facts,
+    at: date | None,
+    learnt: Mapping[str, Learnt] | None,
+) -> Inference:
+    """The same values as `infer_for` gives; inputs and notes tell nothing that no rule reads.
+
+    Raises:
+        InputError: as `infer_for` does, also for a fact that no rule reads.
+    """
+    cases_of(declared, rulebook, situation=situation, at=at)
+    used = used_of(declared, rulebook, at)
+    values = noting_unread(infer_for(used, rulebook, situation=situation, at=at, learnt=learnt), rulebook)
+    profile = declared.profile
+    unread = notes_for_a_run({"culture": profile.culture, **profile.facts(at)}, rulebook)
+    return replace(values, notes=(*values.notes, *unread))

@@ -1,0 +1,57 @@
+"""What a rulebook uses of a profile: the facts that its rules read, as they are on one day, and wishes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import date
+from typing import TYPE_CHECKING, Any
+
+from comity.parameters.consent import CONSENT
+from comity.people.profile import Profile
+from comity_fis import Interval
+
+if TYPE_CHECKING:
+    from comity.people.profile import Declared
+    from comity_fis import Rulebook
+
+
+def used_facts(rulebook: Rulebook) -> frozenset[str]:
+    """The facts that a rule which is on, or a requirement, reads; consent always, because it bars contact."""
+    read = rulebook.program.about.keys() & rulebook.variables.keys()
+    derivations = (rulebook.variables[name].derived_from for name in read)
+    return frozenset({*read, *(one.fact for one in derivations if one), CONSENT})
+
+
+def used_of(declared: Declared, rulebook: Rulebook, day: date | None) -> Declared:
+    """A person with what the rulebook uses of their profile and nothing else: no prose, date or unread fact.
+
+    Args:
+        declared: What the person declared; every value has been checked.
+        rulebook: The rules.
+        day: On which the facts hold; needed where some depend on it.
+    """
+    return replace(declared, profile=Profile.model_validate(_used(declared.profile, rulebook, day)))
+
+
+def _used(profile: Profile, rulebook: Rulebook, day: date | None) -> dict[str, Any]:
+    used = used_facts(rulebook)
+    facts = {name: fact for name, fact in profile.facts(day).items() if name in used}
+    if "language" in used and (languages := profile.facts(day).get("languages")):
+        facts["languages"] = languages
+    if isinstance(
+        facts.get("age"), Interval
+    ):  # of a year of birth: one of two ages, which a profile cannot state
+        del facts["age"]
+        facts["birth_year"] = profile.birth_year
+    other = {name: facts.pop(name) for name in profile.other if name in facts}
+    culture = _cultures(profile, day) if "culture" in used else {}
+    return {"name": profile.name, **culture, **facts, "other": other, "settings": profile.settings}
+
+
+def _cultures(profile: Profile, day: date | None) -> dict[str, Any]:
+    """The cultures that count on the day, without their dates."""
+    culture: Any = profile.culture
+    if isinstance(culture, tuple):
+        counting = [one for one in culture if one.counts(day)]
+        culture = tuple(one.model_copy(update={"from_": None, "until": None}) for one in counting)
+    return {"culture": culture, "region": profile.region} if culture else {}

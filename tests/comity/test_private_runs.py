@@ -1,0 +1,100 @@
+"""What a run holds of a person: only what a rule or a wish used, in files that only the user may read."""
+
+from __future__ import annotations
+
+import os
+import stat
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity.parameters.used import used_facts, used_of
+from comity.parameters.values import infer_for
+from comity.people.profile import Declared, Profile
+from tests.comity.test_profiles import BOOKS, day, facts, of
+
+FATIMA = """\
+name: fatima
+about: diagnosed with dementia, refugee from Syria
+culture: [{name: Egypt, role: grew up, until: 2015}, {name: DEU, from: 2015}]
+gender: female
+birth_date: 1946-03-09
+languages: [ara]
+hearing: impaired
+touch_consent: withheld
+settings: {conversational_distance: 0.9}
+"""
+only_posix = pytest.mark.skipif(os.name != "posix", reason="other systems have no such permissions")
+
+
+@given(facts, day, st.sampled_from(BOOKS))
+def test_what_a_rulebook_uses_of_a_profile_gives_the_same_values_on_every_day(told, when, book):
+    declared = of(**told)
+    used = used_of(declared, book, when)
+    assert not used.profile.depends_on_date or used.profile.birth_year is not None
+    assert infer_for(used, book, at=when).parameters == infer_for(declared, book, at=when).parameters
+
+
+@given(facts, day, st.sampled_from(BOOKS))
+def test_nothing_that_no_rule_reads_is_left_in_it(told, when, book):
+    told = {**told, "about": "a note", "hearing": "none", "other": {"diagnosis": "some"}}
+    left = used_of(of(**told), book, when).profile.model_dump(exclude_defaults=True)
+    used = used_facts(book)
+    read = {"name", *used, *(("languages",) if "language" in used else ())}
+    read |= {"birth_year"} if "age" in used else set()
+    assert left.keys() <= read
+
+
+@pytest.mark.parametrize(("rulebook", "gender"), [("evidence", False), ("bruno2017", True)])
+def test_a_run_holds_of_a_profile_only_what_a_rule_or_a_wish_used(comity, here, rulebook, gender):
+    (here / "fatima.yaml").write_text(FATIMA)
+    words = ["run", "--as", "johanna=fatima.yaml", "--rulebook", rulebook, "--at", "2026-11-27"]
+    assert comity(*words, "--out", "one").code == 0
+    for file in (here / "one").iterdir():
+        content = file.read_bytes()
+        assert not [word for word in (b"dementia", b"1946-03-09", b"grew up", b"impaired") if word in content]
+    text = (here / "one" / "scenario.yaml").read_text()
+    profile = text[text.index("    profile:\n") : text.index("    at_m:")]
+    assert ("gender: female" in profile) == gender
+    assert "conversational_distance: 0.9" in profile
+    again = comity("run", "one/scenario.yaml", "--out", "two", "--json").json
+    first = comity("run", "one/scenario.yaml", "--out", "three", "--json").json
+    assert (here / "one" / "trace.jsonl").read_bytes() == (here / "two" / "trace.jsonl").read_bytes()
+    assert again["trace_sha256"] == first["trace_sha256"]
+
+
+@only_posix
+def test_a_run_and_what_is_made_of_it_can_be_read_by_the_user_alone(comity, here):
+    umask = os.umask(0)
+    try:
+        assert comity("run", "--gif").code == 0
+        assert comity("replay", "runs/johanna-1", "--out", "page.html").code == 0
+        assert comity("profile", "set", "kim", "age=71").code == 0
+        assert comity("profile", "export", "kim", "--out", "kim.yaml").code == 0
+    finally:
+        os.umask(umask)
+    assert modes(here / "runs", here / "runs" / "johanna-1") == {0o700}
+    files = list((here / "runs" / "johanna-1").iterdir())
+    assert len(files) > 8
+    assert modes(*files, here / "page.html", here / "kim.yaml") == {0o600}
+
+
+@only_posix
+def test_a_file_that_others_could_read_is_theirs_no_longer_when_it_is_written_again(comity, here):
+    assert comity("profile", "set", "kim", "age=71").code == 0
+    for _ in range(2):
+        assert comity("profile", "export", "kim", "--out", "kim.yaml").code == 0
+        assert modes(here / "kim.yaml") == {0o600}
+        (here / "kim.yaml").chmod(0o644)
+
+
+def test_the_facts_of_no_profile_are_all_used_by_the_paper():
+    """Of three facts that a person tells, a rulebook over one culture score uses one."""
+    person = Declared(Profile(name="x", culture="SWE", gender="female", age=70), None)
+    paper = next(book for book in BOOKS if book.name == "bruno2017-case1")
+    assert used_of(person, paper, None).profile == Profile(name="x", culture="SWE")
+
+
+def modes(*paths):
+    return {stat.S_IMODE(path.stat().st_mode) for path in paths}
