@@ -66,6 +66,7 @@ def trace(
         selected_disturbances,
         trace_answer,
     )
+    from comity.report.episodes.undisclosed import undisclosed_in
     from comity.report.episodes.why import differences_text, why_text
     from comity.report.text import show
 
@@ -95,7 +96,8 @@ def trace(
     elif entries is not None:
         show(*blackboard_text(entries), *end_text(recorded, entries, at))
     elif whys is not None:
-        show(*after_end_text(recorded, why or ""), *why_text(whys, readings))
+        undisclosed = undisclosed_in(open_run(run))
+        show(*after_end_text(recorded, why or ""), *why_text(whys, readings, undisclosed))
     elif apart is not None:
         show(*differences_text(apart, (str(run), str(diff))))
     else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from comity.report.values.inference import outvoted_text
 from comity_executor import DEFAULT_LIMITS
 from comity_fis import NominalVariable, NumericParameter, NumericVariable
 from comity_fis.inference.value import plain
@@ -11,7 +12,7 @@ from comity_fis.inference.value import plain
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-    from comity_fis import FiredRule, Inference, Parameter, ParameterValue, Rule, Rulebook, Variable
+    from comity_fis import FiredRule, Inference, Known, Parameter, ParameterValue, Rule, Rulebook, Variable
 
 _SAMPLES = 48
 """Straight pieces of a curved membership function: none is longer than 3 pixels in the page."""
@@ -47,7 +48,7 @@ def _person(inference: Inference, read: Iterable[str]) -> dict[str, object]:
         "notes": inference.notes,
         "band": _band(inference["conversational_distance"].number),
         "inputs": {name: plain(known) for name, known in inference.inputs.items() if name in wanted},
-        "parameters": {name: _value(value) for name, value in inference.parameters.items()},
+        "parameters": {name: _value(value, inference.inputs) for name, value in inference.parameters.items()},
     }
 
 
@@ -57,7 +58,7 @@ def _band(wanted_m: float) -> list[float]:
     return [max(limits.safety_floor_m, wanted_m - limits.leave_closer_m), wanted_m + limits.leave_farther_m]
 
 
-def _value(value: ParameterValue) -> dict[str, object]:
+def _value(value: ParameterValue, inputs: Mapping[str, Known | None]) -> dict[str, object]:
     answer = value.as_json()
     fired = [[fired.rule.number, round(fired.strength, 4)] for fired in value.fired]
     moved = (
@@ -69,6 +70,7 @@ def _value(value: ParameterValue) -> dict[str, object]:
             key: answer[key]
             for key in ("value", "unit", "spread", "origin", "contributions", "note", "parts")
         },
+        "outvoted": outvoted_text(value, inputs),
         "fired": fired,
         "moved": moved,
         "desirability": answer["desirability"],

@@ -4,7 +4,7 @@ from comity_fis.culture.mixture import Part, mixed
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
-from comity_fis.explanation.disclosure import facts_first, kept_back, rests_on_facts
+from comity_fis.explanation.disclosure import Outvoting, facts_first, kept_back, outvoting, rests_on_facts
 from comity_fis.explanation.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.explanation.sensitivity import Sensitivity
 from comity_fis.explanation.what_if import Alternative, Flip
@@ -63,6 +63,7 @@ __all__ = [
     "OrdinalScale",
     "OrdinalVariable",
     "Origin",
+    "Outvoting",
     "Parameter",
     "ParameterValue",
     "Part",
@@ -92,6 +93,7 @@ __all__ = [
     "kept_back",
     "load_rulebook",
     "mixed",
+    "outvoting",
     "partition",
     "read_rulebook",
     "read_scores",

@@ -254,3 +254,16 @@ def test_a_sugeno_file_is_explained_and_drawn(comity, here):
     assert [rule["without"]["value"] for rule in said.json["rules"]] == pytest.approx([24, 6])
     assert said.json["derivatives"][0]["derivative"] == pytest.approx(3)
     assert (here / "why.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_fact_that_was_not_disclosed_and_outvotes_others_begins_the_reason_everywhere(comity, here):
+    (here / "p.profile.yaml").write_text("name: Ada\nculture: DEU\ntouch_consent: given\n", encoding="utf-8")
+    outvotes = "formality not disclosed outvotes individualism is LC2 → wave"
+    facts = ("--set", "culture=DEU", "--set", "touch_consent=given")
+    explained = comity("explain", "greeting_gesture", *facts).out.splitlines()
+    assert explained[1].strip().startswith(outvotes)
+    summary = comity("run", "johanna", "--as", "johanna=p.profile.yaml", "--out", "run").out
+    assert outvotes in " ".join(summary.split())
+    why = comity("trace", "run", "--why", "handshake").out
+    assert f"greeting_gesture handshake (culture); {outvotes}" in " ".join(why.split())
+    assert outvotes in (here / "run" / "replay.html").read_text(encoding="utf-8")

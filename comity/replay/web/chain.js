@@ -73,6 +73,7 @@ function parameter(episode, plan, person, name, value) {
       {},
       el("b", {}, `${plain(name)} ${measured(value.value, value.unit)}`),
       ` from ${value.origin}`,
+      value.outvoted && `; ${value.outvoted}`,
     ),
     numeric && about?.domain ? outputSet(about, name, value, rules) : suitability(value, rules, name),
     contributions(value),

@@ -13,6 +13,7 @@ from comity_executor import first_divergence
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
+    from comity.report.episodes.undisclosed import Undisclosed
     from comity_executor import Cause, Divergence, History, TraceEvent, Why
 
 OF_PLANS = {
@@ -49,12 +50,15 @@ def difference_answer(divergence: Divergence) -> DifferenceAnswer:
     )
 
 
-def why_text(reasons: Iterable[Why], readings: Mapping[str, ReadingAnswer]) -> Iterator[str]:
+def why_text(
+    reasons: Iterable[Why], readings: Mapping[str, ReadingAnswer], undisclosed: Undisclosed
+) -> Iterator[str]:
     """For every node, what it does and the results that it stands on; each result down to the facts, once.
 
     Args:
         reasons: One for each node.
         readings: What the robot read of people at the time that is asked about.
+        undisclosed: What outvoted disclosed facts.
     """
     told: set[tuple[float, int]] = set()
     for why in reasons:
@@ -65,12 +69,12 @@ def why_text(reasons: Iterable[Why], readings: Mapping[str, ReadingAnswer]) -> I
             yield f"  now {reading_text(now)}"
         if event.because:
             yield f"  because {links(event.because)}"
-            yield from _chain(event.because)
+            yield from _chain(event, undisclosed)
         for word, result in _grounds(why):
             reading = f": {links(result.because)}" if result.because else ""
             yield f"  {word} {result.node} {_state(result)} at t={result.t:.2f} s{reading}"
             if (result.t, result.path) not in told:
-                yield from _chain(result.because)
+                yield from _chain(result, undisclosed)
             told.add((result.t, result.path))
 
 
@@ -135,11 +139,12 @@ def fault_text(because: Iterable[Cause]) -> str:
     return "".join(f" ({cause.text})" for cause in because if cause.kind == "fault")
 
 
-def _chain(because: Iterable[Cause]) -> Iterator[str]:
+def _chain(event: TraceEvent, undisclosed: Undisclosed) -> Iterator[str]:
     """The links beyond the reading, down to the variables."""
-    for cause in because:
+    for cause in event.because:
         if cause.kind not in ("fault", "reading", "condition"):
-            yield f"      {cause.kind:9} {cause.words}"
+            outvoted = undisclosed.said(event, cause)
+            yield f"      {cause.kind:9} {cause.words}{f'; {outvoted}' if outvoted else ''}"
 
 
 def event_answer(event: TraceEvent) -> EventAnswer:

@@ -15,7 +15,7 @@ from comity.report.values.explanation_words import (
     speaking,
     units_of,
 )
-from comity.report.values.inference import concluded, possible
+from comity.report.values.inference import concluded, outvoted_text, possible
 from comity_fis import kept_back, rests_on_facts
 
 if TYPE_CHECKING:
@@ -36,6 +36,8 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
     value = explanation.value
     spread = f" (people vary by ± {number(value.spread, value.unit)})" if value.spread is not None else ""
     yield f"{words(value.name)}: {number(value.value, value.unit)}{spread}"
+    if first := outvoted_text(value, explanation.inputs):
+        yield f"  {first}"
     if value.note:
         yield f"  {words(value.note)}"
     yield "\nHow it came about"

@@ -21,6 +21,7 @@ from comity.report.values.explanation_drawing import (
     plain,
 )
 from comity.report.values.explanation_words import fine, ordered_rules, speaking, steps
+from comity.report.values.inference import outvoted_text
 from comity.report.values.known_picture import draw_known
 from comity.system.own_files import check_suffix
 from comity_fis import (
@@ -132,7 +133,8 @@ class _Drawing:
         value = self.explanation.value
         headline = f"{words(value.name)}: {number(value.value, value.unit)}"
         figure.text(0.55 / WIDTH_IN, 1 - 0.42 / height, headline, size=19, weight="bold", color=INK)
-        about = value.note or value.contributions[-1].text
+        outvoted = outvoted_text(value, self.explanation.inputs)
+        about = outvoted or value.note or value.contributions[-1].text
         known = ", ".join(
             f"{words(v.name)} {stated(fact, v.unit)}"
             for v, fact in ((v, self.explanation.inputs[v.name]) for v in self.explanation.variables)

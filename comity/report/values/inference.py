@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers import InferAnswer
 from comity.report.text import number, stated, table, words, words_of
-from comity_fis import kept_back, rests_on_facts
+from comity_fis import kept_back, outvoting, rests_on_facts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -71,7 +71,10 @@ RULES_SHOWN = 2
 
 
 def because(value: ParameterValue, inputs: Inputs) -> str:
-    """Why a parameter has its value: in one line, or with a line for every further contribution and part."""
+    """Why a parameter has its value: in one line, or with a line for every further contribution and part.
+
+    What was not disclosed and yet outvotes what was comes first.
+    """
     lines = [_why(value, inputs)]
     if len(value.contributions) > 1:
         lines = [
@@ -85,6 +88,8 @@ def because(value: ParameterValue, inputs: Inputs) -> str:
 def in_brief(value: ParameterValue, inputs: Inputs) -> str:
     """The same in one line: the strongest rule whole, and what the next and those possible give a number."""
     resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
+    if outvoted_text(value, inputs):
+        return _why(value, inputs)
     if isinstance(value.value, str):
         resting = [fired for fired in resting if value.value in concluded(fired, value.name)][:1]
     if len(value.contributions) > 1 or value.parts or not (value.decided_by_rules and resting):
@@ -114,12 +119,29 @@ def _why(value: ParameterValue, inputs: Inputs) -> str:
     """The strongest rules that rest on something disclosed, and in words those that nothing excludes."""
     if not value.fired or not value.decided_by_rules:
         return words(value.note or value.start.text)
-    resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
-    parts = [_in_short(fired, value.name, inputs) for fired in resting[:RULES_SHOWN]]
+    fired, first = list(value.fired), outvoted_text(value, inputs)
+    if first and (found := outvoting(value, inputs)):
+        fired = [one for one in fired if one is not found.outvoted and one not in found.rules]
+    resting = [one for one in fired if rests_on_facts(one.rule, inputs)]
+    parts = [first, *(_in_short(one, value.name, inputs) for one in resting[:RULES_SHOWN])]
     if weaker := resting[RULES_SHOWN:]:
         parts.append(f"{len(weaker)} weaker {'rule' if len(weaker) == 1 else 'rules'}")
-    parts += [possible(value.fired, inputs), words(value.note)]
+    parts += [possible(fired, inputs), words(value.note)]
     return "; ".join(filter(None, parts))
+
+
+def outvoted_text(value: ParameterValue, inputs: Inputs) -> str:
+    """`age not disclosed outvotes posture is seated → low (rule 9, 0.99): rule 8 → high`, or nothing."""
+    found = outvoting(value, inputs)
+    if found is None:
+        return ""
+    numbers = ", ".join(str(number) for number in sorted(one.rule.number for one in found.rules))
+    rules = f"rule {numbers}" if len(found.rules) == 1 else f"rules {numbers}"
+    terms = dict.fromkeys(term for one in found.rules for term in concluded(one, value.name))
+    return (
+        f"{words_of(found.hidden)} not disclosed {'outvotes' if len(found.hidden) == 1 else 'outvote'} "
+        f"{_in_short(found.outvoted, value.name, inputs)}: {rules} → {' or '.join(map(words, terms))}"
+    )
 
 
 def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:

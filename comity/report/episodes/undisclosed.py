@@ -1,0 +1,55 @@
+"""What was not disclosed and yet outvoted what was, at a moment of a run: for the reasons of its trace."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.output.run_folder import SCENARIO
+from comity.parameters.cast import cast_of
+from comity.report.values.inference import outvoted_text
+from comity.scenario import load_scenario
+from comity.simulation.changes import changes_of_values
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from comity.output.run_folder import RunFolder
+    from comity_executor import Cause, TraceEvent
+    from comity_fis import Inference
+
+_PERSON = re.compile(r"\(([^,)]+)")
+
+
+@dataclass(frozen=True, slots=True)
+class Undisclosed:
+    """Everybody's parameters in a run."""
+
+    first: Mapping[str, Inference]
+    """By person, at the start."""
+    later: Sequence[tuple[float, str, Inference]]
+    """From when on [s], the person, and the parameters since then."""
+
+    def said(self, event: TraceEvent, cause: Cause) -> str:
+        """What to add to a parameter behind an event; empty for other causes, and where facts decided it."""
+        named = _PERSON.search(event.node)
+        if cause.kind != "parameter" or named is None:
+            return ""
+        since = (values for t, person, values in self.later if person == named[1] and t <= event.t)
+        values = next(reversed([*since]), self.first.get(named[1]))
+        value = values.get(cause.text.split(" ")[0]) if values else None
+        if values is None or value is None or value.value != cause.value:
+            return ""
+        return outvoted_text(value, values.inputs)
+
+
+def undisclosed_in(folder: RunFolder) -> Undisclosed:
+    """Read from the scenario in a run folder, in which everything is written out.
+
+    Raises:
+        InputError: if it is missing or damaged.
+    """
+    cast = cast_of(load_scenario(str(folder / SCENARIO)))
+    later = [(one.at_s, one.person, one.values) for one in changes_of_values(cast).values()]
+    return Undisclosed(cast.values(), later)
