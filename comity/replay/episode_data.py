@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from comity.output.run_folder import BLACKBOARD
 from comity.replay.groups_data import groups_data
 from comity.replay.place_data import place_data
+from comity.replay.planned_routes import planned_routes
 from comity.replay.plans_data import plans_data, stages_of
 from comity.replay.saved_run import read_run
 from comity.replay.tracks import tracks_of
@@ -17,6 +18,7 @@ from comity_executor import read_blackboard
 
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
+    from comity.replay.saved_run import SavedRun
     from comity.scenario import ScenarioFile
 
 
@@ -60,8 +62,16 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "tree": tree_data(history, run.values),
         "blackboard": _blackboard(folder),
         "plans": plans_data(run.plan, account),
+        "routes": _routes(run),
         "values": values_data(run.cast.rulebook, stages_of(run.cast, run.values, account.revisions)),
     }
+
+
+def _routes(run: SavedRun) -> list[list[object]]:
+    """The planned routes as `[t, [[x, y], ...]]`, in millimetres of accuracy."""
+    return [
+        [route.time_s, [[round(x, 3), round(y, 3)] for x, y in route.points]] for route in planned_routes(run)
+    ]
 
 
 def _blackboard(folder: RunFolder) -> list[list[object]]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypedDict
 
+from comity.replay.planned_routes import planned_routes
 from comity.report.text import words
-from comity_sim2d import ActEvent, DoorTurn, Ring, draw_picture, write_gif
+from comity_sim2d import ActEvent, DoorTurn, PlannedRoute, Ring, draw_picture, write_gif
 from comity_sim2d.pictures.animation import MARK as GIF_MARK
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ __all__ = ["GIF_MARK", "draw_run", "film_run", "rings_of"]
 
 
 def draw_run(run: SavedRun, path: Path) -> None:
-    """Write a PNG: the way, and what was wanted and reached beside each person."""
+    """Write a PNG: the planned route, the driven path, and what each person wanted and got."""
     draw_picture(path, run.scene, run.frames, title=_title(run), **_shown(run))
 
 
@@ -33,10 +34,16 @@ class _Shown(TypedDict):
     rings: list[Ring]
     events: list[ActEvent]
     door_turns: list[DoorTurn]
+    planned: tuple[PlannedRoute, ...]
 
 
 def _shown(run: SavedRun) -> _Shown:
-    return {"rings": rings_of(run), "events": _acts(run), "door_turns": _door_turns(run)}
+    return {
+        "rings": rings_of(run),
+        "events": _acts(run),
+        "door_turns": _door_turns(run),
+        "planned": planned_routes(run),
+    }
 
 
 def rings_of(run: SavedRun) -> list[Ring]:

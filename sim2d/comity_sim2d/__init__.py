@@ -33,6 +33,7 @@ from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pictures.animation import write_gif
 from comity_sim2d.pictures.picture import draw_picture
+from comity_sim2d.pictures.planned_route import PlannedRoute
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pose import Pose, wrap_angle
 from comity_sim2d.robot.acts import HAND_OVER, PICK_UP, ActEvent
@@ -83,6 +84,7 @@ __all__ = [
     "PastPeople",
     "Person",
     "PlaceMap",
+    "PlannedRoute",
     "Pose",
     "Reading",
     "Ring",

@@ -1,4 +1,4 @@
-// The world from above: the room, people with the distance that they like, the robot, its way and its gaze.
+// The world from above: the room, people with the distance that they like, the robot, its route and path, its gaze.
 
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
@@ -28,7 +28,8 @@ export class World {
       { viewBox: `0 0 ${this.projection.width} ${this.projection.height}`, role: "img", "aria-label": "The world from above" },
       this.place.element,
       this.rings(),
-      this.way(),
+      this.planned(),
+      this.driven(),
       this.gap(),
       this.passersBy(),
       episode.people.map((person, i) => this.person(person, i)),
@@ -105,7 +106,14 @@ export class World {
     });
   }
 
-  way() {
+  /** The route of the plan in force: what came afterwards is not in it. */
+  planned() {
+    this.route = svg("polyline", { class: "planned" }, svg("title", {}, "route as planned"));
+    return this.route;
+  }
+
+  /** The path up to now. */
+  driven() {
     const { x, y } = this.episode.track.bodies.get(this.episode.robot);
     const corners = Array.from(x, (one, i) => [one, y[i]]);
     const points = this.projection.points(corners);
@@ -113,8 +121,8 @@ export class World {
     for (let i = 1; i < corners.length; i++) {
       this.length.push(this.length[i - 1] + Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) * SCALE);
     }
-    this.travelled = svg("polyline", { class: "travelled", points });
-    return svg("g", {}, svg("polyline", { class: "way", points }), this.travelled);
+    this.travelled = svg("polyline", { class: "travelled", points }, svg("title", {}, "path that was driven"));
+    return this.travelled;
   }
 
   gap() {
@@ -162,6 +170,8 @@ export class World {
     const [i, share] = track.between(t);
     const gone = this.length[i] + share * ((this.length[i + 1] ?? this.length[i]) - this.length[i]);
     this.travelled.style.strokeDasharray = `${gone} ${this.length.at(-1) + 1}`;
+    const route = this.episode.routes.findLast(([since]) => since <= t + 1e-9);
+    put(this.route, "points", this.projection.points(route?.[1] ?? []));
     this.place.show(t);
     this.things.show(t);
     this.showWishes(this.episode.planAt(t));

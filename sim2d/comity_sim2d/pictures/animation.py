@@ -22,6 +22,7 @@ from comity_sim2d.pictures.drawing_check import check_drawing
 from comity_sim2d.pictures.lettering import lettering
 from comity_sim2d.pictures.map_labels import MapLabels
 from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines, wanted_m
+from comity_sim2d.pictures.planned_route import PlannedRoute, draw_planned, planned_at
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pictures.speech import Speech
@@ -72,6 +73,7 @@ def write_gif(
     rings: Sequence[Ring] = (),
     events: Sequence[ActEvent] = (),
     door_turns: Sequence[DoorTurn] = (),
+    planned: Sequence[PlannedRoute] = (),
     title: str = "",
     ending: str | None = None,
     fps: int = 10,
@@ -88,6 +90,7 @@ def write_gif(
             from the docking until the last act towards them.
         events: What was said and done, shown while it happens.
         door_turns: Doors that were opened or shut, shown as they are.
+        planned: The routes of the plans, each shown while its plan is in force.
         title: The headline.
         ending: The headline of the last frame, such as with the outcome; None: the same.
         fps: Frames per second of playing time, in [1, 100].
@@ -108,6 +111,7 @@ def write_gif(
         rings=rings,
         events=events,
         door_turns=door_turns,
+        planned=planned,
         width_px=width_px,
     )
     require_kinds("animation", title=(title, str), ending=(ending, str | None))
@@ -129,6 +133,7 @@ def write_gif(
             shown.rings,
             shown.events,
             doors,
+            planned=planned,
             titles=(title, title if ending is None else ending),
             speed=speed,
             width_px=width_px,
@@ -156,6 +161,7 @@ class _Film:
         events: tuple[ActEvent, ...],
         doors: TurningDoors,
         *,
+        planned: Sequence[PlannedRoute],
         titles: tuple[str, str],
         speed: float,
         width_px: int,
@@ -179,6 +185,9 @@ class _Film:
         self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
         self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
         self._bodies.append(self._body(scene.robot.name, scene.robot.radius_m))
+        self._planned = planned
+        self._route = draw_planned(self._ax, ())
+        self._route.set_animated(True)
         (self._trail,) = self._ax.plot([], [], color=d.ROBOT, lw=1.7, alpha=0.75, animated=True)
         self._names = {p.name: self._name(p) for p in scene.people if moves[p.name]}
         self._clock, self._title = self._header(0.985, "right"), self._header(0.015, "left")
@@ -194,6 +203,7 @@ class _Film:
         for artist in (
             *self._doors.at(time_s),
             *self._rings.at(time_s),
+            self._route,
             self._trail,
             *bodies,
             *self._reached.at(time_s),
@@ -217,6 +227,8 @@ class _Film:
         count = int(np.searchsorted(self._frames.time_s, time_s + 1e-9))
         way = self._frames.of(self._scene.robot.name)[:count]
         self._trail.set_data(way[:, 0], way[:, 1])
+        route = np.array(planned_at(self._planned, time_s), dtype=float).reshape(-1, 2)
+        self._route.set_data(route[:, 0], route[:, 1])
         fast = "" if self._speed == 1.0 else f"   {self._speed:g}x"
         self._clock.set_text(f"{time_s:.1f} s{fast}")
         self._title.set_text(self._titles[time_s >= float(self._frames.time_s[-1])])

@@ -8,6 +8,7 @@ from pathlib import Path
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import PATH, require_each, require_kinds
 from comity_sim2d.maps.doorways import DoorTurn
+from comity_sim2d.pictures.planned_route import PlannedRoute
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.robot.acts import ActEvent
 from comity_sim2d.scene.scene import Scene
@@ -27,6 +28,7 @@ def check_drawing(
     rings: Sequence[Ring],
     events: Sequence[ActEvent],
     door_turns: Sequence[DoorTurn],
+    planned: Sequence[PlannedRoute],
     width_px: int,
 ) -> None:
     """Refuse a file of another format, a width that no page has, frames of others, and visits to nobody.
@@ -40,6 +42,7 @@ def check_drawing(
         rings: The visits.
         events: What was said and done.
         door_turns: Doors of the scene that were opened or shut.
+        planned: The routes that plans were made with.
         width_px: Of the page, in `WIDTH_PX`.
 
     Raises:
@@ -50,6 +53,7 @@ def check_drawing(
     require_each(what, "rings", rings, Ring)
     require_each(what, "events", events, ActEvent)
     require_each(what, "door_turns", door_turns, DoorTurn)
+    require_each(what, "planned", planned, PlannedRoute)
     if Path(path).suffix.lower() != suffix:
         raise SceneError(
             entity=what,

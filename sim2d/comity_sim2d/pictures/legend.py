@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures.planned_route import draw_planned
 from comity_sim2d.pose import Pose
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ Mark = Callable[["Axes", float], None]
 class Legend:
     """What there is to tell of."""
 
+    planned: bool = False
     visits: bool = False
     walkers: bool = False
     groups: bool = False
@@ -47,7 +49,8 @@ class Legend:
 
     @property
     def _rows(self) -> list[tuple[str, Mark]]:
-        rows: list[tuple[str, Mark]] = [("robot, where it ends", _robot), ("its way, from the start", _way)]
+        rows: list[tuple[str, Mark]] = [("robot, where it ends", _robot), ("path that it drove", _way)]
+        rows += [("route as planned", _planned)] if self.planned else []
         if self.visits:
             rows += [("wanted distance between the bodies", _wanted), ("reached distance", _reached)]
             rows += [("chosen side", _side)]
@@ -64,6 +67,10 @@ def _robot(ax: Axes, y: float) -> None:
 def _way(ax: Axes, y: float) -> None:
     ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.ROBOT, lw=1.7, alpha=0.75)
     ax.plot(MIDDLE_IN, y, marker=">", ms=6, mfc=d.ROBOT, mec="#FFFFFF", mew=0.8)
+
+
+def _planned(ax: Axes, y: float) -> None:
+    draw_planned(ax, [(LEFT_IN, y), (RIGHT_IN, y)])
 
 
 def _wanted(ax: Axes, y: float) -> None:

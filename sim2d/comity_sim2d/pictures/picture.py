@@ -23,6 +23,7 @@ from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.lettering import lettering
 from comity_sim2d.pictures.map_labels import Disc, MapLabels
 from comity_sim2d.pictures.panel import Card
+from comity_sim2d.pictures.planned_route import PlannedRoute, draw_planned
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pictures.sayings import TOGETHER_M, Saying, sayings
@@ -59,6 +60,7 @@ def draw_picture(
     rings: Sequence[Ring] = (),
     events: Sequence[ActEvent] = (),
     door_turns: Sequence[DoorTurn] = (),
+    planned: Sequence[PlannedRoute] = (),
     title: str = "",
     subtitle: str | None = None,
     width_px: int = 1200,
@@ -72,6 +74,7 @@ def draw_picture(
         rings: One for each visited person, in the order of the visits.
         events: What was said and done.
         door_turns: Doors that were opened or shut: all are drawn as they are at the end.
+        planned: The routes of the plans, each drawn below the path that was driven.
         title: The headline.
         subtitle: Below it; None: duration, way and smallest distance to people.
         width_px: Everything scales with it; in [100, 10000].
@@ -92,6 +95,7 @@ def draw_picture(
         rings=rings,
         events=events,
         door_turns=door_turns,
+        planned=planned,
         width_px=width_px,
     )
     require_kinds("picture", title=(title, str), subtitle=(subtitle, str | None))
@@ -99,7 +103,8 @@ def draw_picture(
     shown = readable(scene, frames, rings, events)
     scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
     subtitle = None if subtitle is None else legible(subtitle, shown.names)
-    picture = _Picture(scene, frames, shown.rings, shown.events)
+    routes = tuple(route.points for route in planned if route.points)
+    picture = _Picture(scene, frames, shown.rings, shown.events, routes)
     size_in, cards, legend = _map_size(scene), picture.cards(), picture.legend()
     height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards, legend)) + EDGE_IN
     with lettering([*shown.words, title, subtitle or ""]):
@@ -118,8 +123,14 @@ class _Picture:
     """What all parts of one picture share."""
 
     def __init__(
-        self, scene: Scene, frames: Frames, rings: tuple[Ring, ...], events: tuple[ActEvent, ...]
+        self,
+        scene: Scene,
+        frames: Frames,
+        rings: tuple[Ring, ...],
+        events: tuple[ActEvent, ...],
+        planned: tuple[tuple[XY, ...], ...],
     ) -> None:
+        self._planned = planned
         self._scene, self._frames, self._rings, self._events = scene, frames, rings, events
         self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
         self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
@@ -145,6 +156,7 @@ class _Picture:
     def legend(self) -> Legend:
         """Of what is on the map."""
         return Legend(
+            planned=bool(self._planned),
             visits=bool(self._rings),
             walkers=bool(self._tracks),
             groups=bool(self._o_spaces),
@@ -161,6 +173,8 @@ class _Picture:
         for ring in self._rings:
             self._draw_ring(ax, ring, floor)
         self._draw_own_distances(ax, floor)
+        for route in self._planned:
+            draw_planned(ax, route)
         self._draw_way(ax)
         for person in self._scene.people:
             pose, colour = self._stands[person.name], self._colours[person.name]

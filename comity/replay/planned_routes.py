@@ -1,0 +1,103 @@
+"""The routes that plans were made with, between the places where the robot meant to stand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from comity.parameters.passing import own_distance_m
+from comity.planning.agenda import places_for
+from comity.planning.request import spots_of
+from comity.preparation import staged
+from comity.replay.plans_data import stages_of
+from comity_domain import Spot
+from comity_domain.plans.actions import FETCH, REACH, RETURN
+from comity_fis import InputError
+from comity_sim2d import DoorTurn, PlannedRoute, RouteMap, SceneError
+from comity_sim2d.pictures.drawing import pose_at
+from comity_sim2d.pictures.turning_doors import doors_at
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping
+
+    from comity.answers import StepAnswer
+    from comity.replay.saved_run import SavedRun
+    from comity_domain import Visitee
+    from comity_fis import Inference
+    from comity_sim2d import Scene
+
+    XY = tuple[float, float]
+
+
+def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
+    """One for the first plan and for every one that took over, by time; empty where there is no way.
+
+    A plan knew where people stood when it was made, and nothing of what came later: nor do these routes.
+    """
+    try:
+        stage = staged(run.file, seed=run.account.seed)
+    except InputError:
+        return ()
+    values = dict(stage.values)
+    routes = [PlannedRoute(0.0, _corners(stage.scene, stage.visitees, run.plan.steps))]
+    revisions = run.account.revisions
+    for revision, later in zip(revisions, stages_of(run.cast, run.values, revisions)[1:], strict=True):
+        values |= later
+        if revision.kind != "not_replanned":
+            visitees = tuple(replace(each, values=values[each.name]) for each in stage.visitees)
+            scene = _scene_at(run, stage.scene, values, revision.t)
+            routes.append(PlannedRoute(revision.t, _corners(scene, visitees, revision.steps)))
+    return tuple(routes)
+
+
+def _scene_at(run: SavedRun, scene: Scene, values: Mapping[str, Inference], t: float) -> Scene:
+    """Where everybody was at a time, with doors and wishes as they were."""
+    robot = pose_at(run.frames, scene.robot.name, t)
+    turns = [DoorTurn(turn.t, turn.door, turn.open) for turn in run.account.doors]
+    poses = {person.name: pose_at(run.frames, person.name, t) for person in scene.people}
+    return replace(
+        scene,
+        robot=replace(scene.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
+        people=tuple(
+            replace(
+                person,
+                x_m=poses[person.name].x_m,
+                y_m=poses[person.name].y_m,
+                heading_rad=poses[person.name].heading_rad,
+                walk=None,
+                personal_distance_m=own_distance_m(values[person.name]),
+            )
+            for person in scene.people
+        ),
+        doors=doors_at(scene.doors, turns, t),
+    )
+
+
+def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]) -> tuple[XY, ...]:
+    """From where the robot stands over all places of the plan; nothing where a way is missing."""
+    try:
+        ways = RouteMap(scene)
+        found: list[XY] = []
+        for start, goal in pairwise((scene.robot.pose.xy, *_stops(scene, ways, visitees, steps))):
+            route = ways.route(start, goal)
+            if route is None:
+                return ()
+            found += route.points
+    except (InputError, SceneError, KeyError):  # somebody stands in somebody else's place at that moment
+        return ()
+    return tuple(found)
+
+
+def _stops(
+    scene: Scene, ways: RouteMap, visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]
+) -> Iterator[XY]:
+    """Where the robot means to stand, one after the other."""
+    by_name = {visitee.name: visitee for visitee in visitees}
+    places = places_for(scene, ways, visitees)
+    for step in steps:
+        if step.action in (REACH, RETURN):
+            person, side = step.arguments[1:3]
+            yield spots_of(scene, ways, by_name[person])[Spot(person, side)]
+        elif step.action == FETCH and (pose := places[str(step.parameters["place"])]) is not None:
+            yield pose.xy
