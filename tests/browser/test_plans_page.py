@@ -184,3 +184,23 @@ def test_a_door_is_drawn_as_it_is_at_the_time(reader, runs):
     assert states == ["open", "open", "closed", "closed"]
     assert leaves[0] == leaves[1]
     assert len(set(leaves[1:])) == 3  # it is on its way at 5.2
+
+
+def test_the_planned_route_is_that_of_the_plan_in_force_and_the_driven_path_ends_at_the_robot(reader, runs):
+    page, revisions = reader.open(page_of(runs["lounge"]), "#t=0.00"), revisions_of(runs["lounge"])
+
+    def route(t):
+        go(page, t)
+        return page.locator(".planned").get_attribute("points")
+
+    def driven():
+        return float(page.locator(".travelled").evaluate("path => parseFloat(path.style.strokeDasharray)"))
+
+    first, second = route(0.0), route(revisions[0]["t"] + 0.1)
+    assert "" not in (first, second)
+    assert first != second
+    assert route(2.5) == first  # anna has moved, and no plan knows of it yet
+    go(page, 0.0)
+    assert driven() == 0.0
+    go(page, revisions[0]["t"])
+    assert driven() > 0.0
