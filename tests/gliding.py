@@ -41,6 +41,8 @@ class Gliding:
     x: float = 1.0
     y: float = 1.0
     heading_rad: float = 0.0
+    keeps_log: bool = True
+    """Whether it keeps commands and its path; in hours they would grow."""
     latency_s: float = 0.0
     """A goal is taken up so much later."""
     t: float = 100.0
@@ -89,7 +91,8 @@ class Gliding:
                 self.x += step_m * (goal.x_m - self.x) / gap_m
                 self.y += step_m * (goal.y_m - self.y) / gap_m
             self.heading_rad, self._speed = goal.heading_rad, step_m / seconds
-        self.path.append((self.t, self.x, self.y, self._speed))
+        if self.keeps_log:
+            self.path.append((self.t, self.x, self.y, self._speed))
 
     def localisation(self) -> Localisation | None:
         if self.knows_where:
@@ -116,7 +119,7 @@ class Gliding:
         )
 
     def go(self, goal: MapGoal) -> GoalId:
-        self.log.append((self.t, "go", goal))
+        self._note("go", goal)
         self._goals += 1
         self._renewed_s = self.t
         if self.latency_s:
@@ -137,7 +140,7 @@ class Gliding:
         return MotionStatus(self._newest, state, stamp_s=self.t, is_at_rest=self._speed == 0.0)
 
     def perform(self, act: ActGoal) -> GoalId:
-        self.log.append((self.t, "perform", act))
+        self._note("perform", act)
         self._acts.append(self.t + 1.0)
         return f"act {len(self._acts)}"
 
@@ -145,12 +148,16 @@ class Gliding:
         return ActStatus(act, "succeeded" if self.t >= self._acts[int(str(act)[4:]) - 1] else "running")
 
     def stop(self, goal: GoalId | None = None) -> None:
-        self.log.append((self.t, "stop", goal))
+        self._note("stop", goal)
         if goal is None or goal == self._goals:
             self._goal, self._waiting, self._newest = None, [], self._goals or None
 
     def emergency(self) -> str | bool:
         return self.pressed
+
+    def _note(self, command: str, what: object) -> None:
+        if self.keeps_log:
+            self.log.append((self.t, command, what))
 
     def told(self, command: str) -> list[object]:
         """All that one command was given."""

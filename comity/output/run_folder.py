@@ -15,6 +15,7 @@ from pydantic import BaseModel, ValidationError
 
 from comity.system.locks import LOCK, is_locked, locked
 from comity.system.own_files import PRIVATE_FOLDER, read_regular, written_whole
+from comity_executor.tracing.file import parts_of
 from comity_fis import InputError, Where
 
 Answer = TypeVar("Answer", bound=BaseModel)
@@ -75,7 +76,8 @@ class RunFolder:
     def files(self) -> tuple[str, ...]:
         """What the run has written so far."""
         tables = sorted(f"{TABLES}/{path.name}" for path in (self / TABLES).glob("*.csv"))
-        names = (*RECORDS, *tables, PICTURE, ANIMATION, REPLAY, COMPARISON)
+        parts = [path.name for path in parts_of(self / TRACE)[1:]]
+        names = (*RECORDS, *parts, *tables, PICTURE, ANIMATION, REPLAY, COMPARISON)
         return tuple(name for name in names if (self / name).is_file())
 
     def bytes_per_minute(self, simulated_s: float) -> dict[str, int]:
@@ -87,7 +89,7 @@ class RunFolder:
         if simulated_s <= 0.0:
             return {}
         return {
-            name: round(60.0 / simulated_s * (self / name).stat().st_size)
+            name: round(60.0 / simulated_s * sum(part.stat().st_size for part in parts_of(self / name)))
             for name in (TRACE, READINGS, FRAMES)
             if (self / name).is_file()
         }

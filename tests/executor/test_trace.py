@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_executor import Cause, Node, TraceEvent, TraceFile, read_trace, trace_lines, trace_sha256
+from comity_executor.tracing.file import parts_of
 from comity_fis.errors import InputError
 
 KINDS = ["reading", "condition", "step", "parameter", "rule", "variable"]
@@ -75,6 +76,29 @@ def test_what_was_read_is_written_again_to_the_byte(tmp_path_factory, many: tupl
     lines = tuple(trace_lines(many))
     write(path, many)
     assert tuple(trace_lines(read_trace(path))) == lines
+
+
+@given(events, st.integers(1, 2_000))
+def test_a_trace_in_parts_is_the_same_trace(
+    tmp_path_factory, many: tuple[TraceEvent, ...], size: int
+) -> None:
+    """The parts together have the bytes of the whole, none is larger than asked for by more than a line."""
+    path = tmp_path_factory.getbasetemp() / "parted.jsonl"
+    lines = tuple(trace_lines(many))
+    with TraceFile(path, (), part_bytes=size) as trace:
+        trace.keep(many)
+    parts = [part.read_bytes() for part in parts_of(path)]
+    assert b"".join(parts).decode().split("\n")[:-1] == list(lines)
+    assert all(len(part) < size + max(len(line.encode()) + 1 for line in lines) for part in parts)
+    assert tuple(trace_lines(read_trace(path))) == lines
+
+
+def test_a_damaged_line_of_a_later_part_is_named_with_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "trace.jsonl"
+    path.write_text('{"format": "comity-trace-2", "nodes": []}\n')
+    (tmp_path / "trace-2.jsonl").write_text("{}\n")
+    with pytest.raises(InputError, match=r"trace-2\.jsonl:1"):
+        read_trace(path)
 
 
 @given(events)

@@ -1,4 +1,7 @@
-"""A trace on disk that grows while the tree runs, so that a crash keeps what happened before it."""
+"""A trace on disk that grows while the tree runs, so that a crash keeps what happened before it.
+
+A long one is written in parts: `trace.jsonl`, `trace-2.jsonl` and so on, which together are the trace.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +12,35 @@ from types import TracebackType
 from comity_executor.nodes.node import Node
 from comity_executor.tracing.trace import TraceEncoding, TraceEvent
 
+PART_BYTES = 16_000_000
+"""A part that has grown to this is the last of its size: an editor opens it still (our choice)."""
+
+
+def parts_of(path: Path) -> tuple[Path, ...]:
+    """The parts of a trace in their order, the first of them as it is named."""
+    parts = [path]
+    while (after := _part(path, len(parts) + 1)).exists():
+        parts.append(after)
+    return tuple(parts)
+
+
+def _part(path: Path, number: int) -> Path:
+    return path.with_stem(f"{path.stem}-{number}")
+
 
 class TraceFile:
-    """An open trace; its bytes are those of `trace_lines`, whenever they are written.
+    """An open trace; the bytes of its parts are those of `trace_lines`, whenever they are written.
 
     Args:
-        path: Where to write; what is there is replaced.
+        path: Where to write; what is there is replaced, older parts included.
         nodes: The tree, for the first line.
+        part_bytes: Another part begins once this one has so many.
     """
 
-    def __init__(self, path: Path, nodes: Iterable[Node]) -> None:
+    def __init__(self, path: Path, nodes: Iterable[Node], *, part_bytes: int = PART_BYTES) -> None:
+        for old in parts_of(path)[1:]:
+            old.unlink()
+        self._path, self._part_bytes, self._parts, self._bytes = path, part_bytes, 1, 0
         self._file = path.open("w", encoding="utf-8", newline="\n")
         self._encoding = TraceEncoding()
         self._written = 0
@@ -43,5 +65,11 @@ class TraceFile:
         self._file.close()
 
     def _write(self, lines: Iterable[str]) -> None:
-        self._file.writelines(f"{line}\n" for line in lines)
+        for line in lines:
+            if self._bytes >= self._part_bytes:
+                self._file.close()
+                self._parts, self._bytes = self._parts + 1, 0
+                self._file = _part(self._path, self._parts).open("w", encoding="utf-8", newline="\n")
+            self._file.write(f"{line}\n")
+            self._bytes += len(line.encode()) + 1
         self._file.flush()

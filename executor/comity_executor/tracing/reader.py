@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.node import Node
+from comity_executor.tracing.file import parts_of
 from comity_executor.tracing.trace import FORMAT, EventStatus, Halt, TraceEvent
 from comity_fis.errors import InputError, Where
 
@@ -36,30 +37,25 @@ class _Line:
 
 
 def read_trace(path: Path) -> tuple[TraceEvent, ...]:
-    """Read the events of a trace; a last line without its end was being written when the run was killed.
+    """Read the events of a trace, with all its parts.
+
+    A last line without its end was being written when the run was killed.
 
     Raises:
         InputError: It is not a trace, of another format, or damaged; with file and line.
     """
-    try:
-        *lines, cut = path.read_bytes().decode(errors="strict").split("\n")  # a text may hold other line ends
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            expected="a trace file", got=str(error), remedy="Name the trace of a run.", where=Where(str(path))
-        ) from error
-    first, *rest = lines or [cut]
-    numbered = list(enumerate(rest, start=2))
-    trees = [(number, line) for number, line in numbered if line.startswith(_TREE)]
-    nodes = _nodes(first, str(path)) + tuple(node for tree in trees for node in _tree(*tree, str(path)))
-    lines_of_events = [(number, line) for number, line in numbered if not line.startswith(_TREE)]
-    events = tuple(_events(lines_of_events, str(path)))
-    numbers = [number for number, _ in lines_of_events]
-    for number, (before, after) in zip(numbers[1:], pairwise(events), strict=False):
+    (head, first), *rest = _lines(path)
+    trees = [(where, line) for where, line in rest if line.startswith(_TREE)]
+    nodes = _nodes(first, head) + tuple(node for where, line in trees for node in _tree(line, where))
+    lines_of_events = [(where, line) for where, line in rest if not line.startswith(_TREE)]
+    events = tuple(_events(lines_of_events))
+    places = [where for where, _ in lines_of_events]
+    for where, (before, after) in zip(places[1:], pairwise(events), strict=False):
         if after.t < before.t:
-            raise _damaged(f"t {after.t} after {before.t}", Where(str(path), number), "times in order")
-    for number, event in zip(numbers, events, strict=True):
+            raise _damaged(f"t {after.t} after {before.t}", where, "times in order")
+    for where, event in zip(places, events, strict=True):
         if nodes and not (0 <= event.path < len(nodes) and nodes[event.path].name == event.node):
-            raise _damaged(f"path {event.path}", Where(str(path), number), f"the place of {event.node}")
+            raise _damaged(f"path {event.path}", where, f"the place of {event.node}")
     return events
 
 
@@ -69,30 +65,47 @@ def read_nodes(path: Path) -> tuple[Node, ...]:
     Raises:
         InputError: It is not a trace, or of another format.
     """
-    with path.open(encoding="utf-8", errors="replace", newline="\n") as file:
-        nodes = _nodes(file.readline(), str(path))
-        whole = [(number, line) for number, line in enumerate(file, start=2) if line.endswith("\n")]
-    trees = [(number, line) for number, line in whole if line.startswith(_TREE)]
-    return nodes + tuple(node for tree in trees for node in _tree(*tree, str(path)))
+    (head, first), *rest = _lines(path, errors="replace")
+    trees = [(where, line) for where, line in rest if line.startswith(_TREE)]
+    return _nodes(first, head) + tuple(node for where, line in trees for node in _tree(line, where))
 
 
-def _nodes(line: str, file: str) -> tuple[Node, ...]:
+def _lines(path: Path, *, errors: str = "strict") -> list[tuple[Where, str]]:
+    """Every whole line of a trace with its place; at least one, however short the file is."""
+    found: list[tuple[Where, str]] = []
+    for part in parts_of(path):
+        try:
+            *lines, cut = (
+                part.read_bytes().decode(errors=errors).split("\n")
+            )  # a text may hold other line ends
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(
+                expected="a trace file",
+                got=str(error),
+                remedy="Name the trace of a run.",
+                where=Where(str(part)),
+            ) from error
+        found += [(Where(str(part), number), line) for number, line in enumerate(lines or [cut], start=1)]
+    return found
+
+
+def _nodes(line: str, where: Where) -> tuple[Node, ...]:
     header = _header(line)
     if (found := header.get("format")) != FORMAT:
         raise InputError(
             expected=f'a first line with "format": "{FORMAT}"',
             got=repr(found) if found else "no such header",
             remedy="Name a trace that this version wrote, or run the scenario again.",
-            where=Where(file, 1),
+            where=where,
         )
-    return _tree(1, line, file)
+    return _tree(line, where)
 
 
-def _tree(number: int, line: str, file: str) -> tuple[Node, ...]:
+def _tree(line: str, where: Where) -> tuple[Node, ...]:
     try:
         return tuple(Node(**node) for node in _header(line)["nodes"])
     except (KeyError, TypeError) as error:
-        raise _damaged(str(error), Where(file, number), "the nodes of a tree") from error
+        raise _damaged(str(error), where, "the nodes of a tree") from error
 
 
 def _header(line: str) -> dict[str, Any]:
@@ -103,10 +116,9 @@ def _header(line: str) -> dict[str, Any]:
     return header if isinstance(header, dict) else {}
 
 
-def _events(lines: Sequence[tuple[int, str]], file: str) -> Iterator[TraceEvent]:
+def _events(lines: Sequence[tuple[Where, str]]) -> Iterator[TraceEvent]:
     known: list[Cause] = []
-    for number, text in lines:
-        where = Where(file, number)
+    for where, text in lines:
         line = _line(text, where)
         because: list[Cause] = []
         for cause in line.because:
