@@ -25,6 +25,8 @@ class Ready:
 
     name: str
     capabilities: CapabilityValues
+    more: tuple[str, ...]
+    """Calls of the robot that not every robot has."""
     call: int = 0
 
 

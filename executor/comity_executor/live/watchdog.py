@@ -11,9 +11,11 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from multiprocessing.connection import Listener
 from secrets import token_bytes
 from types import TracebackType
@@ -22,6 +24,7 @@ from typing import cast
 from comity_executor.live.messages import Answer, Begin, Call, Failed, Ready
 from comity_executor.robots.capabilities import LONGEST_LEASE_S, Capabilities
 from comity_executor.robots.goals import ActGoal, DockingPose, GoalId, GoalStatus, Motion, MotionGoal
+from comity_executor.robots.map_robot import MapGoal
 from comity_executor.robots.robot import Reading, Words
 from comity_fis.defuzzification.curve import Curve
 
@@ -36,7 +39,7 @@ class WatchdogError(Exception):
 
 
 class Watchdog:
-    """A `Robot` that is another one in a process of its own.
+    """A `Robot` or a `MapRobot` that is another one in a process of its own.
 
     The base needs no lease of its own. `stop` and `motion` of the robot are called in a second thread there
     when the base has to be stopped, also while another call is under way.
@@ -55,12 +58,14 @@ class Watchdog:
             self._process = _start(listener, key)
             self._connection = listener.accept()
         self._calls = 0
+        self._one_at_a_time = threading.Lock()
         self._connection.send(Begin(robot, arguments, sys.path, LONGEST_LEASE_S))
         ready = self._receive(START_S)
         if isinstance(ready, Failed):
             self.close()
             raise WatchdogError(f"{robot} could not be made: {ready.text}")
         self.name = cast("Ready", ready).name
+        self._more = cast("Ready", ready).more
         can = cast("Ready", ready).capabilities
         self.capabilities: Capabilities = replace(can, lease_s=LONGEST_LEASE_S)
 
@@ -111,7 +116,7 @@ class Watchdog:
             ),
         )
 
-    def go(self, goal: MotionGoal) -> GoalId:
+    def go(self, goal: MotionGoal | MapGoal) -> GoalId:
         """Have the robot set out; the goal holds while it is renewed."""
         return cast("GoalId", self._call("go", goal))
 
@@ -139,18 +144,25 @@ class Watchdog:
         """As the robot says."""
         return cast("str | bool", self._call("emergency"))
 
+    def __getattr__(self, name: str) -> Callable[..., object]:
+        """A call that only some robots have, such as `localisation` or `carried`, where this one has it."""
+        if name.startswith("_") or name not in self._more:
+            raise AttributeError(f"the robot behind this watchdog has no {name}")
+        return partial(self._call, name)
+
     def _call(self, name: str, *arguments: object, **named: object) -> object:
         """Have it done there, and wait for the answer.
 
         Raises:
             WatchdogError: There is none in time, the process is gone, or the robot's call raised.
         """
-        self._calls += 1
-        try:
-            self._connection.send(Call(self._calls, name, arguments, named))
-            answer = self._receive(ANSWER_S)
-        except (OSError, EOFError) as error:
-            raise WatchdogError(f"{name}: the watchdog's process is gone") from error
+        with self._one_at_a_time:  # the stop is read in a thread of its own
+            self._calls += 1
+            try:
+                self._connection.send(Call(self._calls, name, arguments, named))
+                answer = self._receive(ANSWER_S)
+            except (OSError, EOFError) as error:
+                raise WatchdogError(f"{name}: the watchdog's process is gone") from error
         if isinstance(answer, Failed):
             raise WatchdogError(f"{name}: {answer.text}")
         return cast("Answer", answer).value

@@ -21,6 +21,8 @@ from comity_executor.robots.robot import Robot
 
 GUARDED = ("go", "renew", "motion", "perform")
 """Calls that the watchdog has to know of; all others go to the robot."""
+OPTIONAL = ("carried", "trouble", "trouble_with", "localisation", "tracks", "floor_is_free")
+"""Calls that only some robots have."""
 
 
 def serve(connection: Connection[Any, Any]) -> None:
@@ -31,7 +33,8 @@ def serve(connection: Connection[Any, Any]) -> None:
         module, _, name = begin.robot.partition(":")
         robot: Robot = getattr(import_module(module), name)(*begin.arguments)
         can = {field.name: getattr(robot.capabilities, field.name, inf) for field in fields(CapabilityValues)}
-        connection.send(Ready(robot.name, CapabilityValues(**can)))
+        more = tuple(name for name in OPTIONAL if hasattr(robot, name))
+        connection.send(Ready(getattr(robot, "name", "robot"), CapabilityValues(**can), more))
     except Exception as error:
         connection.send(Failed(0, f"{type(error).__name__}: {error}"))
         return
@@ -50,6 +53,8 @@ def serve(connection: Connection[Any, Any]) -> None:
 
 def _answer(call: Call, guard: Guard, robot: Robot) -> Answer | Failed:
     owner = guard if call.name in GUARDED else robot
+    if call.name == "heard" and not hasattr(robot, "heard"):
+        return Answer(call.call, ())  # it has no ears
     try:
         return Answer(call.call, getattr(owner, call.name)(*call.arguments, **call.named))
     except Exception as error:

@@ -30,7 +30,7 @@ people:
   anna: {at_m: [8, 4], profile: arab_woman}
 goals:
   - greet: anna
-limits: {time_s: SECONDS, patience_s: SECONDS, reach_s: SECONDS, blocked_s: SECONDS, replans: 100}
+limits: {time_s: SECONDS, patience_s: SECONDS, reach_s: 3600, blocked_s: 600, replans: 100}
 """
 
 

@@ -33,3 +33,13 @@ def test_what_the_robot_says_and_raises_comes_through() -> None:
             robot.performance("act 9")
     with pytest.raises(WatchdogError, match="the watchdog's process is gone"):
         robot.emergency()
+
+
+def test_calls_that_only_some_robots_have_come_through() -> None:
+    with Watchdog("comity_executor:ScriptedRobot", {"johanna": 3.0}) as robot:
+        assert robot.carried() is None
+        assert not hasattr(robot, "localisation")
+    with Watchdog("gliding:gliding") as robot:
+        assert robot.localisation().x_m == 1.0
+        assert {track.person for track in robot.tracks()} == {"host", "guest"}
+        assert not hasattr(robot, "carried")
