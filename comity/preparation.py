@@ -234,7 +234,8 @@ def _attend_s(scenario: Scenario, *, learn: bool) -> float:
 def _visitee(cast: Cast, name: str, values: Inference) -> Visitee:
     scenario = cast.file.scenario
     goal = next(goal for goal in scenario.goals if goal.greet == name)
-    now = circumstances(scenario, name, values, cast.rulebook)
+    profile = cast.declared[name].profile
+    now = circumstances(scenario, name, values, cast.rulebook, profile=profile, day=cast.day)
     try:
         manner_of(values)  # what the acts read means what they take it for, or the world never starts
         greeting_text((name,), values)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from math import atan2, dist
 from typing import TYPE_CHECKING
 
+from comity_sim2d import wrap_angle
 from comity_sim2d.navigation.yielding import Walker, is_walking
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.senses.missing import Missing
@@ -160,7 +161,6 @@ def _tracked(before: Seen, track: PersonTrack, now_s: float) -> Seen:
     heading = before.person.heading_rad if track.heading_rad is None else track.heading_rad
     if track.heading_rad is None and is_walking((vx, vy)):
         heading = atan2(vy, vx)
-    person = replace(
-        before.person, x_m=track.x_m + vx * age_s, y_m=track.y_m + vy * age_s, heading_rad=heading
-    )
+    x_m, y_m = track.x_m + vx * age_s, track.y_m + vy * age_s
+    person = replace(before.person, x_m=x_m, y_m=y_m, heading_rad=wrap_angle(heading))
     return Seen(person, (vx, vy), is_seen=True, stamp_s=track.stamp_s)

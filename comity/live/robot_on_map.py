@@ -14,6 +14,7 @@ from math import dist, inf, pi
 from typing import TYPE_CHECKING
 
 from comity.live.act_record import ActRecord
+from comity.live.base_senses import localisation_of, stranger, tracks_of
 from comity.live.identities import Identities
 from comity.live.people_seen import PeopleSeen
 from comity_executor import MapGoal, MotionStatus, without_names
@@ -90,8 +91,8 @@ class RobotOnMap:
     def sense(self) -> None:
         """Take in where the robot is and whom it sees; to be called once in every tick."""
         now_s = self._base.now_s()
-        self._localised = self._base.localisation() or self._localised
-        tracks = self._base.tracks()
+        self._localised = localisation_of(self._base) or self._localised
+        tracks = tracks_of(self._base)
         if tracks is None or self._localised is None:
             return
         self._tracked_s = now_s
@@ -99,7 +100,7 @@ class RobotOnMap:
         is_free = getattr(self._base, "floor_is_free", None)
         self._seen.take_in(own, self.pose, self.now_s(), is_free=is_free)
         self._identities.take_in(own, self.now_s())
-        self._strangers = tuple(_stranger(track) for track in own if track.person not in self._names)
+        self._strangers = tuple(stranger(track) for track in own if track.person not in self._names)
 
     def _by_own_clock(self, track: PersonTrack) -> PersonTrack:
         sure_s = None if track.identified_s is None else track.identified_s - self._start_s
@@ -396,11 +397,6 @@ def _differs(told: MapGoal, wanted: MapGoal) -> bool:
     moved_m = dist((told.x_m, told.y_m), (wanted.x_m, wanted.y_m))
     turned_rad = abs(wrap_angle(told.heading_rad - wanted.heading_rad))
     return moved_m > FOLLOW_M or turned_rad > FOLLOW_RAD or told.speed_m_s != wanted.speed_m_s
-
-
-def _stranger(track: PersonTrack) -> Person:
-    """Somebody of whom nothing is known."""
-    return Person(f"track {track.track}", track.x_m, track.y_m, track.heading_rad or 0.0)
 
 
 def _age(age_s: float) -> str:

@@ -71,7 +71,9 @@ class Remaining:
     def _visitee(self, visitee: Visitee, course: Course, bearer: str | None) -> Visitee:
         """The same with what holds now; a deadline that is over is none any more."""
         name, values = visitee.name, self.values[visitee.name]
-        now = circumstances(self.prepared.file.scenario, name, values, self.prepared.rulebook)
+        prepared = self.prepared
+        profile, scenario = prepared.profiles[name], prepared.file.scenario
+        now = circumstances(scenario, name, values, prepared.rulebook, profile=profile, day=prepared.day)
         if self.carried is not None and bearer is None:
             now = replace(now, robot_carries=self.carried)
         by_s = visitee.by_s - course.t if visitee.by_s is not None and visitee.by_s > course.t else None

@@ -139,4 +139,5 @@ def observation(
 
 def model_m(value: ParameterValue) -> float:
     """What culture and situation alone give."""
-    return sum(float(part.value) for part in value.contributions if part.origin not in ("learnt", "safety", "operator"))
+    others = ("learnt", "safety", "operator")
+    return sum(float(part.value) for part in value.contributions if part.origin not in others)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
+from comity.parameters.perception import is_read
 from comity.parameters.used import used_facts
 
 if TYPE_CHECKING:
@@ -43,7 +44,14 @@ def notes_for_a_run(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str
 
 
 def unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> list[str]:
-    """The names of the facts that are disclosed and that no rule which is on reads."""
+    """The names of the facts that are disclosed and that no rule which is on reads.
+
+    That a person does not hear or see is read without rules.
+    """
     read = used_facts(rulebook)
     read |= {"languages"} if "language" in read else set()
-    return [name for name, fact in told.items() if fact is not None and name not in read]
+    return [
+        name
+        for name, fact in told.items()
+        if fact is not None and name not in read and not is_read(name, fact)
+    ]

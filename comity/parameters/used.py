@@ -7,6 +7,7 @@ from datetime import date
 from typing import TYPE_CHECKING, Any
 
 from comity.parameters.consent import CONSENT
+from comity.parameters.perception import is_read
 from comity.people.profile import Profile
 from comity_fis import Interval
 
@@ -35,7 +36,8 @@ def used_of(declared: Declared, rulebook: Rulebook, day: date | None) -> Declare
 
 def _used(profile: Profile, rulebook: Rulebook, day: date | None) -> dict[str, Any]:
     used = used_facts(rulebook)
-    facts = {name: fact for name, fact in profile.facts(day).items() if name in used}
+    told = profile.facts(day)
+    facts = {name: fact for name, fact in told.items() if name in used or is_read(name, fact)}
     if "language" in used and (languages := profile.facts(day).get("languages")):
         facts["languages"] = languages
     if isinstance(

@@ -17,6 +17,7 @@ from comity.parameters.consent import (
     resting,
 )
 from comity.parameters.own_words import own_words
+from comity.parameters.perception import perceiving
 from comity.parameters.standing import Standing, standing
 from comity.parameters.unread_facts import notes_of_unread_facts
 from comity.parameters.wishes import decided_here
@@ -76,7 +77,8 @@ def infer_for(
         )
         for case in cases
     ]
-    return parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
+    inference = parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
+    return perceiving(inference, declared.profile, at, situation or {})
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,16 +6,37 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from comity.parameters.consent import asked_for_no_touch, wishes_at_rest
+from comity.parameters.perception import hears, sees
 from comity_domain import Circumstances
 from comity_fis import Choice
 
 if TYPE_CHECKING:
+    from datetime import date
+
+    from comity.people.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import Inference, Rulebook
 
 
-def circumstances(scenario: Scenario, name: str, values: Inference, rulebook: Rulebook) -> Circumstances:
-    """How things stand around one person; what is said of them goes before what is said of the place."""
+def circumstances(
+    scenario: Scenario,
+    name: str,
+    values: Inference,
+    rulebook: Rulebook,
+    *,
+    profile: Profile,
+    day: date | None,
+) -> Circumstances:
+    """How things stand around one person; what is said of them goes before what is said of the place.
+
+    Args:
+        scenario: With the place, and what robot and person carry.
+        name: The person.
+        values: Their parameters.
+        rulebook: The rules that gave them.
+        profile: What they declared.
+        day: On which dated facts are taken.
+    """
     person, place = scenario.people[name], scenario.place
     return Circumstances(
         robot_carries=scenario.robot.carrying,
@@ -25,6 +46,8 @@ def circumstances(scenario: Scenario, name: str, values: Inference, rulebook: Ru
         withheld=_withheld(values, rulebook),
         wants_no_touch=asked_for_no_touch(values),
         at_rest=wishes_at_rest(values),
+        hears=hears(profile, day, person.situation),
+        sees=sees(profile, day, person.situation),
     )
 
 

@@ -252,8 +252,8 @@ def test_a_word_of_the_command_line_goes_before_the_profiles_where_no_rule_knows
 personal = st.fixed_dictionaries(
     {},
     optional={
-        "hearing": st.sampled_from(["none", "impaired", "hearing aid"]),
-        "sight": st.sampled_from(["none", "impaired"]),
+        "hearing": st.sampled_from(["impaired", "hearing aid"]),
+        "sight": st.sampled_from(["impaired", "glasses"]),
         "mobility": st.sampled_from(["wheelchair", "walking frame"]),
         "form_of_address": st.sampled_from(
             ["Dr Okafor", {"name": "Sato", "title": "san", "order": "name title"}]

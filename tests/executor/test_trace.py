@@ -93,6 +93,14 @@ def test_a_trace_in_parts_is_the_same_trace(
     assert tuple(trace_lines(read_trace(path))) == lines
 
 
+def test_no_more_people_may_read_a_later_part_than_the_first(tmp_path: Path) -> None:
+    path = tmp_path / "trace.jsonl"
+    path.touch(0o600)
+    with TraceFile(path, (), part_bytes=1) as trace:
+        trace.keep((TraceEvent(0.0, "Goal", 0, "running", None, ()),))
+    assert [part.stat().st_mode & 0o777 for part in parts_of(path)] == [0o600, 0o600]
+
+
 def test_a_damaged_line_of_a_later_part_is_named_with_its_file(tmp_path: Path) -> None:
     path = tmp_path / "trace.jsonl"
     path.write_text('{"format": "comity-trace-2", "nodes": []}\n')

@@ -115,7 +115,9 @@ def _against_each(
 
 
 def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str | None:
-    reasons = [reason for reason in (now.against_gesture(greeting.gesture), silent) if reason]
+    speaks, shows = greeting.modality != GESTURAL, greeting.gesture != NO_GESTURE
+    unnoticed = now.against_modality(speaks=speaks, shows=shows)
+    reasons = [reason for reason in (now.against_gesture(greeting.gesture), silent, unnoticed) if reason]
     return ", and ".join(reasons) or None
 
 

@@ -41,6 +41,10 @@ class Circumstances:
     """They asked not to be touched: that, and no lack of consent, is what is withheld."""
     at_rest: Mapping[str, str] = field(default_factory=dict)
     """What they asked for and cannot have now, with why, in words; by parameter."""
+    hears: bool = True
+    """Who does not is never greeted in words alone."""
+    sees: bool = True
+    """Who does not is never greeted by a gesture alone."""
     presumes_consent: bool = False
     """As if all that is required were so: only to ask what consent would change, never to act."""
 
@@ -59,6 +63,14 @@ class Circumstances:
         if self.wants_no_touch and "touch_consent" in required:
             return "they asked for no touch"
         return f"it requires that {required.replace('_', ' ')}"
+
+    def against_modality(self, *, speaks: bool, shows: bool) -> str | None:
+        """Why a greeting that speaks, shows a gesture, or both is not perceived; None: it is."""
+        if (speaks and self.hears) or (shows and self.sees):
+            return None
+        if not (self.hears or self.sees):
+            return "they neither hear nor see, and no act that is shipped reaches them"
+        return "they do not hear" if not self.hears else "they do not see"
 
     def against_words(self, distance_m: float) -> str | None:
         """Why words are useless at this distance between the bodies; None where they are heard."""

@@ -69,7 +69,9 @@ class TraceFile:
             if self._bytes >= self._part_bytes:
                 self._file.close()
                 self._parts, self._bytes = self._parts + 1, 0
-                self._file = _part(self._path, self._parts).open("w", encoding="utf-8", newline="\n")
+                part = _part(self._path, self._parts)
+                part.touch(self._path.stat().st_mode)  # no more people may read it than the first part
+                self._file = part.open("w", encoding="utf-8", newline="\n")
             self._file.write(f"{line}\n")
             self._bytes += len(line.encode()) + 1
         self._file.flush()

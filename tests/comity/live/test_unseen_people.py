@@ -171,3 +171,37 @@ def test_once_the_robot_has_made_sure_everybody_is_met_as_themselves(here):
         wanted = prepared.values[visit.person]["conversational_distance"].number
         assert visit.docked_at.distance_m == pytest.approx(wanted, abs=0.011)
     assert any("Guest" in (act.text or "") for act in robot.told("perform"))
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [
+        lambda robot: setattr(robot, "localisation", raising),
+        lambda robot: setattr(robot, "tracks", raising),
+        lambda robot: robot.people.update(guest=(math.nan, 3.0, 0.0)),
+        lambda robot: robot.people.update(guest=(6.0, 3.0, 1e9)),
+    ],
+    ids=["localisation raises", "tracks raises", "a place that is none", "an angle of many turns"],
+)
+def test_whatever_the_robot_says_of_people_the_episode_has_an_outcome(here, fault):
+    """For two seconds it raises, or says what is none; nothing of that leaves the run."""
+    robot = gliding()
+    sleep, place = robot.sleep, dict(robot.people)
+
+    def sleep_and_fail(seconds: float) -> None:
+        sleep(seconds)
+        if 103.0 <= robot.t < 105.0:
+            fault(robot)
+        else:
+            vars(robot).pop("localisation", None)
+            vars(robot).pop("tracks", None)
+            robot.people = dict(place)
+
+    live = LiveEpisode(prepare(as_seen(load_scenario(written(here, SCENARIO)), robot)), robot=robot)
+    robot.sleep = sleep_and_fail
+    live.run()
+    assert live.so_far().outcome == "success"
+
+
+def raising() -> None:
+    raise OSError("no answer")

@@ -1,0 +1,92 @@
+"""What a person hears and sees: what a greeting can be for them, and where the robot comes from.
+
+Who does not hear is approached within view, and never greeted in words alone; who does not see is never
+greeted by a gesture alone. That is this project's own choice, tried on nobody.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import date
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from comity.people.dated import held
+from comity_fis import Choice, Contribution, Interval
+from comity_fis.defuzzification.moved_curve import MovedCurve
+
+if TYPE_CHECKING:
+    from comity.people.profile import Profile
+    from comity_fis import Inference
+
+NOT_HEARING = frozenset({"none", "no", "deaf", "deafblind"})
+NOT_SEEING = frozenset({"none", "no", "blind", "deafblind"})
+"""A person's own words for it; whatever else they say, such as `impaired`, excludes nothing."""
+NOTHING: Mapping[str, object] = MappingProxyType({})
+DIRECTION = "approach_direction"
+WITHIN_DEG = 60.0
+"""Within so much of where a person faces they see the robot come (our choice)."""
+NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached within view"
+NOTE_OF_BLIND = "does not see: never greeted by a gesture alone"
+NOTE_OF_DEAFBLIND = "neither hears nor sees: no act that is shipped reaches them; let a person go instead"
+
+
+def hears(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING) -> bool:
+    """Whether a person hears, as far as they said.
+
+    Args:
+        profile: What they declared.
+        day: On which.
+        told: What is told here and now, by fact: it goes before the profile.
+    """
+    return _word(told.get("hearing", profile.hearing), day) not in NOT_HEARING
+
+
+def sees(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING) -> bool:
+    """Whether a person sees, as far as they said; the arguments are those of `hears`."""
+    return _word(told.get("sight", profile.sight), day) not in NOT_SEEING
+
+
+def is_read(name: str, fact: object) -> bool:
+    """Whether a fact says that a person does not hear or see."""
+    words = {"hearing": NOT_HEARING, "sight": NOT_SEEING}.get(name, frozenset())
+    return str(fact).casefold() in words
+
+
+def perceiving(
+    values: Inference, profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING
+) -> Inference:
+    """A person's parameters with what follows from what they do not hear or see.
+
+    Args:
+        values: What rules and wishes give.
+        profile: What they declared.
+        day: On which.
+        told: What is told here and now, by fact.
+    """
+    hearing, seeing = hears(profile, day, told), sees(profile, day, told)
+    if hearing and seeing:
+        return values
+    note = NOTE_OF_DEAFBLIND if not (hearing or seeing) else NOTE_OF_BLIND if hearing else NOTE_OF_DEAF
+    values = replace(values, notes=(*values.notes, note))
+    return values if hearing else _within_view(values)
+
+
+def _within_view(values: Inference) -> Inference:
+    """The same with no direction from which the robot is not seen; a wish for one goes first."""
+    direction = values.parameters.get(DIRECTION)
+    if direction is None or direction.origin == "setting" or isinstance(direction.desirability, Choice):
+        return values
+    curve = MovedCurve(direction.desirability, 0.0, Interval(0.0, WITHIN_DEG))
+    seen = replace(direction, desirability=curve)
+    if (over := direction.number - WITHIN_DEG) > 0.0:
+        text = f"they do not hear: the robot comes within {WITHIN_DEG:g} deg of where they face"
+        parts = (*direction.contributions, Contribution("safety", -over, text))
+        seen = replace(seen, value=WITHIN_DEG, origin="safety", contributions=parts)
+    return replace(values, parameters={**values.parameters, DIRECTION: seen})
+
+
+def _word(told: object, day: date | None) -> str:
+    word, _ = held(told, day or date.today())
+    return "" if word is None else str(word).casefold()
