@@ -78,7 +78,7 @@ class OwnDomainAnswer(Answer):
 class ConditionAnswer(Answer):
     """Something that stands in the way of a goal."""
 
-    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "sensor", "deadline"]
+    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
     name: str = Field(description="What of that kind.")
     text: str
 

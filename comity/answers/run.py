@@ -79,6 +79,11 @@ class VisitAnswer(Answer):
         description="Whether the wanted pose was free; null if the robot never chose one."
     )
     deviation_reason: str | None
+    unverified: str | None = Field(
+        default=None,
+        description="Why the robot did not see the person when it docked, at the target distance from where "
+        "they were last seen; null where it saw them.",
+    )
     docked_at_s: float | None
     greeting: tuple[str, ...]
     planned_instead: tuple[PlannedInsteadAnswer, ...] = Field(

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import opened
-from comity.planning.eyeshot import beyond_sight, needed_range_m, seeing_far_enough
 from comity.planning.request import spots_of, why_unserved
 from comity_domain import (
     Circumstances,
@@ -31,7 +30,7 @@ if TYPE_CHECKING:
 XY = tuple[float, float]
 MOST_THINGS = 12
 """Doors, walls and pieces of furniture each: trying one costs about 0.1 s (our choice)."""
-Kind = Literal["hands", "noise", "consent", "setting", "side", "door", "sensor", "deadline"]
+Kind = Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,9 +115,6 @@ def _conditions(case: Case) -> Iterator[Condition]:
             yield Condition("setting", setting, f"{name} did not ask for {setting.replace('_', ' ')}")
     if speechless or hindered:
         yield from _of_the_moment(name, visitee.now)
-    if beyond_sight(case.scene, name, _wanted_m(visitee)):
-        farther = f"its sensor saw {needed_range_m(case.scene, _wanted_m(visitee)):.2f} m far from its middle"
-        yield Condition("sensor", "range", farther)
     if nowhere or None in places.values():
         yield from _of_the_place(name, case.scene)
 
@@ -170,15 +166,9 @@ def _served(case: Case, lifted: Sequence[Condition]) -> bool:
     kept = {offer.place for offer in offers(visitee.agenda)}
     scene = _emptier(case.scene, {name for kind, name in others if kind == "side"} - kept)
     scene = opened(scene, (name for kind, name in others if kind == "door"))
-    if ("sensor", "range") in others:
-        scene = seeing_far_enough(scene, _wanted_m(visitee))
     route_map = RouteMap(scene)
     places = places_for(scene, route_map, [visitee])
     return why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places) is None
-
-
-def _wanted_m(visitee: Visitee) -> float:
-    return visitee.values["conversational_distance"].number
 
 
 def _lighter(visitee: Visitee, lifted: Container[tuple[str, str]]) -> Circumstances:

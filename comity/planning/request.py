@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import barring
 from comity.planning.companies import companies
-from comity.planning.eyeshot import beyond_sight
 from comity.planning.lengths import Lengths
 from comity.planning.reckoning import Ways
 from comity_domain import (
@@ -165,8 +164,6 @@ def what_bars(scene: Scene, visitee: Visitee) -> str:
         scene: Where everybody stands.
         visitee: Whom the robot gets to nowhere.
     """
-    if beyond_sight(scene, visitee.name, visitee.values["conversational_distance"].number):
-        return ""  # it may well get there
     bar = barring(
         scene,
         visitee.name,
@@ -189,13 +186,11 @@ def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
 
 
 def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, XY]:
-    """Where the robot may stand and see them: each side whose own pose is free and reachable, or the best."""
+    """Where the robot may stand: each side whose own pose is free and reachable, or the best."""
     person, values = visitee.name, visitee.values
     start, distance = scene.robot.pose.xy, values["conversational_distance"].number
     accepted, ways = sides(values), route_map.to(person)
     found: dict[Spot, XY] = {}
-    if beyond_sight(scene, person, distance):
-        return found
     for side in accepted.values():
         xy = spot_pose(scene, person, distance, side.bearing_deg).xy
         if pose_blocker(scene, person, distance, side.bearing_deg) is None and ways.reaches(start, xy):
@@ -204,8 +199,6 @@ def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, 
         return found
     pose = choose_pose(ways, start, _wish(person, values, next(iter(accepted.values()))))
     if pose is None or side_name(pose.bearing_deg) not in accepted:
-        return {}
-    if beyond_sight(scene, person, pose.distance_m):
         return {}
     return {Spot(person, side_name(pose.bearing_deg)): _xy(scene, person, pose)}
 
@@ -229,8 +222,6 @@ def _xy(scene: Scene, person: str, pose: DockingPose) -> XY:
 
 def _reason(scene: Scene, person: str, values: Inference) -> str:
     distance = values["conversational_distance"].number
-    if unseen := beyond_sight(scene, person, distance):
-        return unseen
     blocked = {
         side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in sides(values).values()
     }

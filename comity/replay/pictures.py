@@ -75,7 +75,7 @@ def _ring(visit: VisitAnswer, planned: StepAnswer | None) -> Ring:
 
 def _label(visit: VisitAnswer) -> str:
     """The profile, and below it what there is to remark."""
-    remark = visit.reason or visit.deviation_reason
+    remark = visit.reason or visit.deviation_reason or (visit.unverified and "not verified")
     if visit.outcome == "unreachable":
         remark = "could not be served"
     late = f"{visit.late_s:.1f} s late" if visit.late_s else None

@@ -215,6 +215,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         facing_error_deg=facing_error_deg(episode, visit),
         pose_free=pose.pose_free if pose else None,
         deviation_reason=visit.deviation_reason,
+        unverified=visit.unverified,
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
         planned_instead=tuple(_planned_instead(visit.person, episode)),
@@ -274,9 +275,8 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         ),
     )
     for visit in answer.visits:
-        note = visit.reason or visit.deviation_reason
-        if note:
-            yield f"  {visit.person}: {note}"
+        notes = (visit.reason or visit.deviation_reason, visit.unverified)
+        yield from (f"  {visit.person}: {note}" for note in notes if note)
         yield from (
             f"  {visit.person}: {words(one.parameter)} {words(one.planned)} in the place of "
             f"{words(one.inferred)}: {one.because}"

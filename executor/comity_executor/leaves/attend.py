@@ -7,7 +7,7 @@ from py_trees.common import Status
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
-from comity_executor.robots.goals import DockingPose, PlannedPose
+from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
 from comity_executor.robots.noticed import Noticed, noticed
 from comity_executor.robots.robot import Reading
 from comity_fis.learning.signals import SAID, SIGNALS
@@ -92,7 +92,7 @@ class AttendTo(Action):
 
 def _moved(pose: DockingPose, distance_m: float, bearing_deg: float) -> PlannedPose:
     """Where the robot stands from now on, and why it came to stand elsewhere than it wanted."""
-    return PlannedPose(distance_m, bearing_deg, pose.pose_free, pose.deviation_reason)
+    return PlannedPose(distance_m, bearing_deg, pose.pose_free, pose.deviation_reason, unverified(pose))
 
 
 _FARTHER_M = {"ask_farther": A_LITTLE_M, "ask_closer": -A_LITTLE_M}

@@ -14,7 +14,7 @@ from comity_executor.nodes.cause import Account
 from comity_executor.nodes.limits import Limits
 from comity_executor.robots.bearing import bearing_error_deg
 from comity_executor.robots.goals import DockingPose
-from comity_executor.robots.robot import Reading
+from comity_executor.robots.robot import Reading, is_seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +59,10 @@ class DockingBand:
         if not reading.speed_m_s < self.speed_m_s:
             speed = reading.speed_m_s
             return Account(f"speed {speed:.2f} m/s is not below {self.speed_m_s:g}", speed)
+        presumed = "" if is_seen(reading) else ", not verified: from where they were last seen"
         angles = f"bearing {bearing:z.1f} deg, facing error {reading.facing_error_deg:.1f} deg"
-        return Account(f"distance {distance:.2f} m, {angles}", distance, "conversational_distance")
+        text = f"distance {distance:.2f} m, {angles}{presumed}"
+        return Account(text, distance, "conversational_distance")
 
 
 def enter_band(pose: DockingPose, limits: Limits) -> DockingBand:

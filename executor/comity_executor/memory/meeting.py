@@ -16,7 +16,7 @@ from comity_executor.memory.shared import SharedMemory
 from comity_executor.memory.visit import Outcome, ShownWish, Visit, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.limits import Limits
-from comity_executor.robots.goals import DockingPose, PlannedPose
+from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.manner import Manner, manner_of
@@ -183,8 +183,9 @@ class Meeting:
 
     @property
     def approach_speed_m_s(self) -> float:
-        """How fast the robot may come near this person."""
-        return _number(self.reach, "approach_speed")
+        """How fast the robot may come near this person, and where it would not see them."""
+        speed_m_s = _number(self.reach, "approach_speed")
+        return min(speed_m_s, self.limits.unverified_speed_m_s) if unverified(self.pose) else speed_m_s
 
     @property
     def detour_m(self) -> float:

@@ -7,9 +7,9 @@ from typing import Literal
 
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.board import Board, Entry, Namespace
-from comity_executor.robots.goals import DockingPose, GoalId, PlannedPose
+from comity_executor.robots.goals import DockingPose, GoalId, PlannedPose, unverified
 from comity_executor.robots.noticed import Noticed
-from comity_executor.robots.robot import Reading
+from comity_executor.robots.robot import Reading, is_seen
 from comity_fis.inference.value import Inference
 
 Outcome = Literal["pending", "greeted", "unfinished", "unreached", "not_greeted", "skipped"]
@@ -73,6 +73,11 @@ class Visit:
     def deviation_reason(self) -> str | None:
         """Why the robot did not take the wanted pose; None where it did."""
         return self.pose.deviation_reason if self.pose else None
+
+    @property
+    def unverified(self) -> str | None:
+        """Why it is not known that the person was where the robot docked; None where it saw them there."""
+        return None if self.docked_at is None or is_seen(self.docked_at) else unverified(self.pose)
 
 
 def skipped_visit(person: str) -> Visit:

@@ -47,6 +47,8 @@ class Limits:
     """A way that is known to be shut is waited for so long in all, until somebody is served; no attempts."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
+    unverified_speed_m_s: float = 0.3
+    """The most near a person whom the robot would not see from where it is to stand."""
     attend_s: float = 0.0
     """So long the robot watches how the person takes its coming; 0: it does not."""
 

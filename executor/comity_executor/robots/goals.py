@@ -60,6 +60,14 @@ class PlannedPose:
     bearing_deg: float
     pose_free: bool = True
     deviation_reason: str | None = None
+    unverified: str | None = None
+    """Why the robot would not surely see the person from there; None where it would."""
+
+
+def unverified(pose: DockingPose | None) -> str | None:
+    """Why a robot would not surely see the person from a pose; None where it would, or does not say."""
+    reason: str | None = getattr(pose, "unverified", None)
+    return reason
 
 
 @dataclass(frozen=True, slots=True)

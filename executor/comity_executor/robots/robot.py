@@ -57,6 +57,16 @@ class Reading(Protocol):
         ...
 
 
+def is_seen(reading: Reading) -> bool:
+    """Whether a reading is of a person who is seen.
+
+    A robot whose sensors are too short for the pose that it was told to take may read instead how it stands
+    to where the person was last seen, with an attribute `is_seen` that is False; without it all readings are
+    seen.
+    """
+    return bool(getattr(reading, "is_seen", True))
+
+
 class Words(Protocol):
     """Something that a person said to the robot."""
 

@@ -44,11 +44,19 @@ class DockingPose:
     """Whether it is the wanted pose."""
     deviation_reason: str | None = None
     """Why not, where it is not."""
+    unverified: str | None = None
+    """Why the robot would not surely see the person from there; None where it would."""
 
     def __post_init__(self) -> None:
         _require_beside(self.distance_m, self.bearing_deg)
         reason = (self.deviation_reason, str | None)
-        require_kinds("docking pose", pose_free=(self.pose_free, TRUTH), deviation_reason=reason)
+        unverified = (self.unverified, str | None)
+        require_kinds(
+            "docking pose",
+            pose_free=(self.pose_free, TRUTH),
+            deviation_reason=reason,
+            unverified=unverified,
+        )
 
 
 def _require_beside(distance_m: float, bearing_deg: float) -> None:

@@ -18,6 +18,8 @@ class Reading(NamedTuple):
     person_facing_error_deg: float
     speed_m_s: float
     stamp_s: float
+    is_seen: bool = True
+    """False where the person is taken to be still where they were last seen."""
 
 
 class Motion(NamedTuple):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from comity_fis.defuzzification.curve import Curve
 from comity_fis.errors import WrongValueError
@@ -73,6 +74,8 @@ class SimRobot:
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._locomotion = locomotion
+        self._distances_m: dict[str, float] = {}
+        """How far from each person it was told to stand last, between the surfaces [m]."""
 
     @property
     def name(self) -> str:
@@ -135,11 +138,15 @@ class SimRobot:
     def read(self, person: str) -> Reading | None:
         """What the robot knows about a person; None while its sensors do not see them.
 
+        Where they are too short for the pose that it was told to take beside the person, that is how it
+        stands to where the person was last seen, unless it knows that they are not there.
+
         Raises:
             ValueError: Where there is no such person.
         """
         someone = self._senses.person(person)
-        if self._senses.stamp_s is None or not self._senses.sees(person):
+        is_seen = self._senses.sees(person)
+        if self._senses.stamp_s is None or not (is_seen or self._presumes(person)):
             return None
         stands = docked(self._physics.pose, self._spec.radius_m, someone)
         return Reading(
@@ -150,7 +157,15 @@ class SimRobot:
             person_facing_error_deg=abs(stands.bearing_deg),
             speed_m_s=self._senses.speed_beside(person, self._physics.pose, self._physics.twist.xy),
             stamp_s=self._senses.stamp_s,
+            is_seen=is_seen,
         )
+
+    def _presumes(self, person: str) -> bool:
+        """Whether it takes a person whom it does not see to be where they were last seen."""
+        distance_m = self._distances_m.get(person)
+        if distance_m is None or self._senses.has_lost(person):
+            return False
+        return self._senses.too_short_for(self._spec.radius_m + distance_m) is not None
 
     def heard(self, person: str) -> tuple[Said, ...]:
         """What a person has said to the robot, as far as it has understood it: ears lag as eyes do.
@@ -190,9 +205,11 @@ class SimRobot:
         here = self._physics.pose.xy
         past = PastPeople(ways.surroundings)
         pose = choose_pose(ways, here, wish) or choose_pose(past.to(person), here, wish)
-        if pose is not None or not self._senses.walks(person):
-            return pose
-        return choose_pose(past, here, wish)
+        if pose is None and self._senses.walks(person):
+            pose = choose_pose(past, here, wish)
+        if pose is None:
+            return None
+        return replace(pose, unverified=self._senses.too_short_for(self._spec.radius_m + pose.distance_m))
 
     def go(self, goal: MotionGoal) -> int:
         """Set out for a goal in place of the one before, for as long as it is renewed; its number, from 1."""
@@ -249,6 +266,7 @@ class SimRobot:
         self._require(person)
         _require_command(speed_m_s, detour_m, near_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
+        self._distances_m[person] = pose.distance_m
         self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, near_m_s=near_m_s, detour_m=detour_m)
         return self._next_goal()
 
@@ -260,6 +278,7 @@ class SimRobot:
         self._require(person)
         _require_command(speed_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
+        self._distances_m[person] = pose.distance_m
         self._locomotion.dock(person, pose, speed_m_s=speed_m_s)
         return self._next_goal()
 
