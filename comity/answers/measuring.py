@@ -104,6 +104,7 @@ class EvaluateAnswer(Answer):
     rulebook: str
     file: str
     rows: int
+    rows_without_score: int = Field(description="Rows of a culture to which no table gives a score.")
     unused: tuple[str, ...] = Field(description="Headings that say nothing to this rulebook.")
     robot_radius_m: float
     person_radius_m: float

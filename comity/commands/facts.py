@@ -124,7 +124,7 @@ def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float 
 
 def _fact(book: Rulebook, name: str, value: str) -> Fact:
     variable = book.variables.get(name)
-    if variable is None and name in PERSONAL:
+    if variable is None and name in {*PERSONAL, *book.facts}:
         return None if value == UNKNOWN else value
     if variable is None:
         raise InputError(

@@ -7,7 +7,6 @@ the person may name a region.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -40,7 +39,7 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
     """What follows from a culture.
 
     Raises:
-        InputError: if it is neither a country nor a region, nor a category of the rulebook's own.
+        InputError: if it is a code that no country has, or the region that stands for it has no score.
     """
     facts: dict[str, float | str] = {}
     sources: dict[str, str] = {}
@@ -48,20 +47,19 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
     region: str | None = None
     variables = reads_culture(rulebook) if belonging.disclosed else ()
     tables = [table for table in map(_table, variables) if table is not None]
-    own = belonging.words in _own_words(rulebook)
     for variable in variables:
         table = _table(variable)
-        if table is None or (isinstance(variable, NominalVariable) and own and belonging.region is None):
+        if table is None:
             facts[variable.name] = variable.check(belonging.words)
             continue
-        row, stands = _row(belonging, table, tables, own=own)
+        row, stands = _row(belonging, table, tables)
         region = region or stands
-        if row is None:
-            notes.append(table.without_score(belonging.label(None)))
-        elif isinstance(row, Score) and not isinstance(variable, NominalVariable):
+        if isinstance(variable, NominalVariable):
+            facts[variable.name] = row.key if row and stands else variable.check(belonging.words)
+        elif isinstance(row, Score):
             facts[variable.name], sources[variable.name] = row.value, row.source
         else:
-            facts[variable.name] = row.key
+            notes.append(table.without_score(belonging.label(None)))
     return Standing(
         belonging.label(region), belonging.weight, facts, sources, tuple(dict.fromkeys(notes)), region
     )
@@ -76,12 +74,6 @@ def reads_culture(rulebook: Rulebook) -> tuple[Variable, ...]:
     )
 
 
-def _own_words(rulebook: Rulebook) -> frozenset[str]:
-    """The categories of the culture itself."""
-    variable = rulebook.variables.get("culture")
-    return frozenset(variable.categories) if isinstance(variable, NominalVariable) else frozenset()
-
-
 def _table(variable: Variable) -> Table | None:
     """The table that knows a culture by its names; None where only the rulebook's own words do."""
     if isinstance(variable, NominalVariable) and variable.table is not None:
@@ -89,25 +81,17 @@ def _table(variable: Variable) -> Table | None:
     return variable.derived_from.table if variable.derived_from else None
 
 
-def _row(
-    belonging: Belonging, table: Table, tables: Sequence[Table], *, own: bool
-) -> tuple[Population | None, str | None]:
+def _row(belonging: Belonging, table: Table, tables: Sequence[Table]) -> tuple[Population | None, str | None]:
     """The row, and the region's name where it stands for the culture.
 
     Args:
         belonging: The culture.
         table: The one to look into.
         tables: All that the rulebook looks into.
-        own: Whether it is one of the rulebook's own words, which no table has to know.
     """
     if belonging.region is not None:
         return _region(belonging.region, table, tables), belonging.region
-    try:
-        found = table.find(belonging.words)
-    except InputError:
-        if belonging.otherwise is None and not own:
-            raise
-        found = None
+    found = table.find(belonging.words)
     if found is None and belonging.otherwise is not None:
         return _region(belonging.otherwise, table, tables), belonging.otherwise
     return found, None
@@ -116,10 +100,8 @@ def _row(
 def _region(words: str, table: Table, tables: Sequence[Table]) -> Population | None:
     """The row of a region; None where only another table has it."""
     for one in (table, *tables):
-        with suppress(InputError):
-            if (found := one.find(words)) is not None:
-                return found if one == table else None
-    table.find(words)  # refuses what is neither a country nor a region
+        if (found := one.find(words)) is not None:
+            return found if one == table else None
     raise InputError(
         expected=f"a region with a score in the table of {table.name}",
         got=f"{words!r}, which has none",

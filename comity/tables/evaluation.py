@@ -11,7 +11,7 @@ from comity.parameters.values import infer_for
 from comity.people.profile import NOBODY
 from comity.tables.measurement import Convention, Measurement
 from comity.tables.measurements import Measurements
-from comity_fis import InputError, NumericParameter, Where, find_score, score
+from comity_fis import InputError, NumericParameter, Where, find_score
 from comity_fis.audit.accuracy import Compared, StudyAccuracy, accuracy
 from comity_fis.audit.agreement import StudyAgreement, agreement
 from comity_fis.audit.order import equality_band
@@ -49,6 +49,8 @@ class Predicted:
     origin: Origin
     score: float | None
     """Individualism; None where the row names no culture that has one."""
+    unscored: bool
+    """Whether the row names a culture to which no table of the rulebook gives a score."""
 
     @property
     def standard_error(self) -> float | None:
@@ -92,6 +94,13 @@ class Evaluation:
     numbers: Mapping[str, Numbers]
     words: Mapping[str, Words]
 
+    @property
+    def unscored(self) -> tuple[Predicted, ...]:
+        """The rows of cultures without a score: the rules know of them what the other facts say."""
+        rows = [row for one in self.numbers.values() for row in one.rows]
+        rows += [row for one in self.words.values() for row in one.rows]
+        return tuple(row for row in rows if row.unscored)
+
 
 def evaluate(rulebook: Rulebook, measurements: Measurements, radii: Radii = Radii()) -> Evaluation:
     """Hold a rulebook against measured tuples.
@@ -130,34 +139,34 @@ def by_study(rows: Sequence[Predicted]) -> dict[str, list[int]]:
 
 def _predict(rulebook: Rulebook, measurements: Measurements) -> list[Predicted]:
     """Each distinct set of facts is inferred once."""
-    inferred: dict[
-        tuple[tuple[str, float | str], ...], tuple[Mapping[str, ParameterValue], float | None]
-    ] = {}
+    inferred: dict[tuple[tuple[str, float | str], ...], _Inferred] = {}
     predicted = []
     for row in measurements.rows:
         facts = tuple(row.facts.items())
         if facts not in inferred:
             inferred[facts] = _infer(rulebook, row, Where(measurements.file, row.line))
-        parameters, individualism = inferred[facts]
+        parameters, individualism, unscored = inferred[facts]
         value = parameters[row.parameter]
-        predicted.append(Predicted(row, value.value, value.spread, value.origin, individualism))
+        predicted.append(Predicted(row, value.value, value.spread, value.origin, individualism, unscored))
     return predicted
 
 
-def _infer(
-    rulebook: Rulebook, row: Measurement, where: Where
-) -> tuple[Mapping[str, ParameterValue], float | None]:
+_Inferred = tuple[Mapping[str, "ParameterValue"], float | None, bool]
+"""Values by parameter, the individualism, and whether a culture without a score was named."""
+
+
+def _infer(rulebook: Rulebook, row: Measurement, where: Where) -> _Inferred:
     culture = row.facts.get("culture")
     try:
         found = None if culture is None else find_score(str(culture))
         inference = infer_for(NOBODY, rulebook, situation=row.facts)
-        if culture is not None and found is None and not inference.sources:
-            score(str(culture))  # refused: without any score the row would measure the neutral values
     except InputError as error:
         raise error.at(where) from None
-    if isinstance(number := inference.inputs.get("individualism"), float):
-        return inference.parameters, number
-    return inference.parameters, None if found is None else found.value
+    unscored = culture is not None and found is None and not inference.sources
+    number = inference.inputs.get("individualism")
+    if not isinstance(number, float):
+        number = None if found is None else found.value
+    return inference.parameters, number, unscored
 
 
 def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Radii) -> Numbers:

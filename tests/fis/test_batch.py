@@ -20,7 +20,7 @@ person = st.fixed_dictionaries(
         "individualism": score,
         "gender": st.sampled_from([None, "female", "male", "woman", "F", "non-binary", "agender"]),
         "age": st.none() | st.floats(0, 117),
-        "culture": st.sampled_from([None, "JPN", "DEU", "GBR"]),
+        "culture": st.sampled_from([None, "JPN", "Germany", "GBR", "Rwanda", "RWA", "Kurdish"]),
         "posture": st.sampled_from([None, "standing", "seated"]),
         "formality": st.sampled_from([None, "formal", "informal"]),
         "touch_consent": st.sampled_from([None, "given", "withheld"]),

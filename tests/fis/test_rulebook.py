@@ -111,8 +111,7 @@ def test_what_cannot_be_asked_for_is_refused(bruno2017, settings, message):
         ({"age": 118}, "years"),
         ({"gender": "femal"}, "Did you mean 'female'"),
         ({"gender": 1}, "got 1"),
-        ({"culture": "Germny"}, "Did you mean 'Germany'"),
-        ({"culture": "arab countrys"}, "Did you mean 'Arab countries'"),
+        ({"culture": "JPM"}, "'JPM'. Write a country"),
         ({"individualsm": 3}, "Did you mean 'individualism'"),
     ],
 )

@@ -73,7 +73,7 @@ def test_the_coercion_of_the_scores_is_declared(name):
     assert str(variable.level) == "ordinal"
     assert str(variable.coercion.to) == "interval"
     assert variable.coercion.reason
-    assert (variable.derived_from.fact, variable.derived_from.table) == ("culture", "individualism")
+    assert (variable.derived_from.fact, variable.derived_from.table.name) == ("culture", "individualism")
 
 
 def test_a_rules_text_says_what_the_rule_is(rulebook):

@@ -42,6 +42,7 @@ def evaluate_answer(evaluation: Evaluation, files: tuple[str, ...] = ()) -> Eval
         rulebook=evaluation.rulebook,
         file=evaluation.measurements.file,
         rows=len(evaluation.measurements.rows),
+        rows_without_score=len(evaluation.unscored),
         unused=evaluation.measurements.unused,
         robot_radius_m=evaluation.radii.robot,
         person_radius_m=evaluation.radii.person,
@@ -108,6 +109,9 @@ def evaluate_text(evaluation: Evaluation) -> Iterator[RenderableType]:
         f"{counted(len(read.rows), 'row')} of {counted(len(studies), 'study', 'studies')}"
     )
     yield "What the rules say of people of whom only a row's facts are known. Studies are never pooled."
+    if unscored := evaluation.unscored:
+        cultures = ", ".join(dict.fromkeys(str(one.row.facts["culture"]) for one in unscored))
+        yield f"{counted(len(unscored), 'row')} of a culture without a score: {cultures}."
     if read.unused:
         yield f"Headings that say nothing to this rulebook: {', '.join(read.unused)}"
     for name, numbers in evaluation.numbers.items():

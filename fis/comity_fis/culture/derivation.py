@@ -29,7 +29,7 @@ def derived(variable: Variable, fact: object, variables: Mapping[str, Variable])
         variables: Of the rulebook: the fact may be one of its own words, which no table of scores has.
 
     Raises:
-        InputError: if a table translates the fact, and has nothing like it.
+        InputError: if a table translates the fact, and it is a code that no country has.
     """
     derivation = variable.derived_from
     assert derivation is not None
@@ -53,20 +53,3 @@ def derived(variable: Variable, fact: object, variables: Mapping[str, Variable])
     if isinstance(variable, NumericVariable):
         return Derived(row.value, source=row.source)
     return Derived(row.key)
-
-
-def by_key(variable: NominalVariable, fact: str) -> Derived:
-    """A culture as the category that a table has for it, whatever it is called: `DEU` for `Germany`.
-
-    Args:
-        variable: Whose categories are the keys of a table.
-        fact: As it was told.
-
-    Raises:
-        InputError: if it is neither a category, nor a country, nor a region of the table.
-    """
-    assert variable.table is not None
-    if fact in variable.categories:
-        return Derived(fact)
-    row = variable.table.find(fact)
-    return Derived(None, note=variable.table.without_score(fact)) if row is None else Derived(row.key)

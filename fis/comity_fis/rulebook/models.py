@@ -276,7 +276,7 @@ class NominalVariableModel(_VariableModel):
     def build(self, name: str, tables: Tables = NO_TABLES) -> NominalVariable:
         """The variable."""
         rows = tables.populations.rows if tables.populations else ()
-        return NominalVariable(
+        variable = NominalVariable(
             name=name,
             kind=self.kind,
             categories=(*self.categories, *(row.key for row in rows)),
@@ -286,6 +286,8 @@ class NominalVariableModel(_VariableModel):
             derived_from=self.derived_from.build(tables.scores) if self.derived_from else None,
             reason=self.reason,
         )
+        grouped = [member for members in self.groups.values() for member in members]
+        return variable.naming(grouped) if variable.tells_culture else variable
 
 
 class OrdinalVariableModel(_VariableModel):

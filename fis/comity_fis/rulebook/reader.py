@@ -19,10 +19,10 @@ from comity_fis.rulebook.named_table import named_populations, named_scores, ref
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rulebook.situation import refuse_person_in_shift
 from comity_fis.rules.grammar import Terms, parse_guard, parse_rule
-from comity_fis.rules.rule import Condition, Rule, Source
+from comity_fis.rules.rule import Condition, Rule, Source, literals
 from comity_fis.validation.yaml_file import Location, YamlFile
 from comity_fis.variables.parameter import Parameter
-from comity_fis.variables.variable import NumericVariable, Variable
+from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 KEPT = 16
 """Rulebooks that were compiled already; nothing changes one but its tables of scores."""
@@ -68,7 +68,7 @@ def _compiled(file: YamlFile, tables: tuple[Tables, ...]) -> Rulebook:
         return Rulebook(
             name=model.name,
             description=model.description,
-            variables=variables,
+            variables=_with_named_cultures(variables, rules),
             parameters=parameters,
             rules=rules,
             sources=sources,
@@ -84,6 +84,17 @@ def _variables(model: RulebookModel, file: YamlFile, tables: tuple[Tables, ...])
         if isinstance(built, NumericVariable) and read.scores is not None:
             refuse_outside(built, read.scores, file)
     return variables
+
+
+def _with_named_cultures(variables: dict[str, Variable], rules: tuple[Rule, ...]) -> dict[str, Variable]:
+    """The variables; those of cultures with the ones that rules name, so that an audit sees them."""
+    named = [is_ for rule in rules for is_ in literals(rule.antecedent)]
+    return {
+        name: variable.naming(is_.term for is_ in named if is_.name == name)
+        if isinstance(variable, NominalVariable) and variable.tells_culture
+        else variable
+        for name, variable in variables.items()
+    }
 
 
 def _parameters(model: RulebookModel, file: YamlFile, inputs: Terms) -> dict[str, Parameter]:

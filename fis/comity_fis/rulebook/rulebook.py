@@ -7,7 +7,7 @@ from dataclasses import InitVar, dataclass, field, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
-from comity_fis.culture.derivation import by_key, derived
+from comity_fis.culture.derivation import derived
 from comity_fis.defuzzification.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest, shown
 from comity_fis.html_table import html_table
@@ -24,7 +24,7 @@ from comity_fis.rules.rule import Rule, Source
 from comity_fis.variables.frozen import freeze
 from comity_fis.variables.measurement import Coercion
 from comity_fis.variables.parameter import Parameter
-from comity_fis.variables.variable import NominalVariable, Variable
+from comity_fis.variables.variable import Variable
 
 if TYPE_CHECKING:
     from comity_fis.inference.column import Columns
@@ -61,8 +61,6 @@ class Rulebook:
     """The names under which something can be told: of variables, and of facts that they are derived from."""
     derivations: tuple[tuple[str, str], ...] = field(init=False, repr=False, compare=False)
     """Variables that follow from a fact, each with the fact."""
-    keyed: tuple[str, ...] = field(init=False, repr=False, compare=False)
-    """Variables whose categories are the keys of a table, which people call otherwise."""
     before: InitVar[Program | None] = None
     """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
     anew: InitVar[frozenset[str]] = frozenset()
@@ -83,8 +81,6 @@ class Rulebook:
         freeze(self, coercions=coercions)
         derivations = tuple((n, v.derived_from.fact) for n, v in self.variables.items() if v.derived_from)
         object.__setattr__(self, "derivations", derivations)
-        keyed = tuple(n for n, v in self.variables.items() if isinstance(v, NominalVariable) and v.table)
-        object.__setattr__(self, "keyed", keyed)
         object.__setattr__(self, "facts", self.variables.keys() | {fact for _, fact in derivations})
         shifts = shift_blocks(self.parameters, self.rules, literals, self.methods)
         program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
@@ -262,12 +258,6 @@ class Rulebook:
                 told[name], source, note = derived(self.variables[name], told[fact], self.variables)
                 notes |= {note: None} if note else {}
                 sources |= {name: source} if source else {}
-        for name in self.keyed:
-            if isinstance(told.get(name), str):
-                variable = self.variables[name]
-                assert isinstance(variable, NominalVariable)
-                told[name], _, note = by_key(variable, told[name])
-                notes |= {note: None} if note else {}
         return told, tuple(notes), sources
 
     def checked_settings(self, settings: Settings) -> dict[str, float | str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.culture.derivation import Derived, by_key, derived
+from comity_fis.culture.derivation import Derived, derived
 from comity_fis.errors import InputError, closest, shown
 from comity_fis.inference.column import Columns, cells, read_columns
 from comity_fis.inference.scalar import by_name
@@ -38,12 +38,6 @@ def told_columns(rulebook: Rulebook, columns: Columns) -> tuple[Columns, tuple[s
         if name not in told and fact in names:
             told[name], missing = _derived_column(rulebook.variables, name, fact, columns)
             notes += missing
-    for name in rulebook.keyed:
-        if name in told:
-            variable = rulebook.variables[name]
-            assert isinstance(variable, NominalVariable)
-            told[name], missing = _by_key(variable, told[name])
-            notes += missing
     return told, tuple(dict.fromkeys(notes))
 
 
@@ -58,35 +52,16 @@ def _derived_column(
 ) -> tuple[NDArray[Any], list[str]]:
     """What follows from a column of facts, and why nothing follows from some."""
     variable, told = variables[name], variables.get(fact)
-    words = _words(told, columns[fact]) if isinstance(told, NominalVariable) else cells(columns[fact], fact)
+    words: Sequence[object] = (
+        read_columns(variables, {fact: columns[fact]})[fact].words()
+        if isinstance(told, NominalVariable)
+        else cells(columns[fact], fact)
+    )
     follows = _by_word(words, lambda word: derived(variable, word, variables))
     values = np.array([follows[word].value for word in words], dtype=object)
     if isinstance(variable, NumericVariable) and variable.derived_from and variable.derived_from.table:
         values = values.astype(np.float64)
     return values, [one.note for one in follows.values() if one.note]
-
-
-def _words(variable: NominalVariable, column: object) -> Sequence[object]:
-    """A column of categories in words, or in other words that the variable's table understands."""
-    if _has_other_words(variable, column):
-        return cells(column, variable.name)
-    return read_columns({variable.name: variable}, {variable.name: column})[variable.name].words()
-
-
-def _by_key(variable: NominalVariable, column: object) -> tuple[Any, list[str]]:
-    """A column as the keys of the variable's table, and why nothing follows from some."""
-    if not _has_other_words(variable, column):
-        return column, []
-    words = cells(column, variable.name)
-    keys = _by_word(words, lambda word: by_key(variable, word) if isinstance(word, str) else Derived(word))
-    return [keys[word].value for word in words], [one.note for one in keys.values() if one.note]
-
-
-def _has_other_words(variable: NominalVariable, column: object) -> bool:
-    categories = frozenset(variable.categories)
-    return variable.table is not None and any(
-        isinstance(word, str) and word not in categories for word in cells(column, variable.name)
-    )
 
 
 def _by_word(words: Sequence[Any], follow: Callable[[Any], Derived]) -> dict[Any, Derived]:

@@ -229,7 +229,7 @@ class _Builder(Transformer[Token, Any]):
                 raise InputError(
                     expected=kind,
                     got=repr(bare),
-                    remedy=closest(bare, words),
+                    remedy=getattr(words, "remedy", "") or closest(bare, words),
                     where=self._place(word.start_pos or 0),
                 )
         return Is(bare_name, bare_term)

@@ -1,4 +1,4 @@
-"""The countries of ISO 3166-1, and Kosovo: what tells a country that has no score from a slip of the pen.
+"""The countries of ISO 3166-1, and Kosovo, and what else people may call their culture.
 
 A table of 250 lines, where a library of countries would bring subdivisions and translations of 21 MB.
 `data/countries.csv` names the source.
@@ -7,6 +7,7 @@ A table of 250 lines, where a library of countries would bring subdivisions and 
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -45,6 +46,23 @@ def countries() -> tuple[Country, ...]:
 def country(words: str) -> Country | None:
     """The country that somebody writes by code or by name, in whatever case; None where it is none."""
     return _by_spelling().get(words.strip().casefold())
+
+
+CODE = re.compile(r"[A-Z]{2,3}")
+"""The shape of a country's code. A name of a people so short is written as a name: Ewe, Han."""
+NO_CODE = "Write a country by ISO 3166 code or English name, a region, or what people call their culture."
+"""The remedy for a code that no country has; no people is a typo of another, so that none is proposed."""
+
+
+def culture_name(words: str) -> str | None:
+    """A culture as tables and rules know it: the code of a country, else the words themselves.
+
+    None for no words at all, and for what has the shape of a code that no country has.
+    """
+    if (known := country(words)) is not None:
+        return known.alpha3
+    words = words.strip()
+    return None if not words or CODE.fullmatch(words) else words
 
 
 @cache

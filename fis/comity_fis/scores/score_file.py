@@ -1,7 +1,8 @@
 """A table of scores from any CSV file with a column of countries.
 
 The column is called `country` (or `key`, `code`, `iso3`, `alpha3`), in whatever case, and holds ISO 3166
-codes or English names. A row that is no country says so in a column `kind`; a column `name` may name it.
+codes or English names. Another name is that of a part-population, such as Kurdish; a region says so in a
+column `kind`, and a column `name` may name a row.
 """
 
 from __future__ import annotations
@@ -12,8 +13,8 @@ from pathlib import Path
 from typing import cast, get_args
 
 from comity_fis.errors import InputError, closest
-from comity_fis.scores.iso3166 import country
-from comity_fis.scores.population_table import Population, PopulationKind, PopulationTable, Score, nearest
+from comity_fis.scores.iso3166 import NO_CODE, country, culture_name
+from comity_fis.scores.population_table import Population, PopulationKind, PopulationTable, Score
 from comity_fis.validation.csv_table import CsvTable, Row, csv_table, opened, short
 
 COUNTRY = ("country", "key", "code", "iso3", "alpha3")
@@ -102,7 +103,8 @@ def _populations(table: CsvTable) -> Iterator[tuple[Row, Population]]:
 
 def _population(table: CsvTable, row: Row, words: str, *, kind: str = "", name: str = "") -> Population:
     kinds: tuple[PopulationKind, ...] = get_args(PopulationKind)
-    kind, known = kind.casefold() or "country", country(words)
+    known = country(words)
+    kind = kind.casefold() or ("country" if known or not culture_name(words) else "part-population")
     if kind not in kinds:
         raise table.refusal(
             f"{', '.join(kinds)} or nothing as kind", short(kind), "Correct the cell.", row.line
@@ -112,8 +114,7 @@ def _population(table: CsvTable, row: Row, words: str, *, kind: str = "", name: 
             raise table.refusal(
                 "a country by ISO 3166 code or English name",
                 short(words) if words else "an empty cell",
-                f"{nearest(words)}Correct the cell; where it is no country, write region or part-population "
-                "into a column `kind`.",
+                f"{NO_CODE} A column `kind` says where a row is a region or part-population.",
                 row.line,
             )
         return Population(known.alpha3, "country", name or known.name)

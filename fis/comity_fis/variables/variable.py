@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from comity_fis.errors import InputError, WrongValueError, closest, shown
 from comity_fis.membership.function import Categories, NumericMembership
 from comity_fis.membership.interval import Interval
+from comity_fis.scores.iso3166 import NO_CODE
 from comity_fis.scores.population_table import Population, PopulationTable, Score
-from comity_fis.variables.frozen import freeze
+from comity_fis.variables.culture_terms import CultureTerms
+from comity_fis.variables.frozen import FrozenDict, freeze
 from comity_fis.variables.measurement import Coercion, Level, effective_level, level_text
-from comity_fis.variables.own_words import in_own_words
+from comity_fis.variables.own_words import CULTURE, in_own_words
 from comity_fis.variables.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
 
 Shapes = Literal["published", "reconstructed", "fitted", "design"]
@@ -139,12 +141,27 @@ class NominalVariable:
             )
         singles = {category: Categories(frozenset({category})) for category in self.categories}
         for name, group in self.groups.items():
-            if name in singles or not group.members <= singles.keys():
+            if name in singles or not (self.tells_culture or group.members <= singles.keys()):
                 raise WrongValueError(
                     expected=f"a group {name} with a name of its own and only declared categories",
                     got=sorted(group.members),
                 )
-        freeze(self, terms={**singles, **self.groups}, groups=self.groups, labels=self.labels)
+        freeze(self, groups=self.groups, labels=self.labels)
+        terms = {**singles, **self.groups}
+        made = CultureTerms(terms) if self.tells_culture else FrozenDict(terms)
+        object.__setattr__(self, "terms", made)
+
+    @property
+    def tells_culture(self) -> bool:
+        """Whether its values are cultures: then any other culture than the categories is a value, too."""
+        fact = self.derived_from.fact if self.derived_from else self.name
+        return fact == CULTURE or self.table is not None
+
+    def naming(self, cultures: Iterable[str]) -> NominalVariable:
+        """The same variable of cultures with these among its categories, those that it does not list yet."""
+        more = (in_own_words(CULTURE, name, self.categories) for name in cultures if name not in self.groups)
+        new = [name for name in dict.fromkeys(more) if name is not None and name not in self.categories]
+        return replace(self, categories=(*self.categories, *new)) if new else self
 
     @property
     def measured(self) -> str:
@@ -170,8 +187,15 @@ class NominalVariable:
         if isinstance(value, str):
             if value in self.categories:
                 return value
-            if (own := in_own_words(self.name, value, self.categories)) is not None:
+            fact = CULTURE if self.tells_culture else self.name
+            if (own := in_own_words(fact, value, self.categories)) is not None:
                 return own
+            if self.tells_culture:
+                raise InputError(
+                    expected=f"{self.name} as a country, a region, or what people call their culture",
+                    got=shown(value),
+                    remedy=NO_CODE,
+                )
         raise InputError(
             expected=f"{self.name} as one of its {len(self.categories)} categories",
             got=shown(value),

@@ -1,0 +1,35 @@
+"""The terms of a variable that tells a culture: any name that people give theirs, with a score or without."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from comity_fis.membership.function import Categories
+from comity_fis.scores.iso3166 import NO_CODE
+from comity_fis.variables.frozen import FrozenDict
+from comity_fis.variables.own_words import CULTURE, in_own_words
+
+
+class CultureTerms(FrozenDict[str, Categories]):
+    """Declared terms, and one for every other culture: a country by code or name, a people by its own name.
+
+    Only the declared ones are listed.
+    """
+
+    __slots__ = ()
+
+    remedy = NO_CODE
+    """For a word that is no culture."""
+
+    def __contains__(self, word: object) -> bool:
+        return dict.__contains__(self, word) or (
+            isinstance(word, str) and in_own_words(CULTURE, word, ()) is not None
+        )
+
+    def __missing__(self, word: str) -> Categories:
+        if (name := in_own_words(CULTURE, word, self)) is None:
+            raise KeyError(word)
+        return self[name] if dict.__contains__(self, name) else Categories(frozenset({name}))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return CultureTerms, (dict(self),)
