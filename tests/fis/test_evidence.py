@@ -8,6 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import NumericParameter, Rulebook, load_rulebook
+from comity_fis.audit.attributes import attributes
+from comity_fis.audit.findings import held_to, shipped_findings
 
 GRADES = {
     **dict.fromkeys(("dist-1", "dist-2", "dist-3", "dist-4", "dist-5", "dist-6"), "contested"),
@@ -175,3 +177,24 @@ def _everybody():
     ):
         facts = {"individualism": individualism, "culture": culture, "gender": gender}
         yield {**shared, **facts, "touch_consent": "given", "language_command": "not_native"}
+
+
+def test_findings_that_speak_against_the_paper_stand_beside_those_for_it_and_an_audit_counts_them():
+    book = load_rulebook("bruno2017")
+    held = held_to(book, shipped_findings(), attributes(book))
+    on_gender = [row for row in held.rows if row.finding.larger.attribute == "gender"]
+    against = {row.finding.key for row in on_gender if row.finding.larger.value == "female"}
+    assert against == {"takayama2009", "sorokowska2017"}
+    assert {row.verdict for row in on_gender if row.finding.key in against} == {"contradicting"}
+    assert {"female", "male"} in [{one.value, other.value} for one, other in held.disputed]
+
+
+def test_individualism_has_its_counter_evidence_wherever_a_distance_follows_from_it_alone():
+    for name in ("bruno2017-case1", "evidence"):
+        rules = [
+            rule
+            for rule in load_rulebook(name).rules
+            if rule.reads == ("individualism",) and rule.consequents[0].name == "conversational_distance"
+        ]
+        assert len(rules) == 2
+        assert all("Minkov" in rule.counter_evidence for rule in rules)
