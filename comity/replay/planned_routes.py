@@ -11,20 +11,18 @@ from comity.planning.agenda import places_for
 from comity.planning.request import spots_of
 from comity.preparation import staged
 from comity.replay.plans_data import stages_of
+from comity.simulation.scene_later import scene_at
 from comity_domain import Spot
 from comity_domain.plans.actions import FETCH, REACH, RETURN
 from comity_fis import InputError
 from comity_sim2d import DoorTurn, PlannedRoute, RouteMap, SceneError
-from comity_sim2d.pictures.drawing import pose_at
-from comity_sim2d.pictures.turning_doors import doors_at
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
+    from collections.abc import Iterable, Iterator
 
     from comity.answers import StepAnswer
     from comity.replay.saved_run import SavedRun
     from comity_domain import Visitee
-    from comity_fis import Inference
     from comity_sim2d import Scene
 
     XY = tuple[float, float]
@@ -42,36 +40,15 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
     values = dict(stage.values)
     routes = [PlannedRoute(0.0, _corners(stage.scene, stage.visitees, run.plan.steps))]
     revisions = run.account.revisions
+    turns = [DoorTurn(turn.t, turn.door, turn.open) for turn in run.account.doors]
     for revision, later in zip(revisions, stages_of(run.cast, run.values, revisions)[1:], strict=True):
         values |= later
         if revision.kind != "not_replanned":
             visitees = tuple(replace(each, values=values[each.name]) for each in stage.visitees)
-            scene = _scene_at(run, stage.scene, values, revision.t)
+            own_m = {name: own_distance_m(inference) for name, inference in values.items()}
+            scene = scene_at(stage.scene, run.frames, revision.t, turns=turns, own_m=own_m)
             routes.append(PlannedRoute(revision.t, _corners(scene, visitees, revision.steps)))
     return tuple(routes)
-
-
-def _scene_at(run: SavedRun, scene: Scene, values: Mapping[str, Inference], t: float) -> Scene:
-    """Where everybody was at a time, with doors and wishes as they were."""
-    robot = pose_at(run.frames, scene.robot.name, t)
-    turns = [DoorTurn(turn.t, turn.door, turn.open) for turn in run.account.doors]
-    poses = {person.name: pose_at(run.frames, person.name, t) for person in scene.people}
-    return replace(
-        scene,
-        robot=replace(scene.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
-        people=tuple(
-            replace(
-                person,
-                x_m=poses[person.name].x_m,
-                y_m=poses[person.name].y_m,
-                heading_rad=poses[person.name].heading_rad,
-                walk=None,
-                personal_distance_m=own_distance_m(values[person.name]),
-            )
-            for person in scene.people
-        ),
-        doors=doors_at(scene.doors, turns, t),
-    )
 
 
 def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]) -> tuple[XY, ...]:

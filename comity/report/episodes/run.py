@@ -11,6 +11,7 @@ from comity.answers import (
     ActAnswer,
     ActTowardsAnswer,
     DeedAnswer,
+    DisturbanceAnswer,
     LoopAnswer,
     PersonAnswer,
     PlannedInsteadAnswer,
@@ -23,6 +24,7 @@ from comity.monitoring.lateness import deadline_s, late_s
 from comity.parameters.unread import notes_of_unread
 from comity.report.episodes.attempts import repeated
 from comity.report.episodes.facing import facing_error_deg
+from comity.report.episodes.nearness import nearness_answers
 from comity.report.episodes.revisions import disturbance_answers, door_answers, revision_answers
 from comity.report.episodes.trace import disturbance_text
 from comity.report.episodes.why import OF_PLANS
@@ -104,13 +106,19 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "metrics": measured,
             "revisions": tuple(revision_answers(episode.events, episode.revisions)),
             "doors": tuple(door_answers(episode.door_turns)),
-            "disturbances": tuple(disturbance_answers(episode.disturbances)),
+            "disturbances": tuple(_disturbances(episode)),
             "repeated": tuple(repeated(episode.events, episode.nodes)),
             "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
             "loop": _loop(episode.loop),
             "files": folder.files(),
         }
     )
+
+
+def _disturbances(episode: Episode) -> Iterator[DisturbanceAnswer]:
+    """What happened, and where the robot was nearer to a person than they like, by time."""
+    happened = disturbance_answers(episode.disturbances)
+    yield from sorted([*happened, *nearness_answers(episode)], key=lambda one: one.t)
 
 
 def _loop(report: LoopReport | None) -> LoopAnswer | None:

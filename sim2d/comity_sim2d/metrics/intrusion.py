@@ -115,14 +115,13 @@ class Intrusion:
         nobody = np.logical_not(self.intruded.any(axis=1))
         return _share(nobody, np.ones(len(frames), dtype=np.bool_), frames)
 
+    def stays(self, frames: Frames, person: str) -> Iterator[Stay]:
+        """All stays within the distance of one person, by time."""
+        yield from _stays(person, frames.time_s, self.intruded[:, self.people.index(person)])
+
     def longest(self, frames: Frames, person: str | None = None) -> Stay | None:
         """The longest stay within the distance of somebody, or of one; None where there was none."""
-        stays = (
-            stay
-            for name, held in zip(self.people, self.intruded.T, strict=True)
-            if person in (None, name)
-            for stay in _stays(name, frames.time_s, held)
-        )
+        stays = (stay for name in self.people if person in (None, name) for stay in self.stays(frames, name))
         return max(stays, key=lambda stay: stay.length_s, default=None)
 
 

@@ -113,6 +113,10 @@ class RouteMap:
         found = [route for route in (polite, cheapest, shortest) if route is not None]
         return min(found, key=lambda route: way_cost(route.points, spaces))
 
+    def polite(self, start: XY, goal: XY) -> Route | None:
+        """The shortest route that keeps everybody's own distance, however long; None where there is none."""
+        return self._shortest(start, goal, self.spaces(start, goal), self.groups(start, goal))
+
     def to(self, person: str) -> RouteMap:
         """The routes on which somebody is visited."""
         return self
