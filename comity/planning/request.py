@@ -18,6 +18,7 @@ from comity_domain import (
     TakeLeave,
     Visitee,
     VisitRequest,
+    distance_desirability,
     greetings,
     location,
     ruled_out,
@@ -26,7 +27,7 @@ from comity_domain import (
 from comity_fis import Choice
 from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
 from comity_sim2d.navigation.docking import spots_beside
-from comity_sim2d.scene.obstacles import Surroundings
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, Surroundings
 
 if TYPE_CHECKING:
     from comity_fis import Inference
@@ -205,13 +206,12 @@ def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, 
 
 def _wish(person: str, values: Inference, side: Side) -> Wish:
     distance, direction = values["conversational_distance"], values["approach_direction"]
-    assert not isinstance(distance.desirability, Choice)
     assert not isinstance(direction.desirability, Choice)
     return Wish(
         person=person,
         distance_m=distance.number,
         bearing_deg=side.bearing_deg,
-        distance_desirability=distance.desirability,
+        distance_desirability=distance_desirability(distance, PERSON_MARGIN_M),
         direction_desirability=direction.desirability,
     )
 

@@ -4,6 +4,7 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
+from comity_domain.choices.distances import distance_desirability
 from comity_domain.choices.earshot import unheard
 from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.choices.side import Side, sides
@@ -78,6 +79,7 @@ __all__ = [
     "as_json",
     "cost_of_serving",
     "differences",
+    "distance_desirability",
     "flips",
     "greetings",
     "in_order",

@@ -109,3 +109,37 @@ def test_without_noise_and_faults_whoever_is_planned_for_is_greeted(range_m: flo
     episode = execute(prepared(scenario, dict.fromkeys(NAMES, profile)))
     assert episode.outcome == "success"
     assert {visit.person for visit in episode.visits if visit.outcome == "greeted"} == set(NAMES)
+
+
+NICHE = """\
+schema_version: 1
+name: niche
+place: {width_m: 5.05, height_m: 1.56}
+robot: {at_m: [4.75, 0.78], facing_deg: 180}
+people:
+  guest: {profile: %s, at_m: [4.0, 0.78], facing_deg: 0}
+goals:
+  - greet: guest
+"""
+
+
+def in_a_niche(profile: str) -> Prepared:
+    path = Path("niche.scenario.yaml")
+    path.write_text(NICHE % profile, encoding="utf-8")
+    return prepare(load_scenario(str(path)))
+
+
+@pytest.mark.parametrize("profile", ["arab_woman", "german_man"])
+def test_where_no_distance_fits_that_a_rule_wants_the_nearest_that_fits_is_taken_and_said(here, profile):
+    episode = execute(in_a_niche(profile))
+    (visit,) = episode.visits
+    assert visit.outcome == "greeted"
+    assert visit.docked_at.distance_m == pytest.approx(0.40, abs=0.01)
+    assert "at 0.400 m" in visit.deviation_reason
+
+
+def test_a_distance_that_a_person_asked_for_is_not_shortened(here):
+    Path("mia.profile.yaml").write_text(
+        "schema_version: 1\nname: mia\nsettings: {conversational_distance: 0.8}\n"
+    )
+    assert "no free and reachable place" in in_a_niche("./mia.profile.yaml").asked.unreachable["guest"]

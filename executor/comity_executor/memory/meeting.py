@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
+from comity_domain.choices.distances import distance_desirability
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.asking import Asking
 from comity_executor.memory.drive import Drive
@@ -116,9 +117,10 @@ class Meeting:
 
     def _apart(self) -> Curve:
         """How desirable each distance is; it moves along with what the person showed."""
-        curve, by_m = self._desirability(DISTANCE), self.goes_for.distance_m - self.wanted.distance_m
-        limits = Interval(self.limits.safety_floor_m, inf)
-        return MovedCurve(curve, by_m, limits) if by_m else curve
+        by_m, floor_m = self.goes_for.distance_m - self.wanted.distance_m, self.limits.safety_floor_m
+        if by_m:
+            return MovedCurve(self._desirability(DISTANCE), by_m, Interval(floor_m, inf))
+        return distance_desirability(self.values[DISTANCE], floor_m + self.limits.tolerance_m)
 
     def _desirability(self, parameter: str) -> Curve:
         curve = self.values[parameter].desirability

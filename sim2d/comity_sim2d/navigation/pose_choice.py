@@ -75,6 +75,8 @@ class Wish:
     def candidates(self) -> tuple[tuple[float, float], ...]:
         """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted.
 
+        Distances that do not suit at all come last, the nearest to the wanted one first.
+
         The less desirable of the two decides, and among equals the other one, so that no place is taken while
         a free one is better in one and no worse in the other (leximin: Dubois, Fargier, Prade,
         "Refinements of the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and
@@ -94,7 +96,8 @@ class Wish:
         def rank(pair: tuple[float, float]) -> tuple[float, ...]:
             d, b = pair
             less, more = sorted((round(towards[b], 9), round(apart[d], 9)))
-            return (-less, unsuited[d], -more, aside[b], away[d], -b, d)
+            nearest = away[d] if unsuited[d] else 0.0
+            return (-less, unsuited[d], nearest, -more, aside[b], away[d], -b, d)
 
         return tuple(sorted(pairs, key=rank))
 
@@ -102,11 +105,12 @@ class Wish:
         if self.keeps_distance:
             return [self.distance_m]
         low, high = self.distance_desirability.domain
-        first = math.ceil(max(low, PERSON_MARGIN_M) / DISTANCE_STEP_M - 1e-9)
+        low = max(low, PERSON_MARGIN_M)
+        first = math.ceil(low / DISTANCE_STEP_M - 1e-9)
         last = math.floor(high / DISTANCE_STEP_M + 1e-9)
         steps = [round(k * DISTANCE_STEP_M, 9) for k in range(first, last + 1)]
         # A distance that does not suit stays in, last: whom the robot can serve must not depend on taste.
-        return [self.distance_m, *steps]
+        return [self.distance_m, low, *steps]
 
 
 def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | None:
