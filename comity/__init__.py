@@ -58,6 +58,7 @@ def run(
     out: str | Path | None = None,
     acts: Mapping[str, MakeAct] | None = None,
     robot: MapRobot | None = None,
+    adults_only: bool = False,
 ) -> Episode:
     """Run one episode.
 
@@ -73,6 +74,8 @@ def run(
             the rulebook. Each is a class or function of the name of its node and the person.
         robot: A real robot in the place of the simulated one, on the scenario's map, from where it is and
             sees people (`comity_executor.MapRobot` says what it needs).
+        adults_only: Whether you know that nobody whose age is not known is under 18; a real robot goes to
+            nobody else.
 
     Returns:
         What happened: outcome, visits, trace, frames and metrics.
@@ -82,7 +85,7 @@ def run(
         PlanningFailed: if the planner finds no plan.
     """
     from comity.live.loading import require_map_robot
-    from comity.live.start import as_seen
+    from comity.live.start import as_seen, for_adults
     from comity.live_episode import execute
     from comity.preparation import prepare, require_seed
     from comity.scenario import load_scenario
@@ -91,7 +94,7 @@ def run(
     file = load_scenario(str(scenario))
     if robot is not None:
         require_map_robot(robot, type(robot).__name__)
-        file = as_seen(file, robot)
+        file = for_adults(as_seen(file, robot), adults_only=adults_only)
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
         return execute(prepared, seed=seed, acts=acts or {}, robot=robot)

@@ -17,6 +17,7 @@ from comity.monitoring.measuring import figures
 from comity.monitoring.operating import Approved, Operating
 from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
+from comity.people.adulthood import is_under_age
 from comity.schedule import Disturbance, Schedule, Stage
 from comity.simulation.happenings import told as told_only
 from comity.simulation.walks import walks
@@ -76,7 +77,8 @@ class LiveEpisode:
         operator: Whose words a real robot goes by; every one is told in the trace.
 
     Raises:
-        InputError: `acts` names no act that a greeting can have, or there is an operator and no robot.
+        InputError: `acts` names no act that a greeting can have, there is an operator and no robot, or the
+            robot is real and somebody is, or may be, a child.
         RobotError: The robot cannot be driven.
     """
 
@@ -104,6 +106,7 @@ class LiveEpisode:
                 prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places
             )
         else:
+            _refuse_children(prepared)
             self._world = RealWorld(robot, prepared.scene, operator)
             self._world.robot.learn_places(prepared.asked.places)
             self._heartbeat = stop_of(robot)
@@ -331,6 +334,32 @@ def execute(
     live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot)
     live.run()
     return live.so_far()
+
+
+IN_A_STUDY = (
+    "For a study with children, state `child_study: true`, and of each child `guardian_consent: true`."
+)
+STATE_AGES = (
+    "State the age in the profile; or, where you know that all are adults, `adults_only: true` in the scenario "
+    "(`--adults-only`)."
+)
+
+
+def _refuse_children(prepared: Prepared) -> None:
+    """Let no real robot meet a child, or somebody who may be one, but in a study with consent."""
+    scenario = prepared.file.scenario
+    for name in scenario.visited():
+        is_child = is_under_age(prepared.profiles[name], prepared.day)
+        if (is_child is None and scenario.adults_only) or is_child is False:
+            continue
+        if scenario.child_study and scenario.people[name].guardian_consent:
+            continue
+        raise InputError(
+            expected=f"adults before a real robot: {name} is 18 or older",
+            got="an age below 18" if is_child else "no age",
+            remedy=IN_A_STUDY if is_child else STATE_AGES,
+            where=prepared.file.where("people", name),
+        )
 
 
 def _refuse(operator: Operator | None) -> None:

@@ -192,6 +192,9 @@ class Person(Standing):
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
     comfort: Comfort | None = Field(default=None, description="Without it the person does not react.")
+    guardian_consent: bool = Field(
+        default=False, description="Of a child: the guardian has consented to the study."
+    )
     walks: Walks | None = Field(default=None, description="Where they walk; without it they stay.")
     reacts: RobotReaction | None = Field(
         default=None, description="What they do about the robot (HuNavSim's reactions); without it nothing."
@@ -318,6 +321,14 @@ class Scenario(BaseModel):
     passers_by: PassersBy | None = Field(default=None, description="People besides, whom nobody planned for.")
     keep_to: Literal["right", "left"] = Field(
         default="right", description="The side on which people who walk evade one another."
+    )
+    adults_only: bool = Field(
+        default=False,
+        description="For a real robot: the operator states that nobody is under 18 whose age is not known.",
+    )
+    child_study: bool = Field(
+        default=False,
+        description="For a real robot: this is a study with children, for which each has `guardian_consent`.",
     )
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)

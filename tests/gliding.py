@@ -21,6 +21,7 @@ from comity_executor import (
 LEASE_S = 0.3
 SCENARIO = """schema_version: 1
 name: two
+adults_only: true
 place: {width_m: 8, height_m: 6}
 robot: {at_m: [1, 1]}
 people:

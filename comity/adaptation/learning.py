@@ -7,6 +7,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import observation, situation_of
+from comity.people.adulthood import is_under_age
 from comity.people.remembered import remember
 from comity_fis import InputError, Where
 from comity_fis.learning.signals import SAID
@@ -45,10 +46,17 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
         kept = prepared.kept_as[visit.person]
         person = prepared.file.scenario.people[visit.person]
         seen = observation(visit, prepared.values[visit.person], situation_of(person), day or date.today())
-        if kept and seen and visit.person not in episode.uncertain:
+        if kept and seen and visit.person not in episode.uncertain and _is_adult(episode, visit.person):
             invented = person.comfort is not None  # the scenario reacted, not whoever is kept
             found[kept] = seen.model_copy(update={"simulated": invented})
     return found
+
+
+def _is_adult(episode: Episode, person: str) -> bool:
+    """Whether anything may be learnt: about no child, and in earnest about nobody who may be one."""
+    prepared = episode.prepared
+    is_child = is_under_age(prepared.profiles[person], prepared.day)
+    return not is_child and (is_child is False or episode.loop is None or prepared.file.scenario.adults_only)
 
 
 def keep(seen: Mapping[str, Observation]) -> frozenset[str]:

@@ -43,6 +43,9 @@ RobotName = Annotated[
         "--robot", metavar="MODULE:CLASS", help="A real robot of yours in the place of the simulated one."
     ),
 ]
+AdultsOnly = Annotated[
+    bool, typer.Option("--adults-only", help="With --robot: whoever does not state an age is an adult.")
+]
 AsShadow = Annotated[
     bool,
     typer.Option("--shadow", help="Sense, plan and explain, but command nothing: others drive the robot."),
@@ -74,6 +77,7 @@ def run(
     out: Out = None,
     learn: Learn = False,
     robot: RobotName = None,
+    adults_only: AdultsOnly = False,
     shadow: AsShadow = False,
     operator: WithOperator = False,
     max_speed: MaxSpeed = None,
@@ -92,7 +96,7 @@ def run(
     """
     from comity.adaptation.learning import in_words, keep, observed, refuse_nobody_kept
     from comity.commands.progress import watching
-    from comity.live.start import as_seen, slowed
+    from comity.live.start import as_seen, for_adults, slowed
     from comity.output.run_folder import place_for
     from comity.preparation import prepare
     from comity.recording import record
@@ -100,10 +104,11 @@ def run(
     from comity.report.text import show
     from comity.scenario import load_scenario
 
-    file = slowed(load_scenario(scenario), max_speed)
+    file = for_adults(slowed(load_scenario(scenario), max_speed), adults_only=adults_only)
     place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
     with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
-        base = _robot(robot, needs={"--shadow": shadow, "--operator": operator}, shadow=shadow)
+        needs = {"--adults-only": adults_only, "--shadow": shadow, "--operator": operator}
+        base = _robot(robot, needs=needs, shadow=shadow)
         if base is not None:
             file = as_seen(file, base)
         with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:

@@ -41,6 +41,13 @@ def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
     return replace(file, scenario=scenario.model_copy(update={"robot": robot, "people": people}))
 
 
+def for_adults(file: ScenarioFile, *, adults_only: bool) -> ScenarioFile:
+    """The scenario with the statement that nobody is under 18 whose age is not known, where it is made."""
+    if not adults_only:
+        return file
+    return replace(file, scenario=file.scenario.model_copy(update={"adults_only": True}))
+
+
 def slowed(file: ScenarioFile, max_speed_m_s: float | None) -> ScenarioFile:
     """The scenario with a robot that is no faster; one that is slower anyway stays so.
 

@@ -21,6 +21,7 @@ from comity.parameters.perception import perceiving
 from comity.parameters.standing import Standing, standing
 from comity.parameters.unread_facts import notes_of_unread_facts
 from comity.parameters.wishes import decided_here
+from comity.people.adulthood import NOTE, is_under_age
 from comity.people.culture import Belonging
 from comity.people.dated import UNKNOWN
 from comity.people.profile import PERSONAL
@@ -78,7 +79,10 @@ def infer_for(
         for case in cases
     ]
     inference = parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
-    return perceiving(inference, declared.profile, at, situation or {})
+    told = situation or {}
+    if is_under_age(declared.profile, at, told.get("age")):
+        inference = replace(inference, notes=(*inference.notes, NOTE))
+    return perceiving(inference, declared.profile, at, told)
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,6 +24,7 @@ from comity_executor.tracing.file import parts_of
 HOURS = 8.0
 SCENARIO = """schema_version: 1
 name: long
+adults_only: true
 place: {width_m: 12, height_m: 8}
 robot: {at_m: [1, 1]}
 people:

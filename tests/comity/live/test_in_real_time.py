@@ -42,7 +42,18 @@ class Real:
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_brings_the_base_to_rest_and_the_run_folder_is_whole(here, which):
     (here / "real_robot.py").write_text(ROBOT, encoding="utf-8")
-    command = [sys.executable, "-m", "comity", "run", "johanna", "--robot", "real_robot:Real", "--out", "own"]
+    command = [
+        sys.executable,
+        "-m",
+        "comity",
+        "run",
+        "johanna",
+        "--robot",
+        "real_robot:Real",
+        "--adults-only",
+        "--out",
+        "own",
+    ]
     paths = os.pathsep.join((str(TESTS), os.environ.get("PYTHONPATH", "")))
     process = subprocess.Popen(
         [*command, "--json"], stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths}

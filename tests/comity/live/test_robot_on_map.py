@@ -263,7 +263,7 @@ def test_an_installed_package_offers_its_robots_by_name(here, monkeypatch):
 
 def test_from_python_a_robot_is_an_argument():
     robot = Gliding({"johanna": (4.0, 3.0, 180.0)})
-    episode = comity.run("johanna", robot=robot)
+    episode = comity.run("johanna", robot=robot, adults_only=True)
     assert episode.outcome == "success"
     assert episode.loop is not None
     assert episode.loop.status == "success"
