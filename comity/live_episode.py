@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from math import dist
 from typing import TYPE_CHECKING, cast
@@ -179,7 +180,8 @@ class LiveEpisode:
 
         assert self._base is not None
         self._loop = drive(self._execution, self._base, self._heartbeat, each)
-        world.observe()
+        with suppress(Exception):  # where its clock is broken, the last frame stands
+            world.observe()
 
     def _ends_in_time(self) -> bool:
         """Whether the scenario's time is over, which ends the execution."""
@@ -340,8 +342,8 @@ IN_A_STUDY = (
     "For a study with children, state `child_study: true`, and of each child `guardian_consent: true`."
 )
 STATE_AGES = (
-    "State the age in the profile; or, where you know that all are adults, `adults_only: true` in the scenario "
-    "(`--adults-only`)."
+    "State the age in the profile; or, where you know that all are adults, `adults_only: true` in the "
+    "scenario (`--adults-only`)."
 )
 
 
@@ -413,6 +415,8 @@ def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
 
 
 def _doing(execution: Execution) -> str:
-    """The person whose visit goes on, if any."""
+    """Why the robot stands still, or the person whose visit goes on, if any."""
+    if execution.stopped_by is not None:
+        return f"standing until it is resumed: {execution.stopped_by}"
     pending = (visit.person for visit in execution.visits if visit.outcome == "pending")
     return next((f"visiting {person}" for person in pending), "done")

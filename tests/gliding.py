@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -49,6 +50,10 @@ class Gliding:
     t: float = 100.0
     pressed: str | bool = False
     knows_where: bool = True
+    tells: Callable[[Localisation], Any] = lambda here: here
+    """What it says of where it is."""
+    tells_of_people: Callable[[list[PersonTrack]], Any] = lambda tracks: tracks
+    """What it says of whom it sees."""
     tracks_people: bool = True
     dropped: set[str] = field(default_factory=set)
     """Whom the tracker does not see."""
@@ -98,12 +103,13 @@ class Gliding:
     def localisation(self) -> Localisation | None:
         if self.knows_where:
             self._stamp_s = self.t
-        return Localisation(self.x, self.y, self.heading_rad, self._speed, self._stamp_s)
+        return self.tells(Localisation(self.x, self.y, self.heading_rad, self._speed, self._stamp_s))
 
     def tracks(self) -> list[PersonTrack] | None:
         if not self.tracks_people:
             return None
-        return [self._track(i, name) for i, name in enumerate(self.people) if name not in self.dropped]
+        seen = [self._track(i, name) for i, name in enumerate(self.people) if name not in self.dropped]
+        return self.tells_of_people(seen)
 
     def _track(self, i: int, name: str) -> PersonTrack:
         x, y, deg = self.people[name]

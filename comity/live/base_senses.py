@@ -1,11 +1,14 @@
 """What a robot says of its place and of people, as far as it can be believed.
 
-A call that raises, and numbers that are none, count as silence: a robot that hears nothing for long stands.
+A call that raises, numbers that are none, a place outside the map and a time that has not come count as
+silence: a robot that hears nothing for long stands. A track that is gone for a moment is where it was going:
+trackers drop frames.
 """
 
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 from math import isfinite
 from numbers import Real
 from typing import TYPE_CHECKING
@@ -14,23 +17,83 @@ from comity_sim2d import Person, wrap_angle
 
 if TYPE_CHECKING:
     from comity_executor import Localisation, MapRobot, PersonTrack
+    from comity_sim2d.scene.obstacles import FloorPlan
+
+AHEAD_S = 0.1
+"""Clocks of one robot may be so far apart; what is stamped later than that has not been measured."""
+GRACE_S = 0.3
+"""A track that is gone for no longer is a dropped frame (our choice: three at 10 Hz)."""
+OLD_S = 0.5
+"""A track that was measured longer ago tells of nobody."""
 
 
-def localisation_of(base: MapRobot) -> Localisation | None:
-    """Where it is; None where it does not know, raises, or says what is no place."""
-    with suppress(Exception):
-        here = base.localisation()
-        numbers = () if here is None else (here.x_m, here.y_m, here.heading_rad, here.speed_m_s, here.stamp_s)
-        return here if _are_finite(*numbers) else None
-    return None
+class BaseSenses:
+    """Asks one robot, once a tick.
+
+    Args:
+        base: The robot.
+        plan: Of the map.
+    """
+
+    def __init__(self, base: MapRobot, plan: FloorPlan) -> None:
+        self._base = base
+        self._plan = plan
+        self._tracks: dict[int | str, PersonTrack] = {}
+        """The newest of each name of the tracker, for as long as it is believed."""
+        self.tracked_s = base.now_s()
+        """When the tracker was heard last."""
+
+    def localisation(self, now_s: float) -> Localisation | None:
+        """Where it is; None where it does not know, or cannot be."""
+        with suppress(Exception):
+            here = self._base.localisation()
+            if here is None or not _are_finite(here.x_m, here.y_m, here.heading_rad, here.speed_m_s):
+                return None
+            is_known = _has_come(here.stamp_s, now_s) and self._plan.is_floor((here.x_m, here.y_m))
+            return here if is_known else None
+        return None
+
+    def tracks(self, now_s: float) -> list[PersonTrack]:
+        """Whom it sees, and whom it saw a moment ago."""
+        said = self._said(now_s)
+        fresh = {track.track: track for track in said or () if now_s - track.stamp_s <= OLD_S}
+        if fresh or (said is not None and not said):
+            self.tracked_s = now_s
+        people = {track.person for track in fresh.values()} - {None}
+        held = {
+            name: track
+            for name, track in self._tracks.items()
+            if name not in fresh and track.person not in people and now_s - track.stamp_s <= GRACE_S
+        }
+        self._tracks = held | fresh
+        return list(self._tracks.values())
+
+    def _said(self, now_s: float) -> list[PersonTrack] | None:
+        """What it says now; a track that is nowhere is left out."""
+        with suppress(Exception):
+            tracks = self._base.tracks()
+            if tracks is not None:
+                return [track for track in tracks if _is_somewhere(track) and _has_come(track.stamp_s, now_s)]
+        return None
 
 
-def tracks_of(base: MapRobot) -> list[PersonTrack] | None:
-    """Whom it sees; None where it raises or is silent. A track that is nowhere is left out."""
-    with suppress(Exception):
-        tracks = base.tracks()
-        return None if tracks is None else [track for track in tracks if _is_somewhere(track)]
-    return None
+def one_each(tracks: list[PersonTrack]) -> tuple[list[PersonTrack], frozenset[str]]:
+    """The tracks with one at most for each person; who has several may be any of them.
+
+    Returns:
+        The tracks, of which those too many are nobody in particular; and whose there were several.
+    """
+    found: list[PersonTrack] = []
+    seen: set[str] = set()
+    several: set[str] = set()
+    for track in tracks:
+        if track.person is not None and track.person in seen:
+            several.add(track.person)
+            found.append(replace(track, person=None))
+        else:
+            found.append(track)
+            seen |= {track.person} if track.person else set()
+    return found, frozenset(several)
 
 
 def stranger(track: PersonTrack) -> Person:
@@ -41,6 +104,10 @@ def stranger(track: PersonTrack) -> Person:
 def _is_somewhere(track: PersonTrack) -> bool:
     numbers = (track.x_m, track.y_m, track.stamp_s, *track.velocity_m_s)
     return _are_finite(*numbers, 0.0 if track.heading_rad is None else track.heading_rad)
+
+
+def _has_come(stamp_s: object, now_s: float) -> bool:
+    return _are_finite(stamp_s) and float(stamp_s) <= now_s + AHEAD_S  # type: ignore[arg-type]
 
 
 def _are_finite(*numbers: object) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from comity_executor import Heartbeat, Loop
@@ -17,7 +18,12 @@ def stop_of(base: MapRobot) -> Heartbeat | None:
 
     None where the robot's clock is simulated: it stands still while a call does not return.
     """
-    return None if hasattr(base, "sleep") else Heartbeat(base.emergency)
+    return None if sleep_of(base) else Heartbeat(base.emergency)
+
+
+def sleep_of(base: MapRobot) -> Callable[[float], None] | None:
+    """How time passes for a robot with a simulated clock; None for one in real time."""
+    return getattr(base, "sleep", None)
 
 
 def drive(
@@ -31,9 +37,60 @@ def drive(
         heartbeat: As `stop_of` has made it.
         each: Called after every tick.
     """
-    sleep = getattr(base, "sleep", None)
-    if heartbeat is None and sleep is not None:
-        return Loop(execution, clock=base.now_s, sleep=sleep).run(each)
-    assert heartbeat is not None
-    with heartbeat:
-        return Loop(execution, clock=time.monotonic).run(each)
+    sleep = sleep_of(base)
+    if sleep is None:
+        with heartbeat or nullcontext():
+            return Loop(execution, clock=time.monotonic).run(_ending(execution, each))
+    clock = _Clock(base, sleep, execution)
+    return Loop(execution, clock=clock.now_s, sleep=clock.sleep).run(_ending(execution, each))
+
+
+class _Clock:
+    """A simulated clock; one that breaks ends the execution, and real time takes its place.
+
+    Args:
+        base: Its clock.
+        sleep: Lets time pass there.
+        execution: What ends.
+    """
+
+    def __init__(self, base: MapRobot, sleep: Callable[[float], None], execution: Execution) -> None:
+        self._base = base
+        self._sleep = sleep
+        self._execution = execution
+        self._is_broken = False
+
+    def now_s(self) -> float:
+        """The time."""
+        if not self._is_broken:
+            try:
+                return float(self._base.now_s())
+            except Exception as error:
+                self._break(error)
+        return time.monotonic()
+
+    def sleep(self, seconds: float) -> None:
+        """Let time pass."""
+        if not self._is_broken:
+            try:
+                self._sleep(seconds)
+                return
+            except Exception as error:
+                self._break(error)
+        time.sleep(seconds)
+
+    def _break(self, error: Exception) -> None:
+        self._is_broken = True
+        self._execution.stop(f"the clock: {type(error).__name__}: {error}")
+
+
+def _ending(execution: Execution, each: Callable[[], None]) -> Callable[[], None]:
+    """The same, where an exception ends the execution and leaves nothing else undone."""
+
+    def safely() -> None:
+        try:
+            each()
+        except Exception as error:
+            execution.stop(f"{type(error).__name__}: {error}")
+
+    return safely

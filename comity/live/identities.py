@@ -38,8 +38,14 @@ class Identities:
         """Who may be somebody else."""
         return frozenset(name for name in self._doubted_s if self._sure_s[name] <= self._doubted_s[name])
 
-    def take_in(self, tracks: Sequence[PersonTrack], now_s: float) -> None:
-        """Take in the newest tracks, at a time [s] by the same clock as theirs."""
+    def take_in(self, tracks: Sequence[PersonTrack], now_s: float, *, doubted: Collection[str] = ()) -> None:
+        """Take in the newest tracks.
+
+        Args:
+            tracks: One at most for each person.
+            now_s: The time, by the same clock as theirs.
+            doubted: Who was said to be in several places.
+        """
         named = {track.person: track for track in tracks if track.person in self._doubted_s}
         for name, track in named.items():
             if track.identified_s is not None:
@@ -52,6 +58,6 @@ class Identities:
         }
         for who in self._doubted_s:
             is_gone = who in self._seen and who not in named
-            if is_gone or (who in named and who in met):
+            if is_gone or who in doubted or (who in named and who in met):
                 self._doubted_s[who] = now_s
         self._seen = frozenset(named)

@@ -41,17 +41,16 @@ class RealWorld:
         self.observe()
 
     def observe(self) -> None:
-        """Take in what the robot senses now, and keep it as a frame."""
+        """Take in what the robot senses now, and keep it as a frame; the first one is that of 0 s."""
         self.robot.sense()
         self._note_halt()
-        now_s = round(self.time_s, DIGITS)
+        now_s = 0.0 if self._recorded_s < 0.0 else round(self.robot.now_s(), DIGITS)
         if now_s <= self._recorded_s:
             return  # a simulated clock that has not gone on
         self._recorded_s = now_s
-        rows = [frame_row(self.robot.pose), *(frame_row(person.pose) for person in self.robot.people)]
-        self._recorder.record(
-            now_s, [(round(x, DIGITS), round(y, DIGITS), heading) for x, y, heading in rows]
-        )
+        poses = (self.robot.pose, *(person.pose for person in self.robot.people))
+        rows = (frame_row(pose) for pose in poses)
+        self._recorder.record(now_s, [(round(x, DIGITS), round(y, DIGITS), turn) for x, y, turn in rows])
 
     def _note_halt(self) -> None:
         """Put on record since when the base has to stand, and until when it had to."""
@@ -70,8 +69,8 @@ class RealWorld:
 
     @property
     def time_s(self) -> float:
-        """Since the start."""
-        return self.robot.now_s()
+        """Since the start, as of the last frame."""
+        return max(0.0, self._recorded_s)
 
     @property
     def doors(self) -> tuple[Door, ...]:

@@ -14,7 +14,7 @@ from math import dist, inf, pi
 from typing import TYPE_CHECKING
 
 from comity.live.act_record import ActRecord
-from comity.live.base_senses import localisation_of, stranger, tracks_of
+from comity.live.base_senses import GRACE_S, BaseSenses, one_each, stranger
 from comity.live.identities import Identities
 from comity.live.people_seen import PeopleSeen
 from comity_executor import MapGoal, MotionStatus, without_names
@@ -26,7 +26,7 @@ from comity_sim2d.navigation.past_people import PastPeople
 from comity_sim2d.pose import Pose, direction_to
 from comity_sim2d.robot.in_the_way import in_the_way
 from comity_sim2d.robot.motion import Reading
-from comity_sim2d.scene.obstacles import Surroundings
+from comity_sim2d.scene.obstacles import Surroundings, floor_plan
 
 if TYPE_CHECKING:
     from comity.live.operator import Operator
@@ -73,8 +73,7 @@ class RobotOnMap:
         self._strangers: tuple[Person, ...] = ()
         """People whom the tracker sees and the scenario does not know."""
         self._localised: Localisation | None = None
-        self._tracked_s = self._start_s
-        """When the tracker was heard last."""
+        self._senses = BaseSenses(base, floor_plan(scene))
         self._places: Mapping[str, Pose] = {}
         self._record = ActRecord()
         self._goal: MotionGoal | None = None
@@ -91,16 +90,20 @@ class RobotOnMap:
     def sense(self) -> None:
         """Take in where the robot is and whom it sees; to be called once in every tick."""
         now_s = self._base.now_s()
-        self._localised = localisation_of(self._base) or self._localised
-        tracks = tracks_of(self._base)
-        if tracks is None or self._localised is None:
+        self._localised = self._senses.localisation(now_s) or self._localised
+        tracks, several = one_each(self._senses.tracks(now_s))
+        if self._localised is None:
             return
-        self._tracked_s = now_s
         own = [self._by_own_clock(track) for track in tracks]
-        is_free = getattr(self._base, "floor_is_free", None)
-        self._seen.take_in(own, self.pose, self.now_s(), is_free=is_free)
-        self._identities.take_in(own, self.now_s())
+        if not self._is_deaf(now_s):
+            is_free = getattr(self._base, "floor_is_free", None)
+            self._seen.take_in(own, self.pose, self.now_s(), is_free=is_free)
+            self._identities.take_in(own, self.now_s(), doubted=several)
         self._strangers = tuple(stranger(track) for track in own if track.person not in self._names)
+
+    def _is_deaf(self, now_s: float) -> bool:
+        """Whether the tracker is silent: then nothing follows from whom it does not name."""
+        return now_s - self._senses.tracked_s > GRACE_S
 
     def _by_own_clock(self, track: PersonTrack) -> PersonTrack:
         sure_s = None if track.identified_s is None else track.identified_s - self._start_s
@@ -123,7 +126,7 @@ class RobotOnMap:
         now_s, here = self._base.now_s(), self._localised
         ages = {
             "localisation": inf if here is None else now_s - here.stamp_s,
-            "tracker": now_s - self._tracked_s,
+            "tracker": now_s - self._senses.tracked_s,
         }
         for what, age in ages.items():
             if age > SILENT_S:
@@ -275,6 +278,8 @@ class RobotOnMap:
         state, number = said.state, self._number_of(said.goal)
         if self._base_goals and said.goal in self._base_goals[:-1]:
             state = "running"  # what replaces it is not taken up yet
+        if self._goal is None and state == "succeeded":
+            state = "stopped"  # it has ended, and nothing else was asked for
         return MotionStatus(
             number,
             state,  # type: ignore[arg-type]  # the tree refuses other words

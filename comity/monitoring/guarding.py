@@ -12,7 +12,6 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from comity.parameters.passing import asked_speed_m_s
 from comity.parameters.values import infer_for
 from comity.people.profile import NOBODY, Profile
 from comity_fis import InputError
@@ -81,10 +80,10 @@ class Guarding:
         stranger = self._inferred(name, {})
         candidates = [stranger, *(self._own[each] for each in sorted(self._uncertain))]
         farthest_m = max(each[DISTANCE].number for each in candidates)
-        speeds = [speed for each in candidates if (speed := asked_speed_m_s(each)) is not None]
+        slowest_m_s = min(each[SPEED].number for each in candidates)
         wishes = {DISTANCE: farthest_m} if farthest_m > stranger[DISTANCE].number else {}
-        if speeds and min(speeds) < stranger[SPEED].number:
-            wishes[SPEED] = min(speeds)
+        if slowest_m_s < stranger[SPEED].number:
+            wishes[SPEED] = slowest_m_s
         return self._inferred(name, wishes) if wishes else stranger
 
     def _inferred(self, name: str, wishes: Mapping[str, float]) -> Inference:

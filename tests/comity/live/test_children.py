@@ -23,9 +23,10 @@ goals: [{{greet: anna}}]
 AGES = {"": None, ", age: 17": 17, ", age: 18": 18, ", age: 40": 40}
 
 
-@pytest.mark.parametrize(
-    ("age", "adults_only", "child_study", "consent"), product(AGES, *[("true", "false")] * 3)
-)
+CASES = [*product(AGES, *[("true", "false")] * 3)]
+
+
+@pytest.mark.parametrize(("age", "adults_only", "child_study", "consent"), CASES)
 def test_whom_a_real_robot_may_go_to(here, age, adults_only, child_study, consent):
     path = here / "one.scenario.yaml"
     text = SCENARIO.format(age=age, adults_only=adults_only, child_study=child_study, consent=consent)
@@ -45,7 +46,5 @@ def test_whom_a_real_robot_may_go_to(here, age, adults_only, child_study, consen
 
 @pytest.mark.parametrize(("age", "is_noted"), [(6, True), (17.9, True), (18, False), (40, False)])
 def test_what_is_inferred_for_a_child_has_a_note(age, is_noted):
-    notes = (*comity.infer({"age": age}).notes, *comity.infer(age=age).notes)
-    assert [note for note in notes if "under 18" in note] == 2 * [
-        "under 18: no rule was made for children or tested with them"
-    ] * is_noted
+    for values in (comity.infer({"age": age}), comity.infer(age=age)):
+        assert any("under 18" in note for note in values.notes) == is_noted

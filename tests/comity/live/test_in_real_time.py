@@ -38,26 +38,21 @@ class Real:
 '''
 
 
+NOW = """
+
+    def now_s(self):
+        return time.monotonic()
+"""
+
+
 @pytest.mark.integration
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_brings_the_base_to_rest_and_the_run_folder_is_whole(here, which):
     (here / "real_robot.py").write_text(ROBOT, encoding="utf-8")
-    command = [
-        sys.executable,
-        "-m",
-        "comity",
-        "run",
-        "johanna",
-        "--robot",
-        "real_robot:Real",
-        "--adults-only",
-        "--out",
-        "own",
-    ]
+    options = ["--robot", "real_robot:Real", "--adults-only", "--out", "own", "--json"]
+    command = [sys.executable, "-m", "comity", "run", "johanna", *options]
     paths = os.pathsep.join((str(TESTS), os.environ.get("PYTHONPATH", "")))
-    process = subprocess.Popen(
-        [*command, "--json"], stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths}
-    )
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths})
     ends_s = time.monotonic() + 60
     while not is_moving(here) and time.monotonic() < ends_s:
         time.sleep(0.1)
@@ -72,6 +67,17 @@ def test_a_signal_brings_the_base_to_rest_and_the_run_folder_is_whole(here, whic
     speeds = [float(line) for line in (here / "moves.txt").read_text(encoding="utf-8").split()]
     assert max(speeds) > 0.0
     assert speeds[-1] == 0.0
+
+
+@pytest.mark.integration
+def test_a_whole_visit_by_a_clock_that_never_stands_still_is_recorded(here, comity, monkeypatch):
+    monkeypatch.syspath_prepend(str(here))
+    text = ROBOT.replace("return getattr(self._robot, name)", "return getattr(self._robot, name)" + NOW)
+    (here / "real_clock.py").write_text(text, encoding="utf-8")
+    said = comity("run", "johanna", "--robot", "real_clock:Real", "--adults-only", "--out", "own", "--json")
+    assert said.code == 0
+    assert (said.json["status"], said.json["outcome"]) == ("done", "success")
+    assert "replay.html" in said.json["files"]
 
 
 def is_moving(here: Path) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 from gliding import SCENARIO, Gliding, gliding, written
@@ -173,35 +174,117 @@ def test_once_the_robot_has_made_sure_everybody_is_met_as_themselves(here):
     assert any("Guest" in (act.text or "") for act in robot.told("perform"))
 
 
-@pytest.mark.parametrize(
-    "fault",
-    [
-        lambda robot: setattr(robot, "localisation", raising),
-        lambda robot: setattr(robot, "tracks", raising),
-        lambda robot: robot.people.update(guest=(math.nan, 3.0, 0.0)),
-        lambda robot: robot.people.update(guest=(6.0, 3.0, 1e9)),
-    ],
-    ids=["localisation raises", "tracks raises", "a place that is none", "an angle of many turns"],
-)
-def test_whatever_the_robot_says_of_people_the_episode_has_an_outcome(here, fault):
-    """For two seconds it raises, or says what is none; nothing of that leaves the run."""
+def raising(_: object) -> None:
+    raise OSError("no answer")
+
+
+FAULTS = {
+    "localisation raises": {"tells": raising},
+    "localisation is a text": {"tells": lambda _: "here"},
+    "a place that is none": {"tells": lambda here: replace(here, x_m=math.nan)},
+    "a place outside the room": {"tells": lambda here: replace(here, x_m=-5.0)},
+    "a time to come": {"tells": lambda here: replace(here, stamp_s=here.stamp_s + 100.0)},
+    "a time that is none": {"tells": lambda here: replace(here, stamp_s=math.nan)},
+    "tracks raises": {"tells_of_people": raising},
+    "tracks of nobody": {"tells_of_people": lambda _: [None]},
+    "tracks of long ago": {
+        "tells_of_people": lambda tracks: [replace(one, stamp_s=one.stamp_s - 5.0) for one in tracks]
+    },
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_what_cannot_be_believed_is_silence(here, fault):
+    """For four seconds it says what is none: within 0.5 s the base stands, and goes on afterwards."""
     robot = gliding()
-    sleep, place = robot.sleep, dict(robot.people)
+    sleep, honest = robot.sleep, {name: getattr(robot, name) for name in FAULTS[fault]}
 
     def sleep_and_fail(seconds: float) -> None:
         sleep(seconds)
-        if 103.0 <= robot.t < 105.0:
-            fault(robot)
-        else:
-            vars(robot).pop("localisation", None)
-            vars(robot).pop("tracks", None)
-            robot.people = dict(place)
+        vars(robot).update(FAULTS[fault] if 103.0 <= robot.t < 107.0 else honest)
 
     live = LiveEpisode(prepare(as_seen(load_scenario(written(here, SCENARIO)), robot)), robot=robot)
     robot.sleep = sleep_and_fail
     live.run()
     assert live.so_far().outcome == "success"
+    stood = [one for one in live.disturbances if one.kind == "fault"]
+    assert stood[0].t == pytest.approx(3.5, abs=0.2)
+    assert stood[0].end_s == pytest.approx(7.0, abs=0.2)
+    assert {v for t, _, _, v in robot.path if 103.8 < t < 107.0} == {0.0}
 
 
-def raising() -> None:
-    raise OSError("no answer")
+@pytest.mark.parametrize("call", ["now_s", "sleep"])
+def test_a_broken_clock_ends_the_run_as_stopped(here, call):
+    robot = gliding()
+    live = LiveEpisode(prepare(as_seen(load_scenario(written(here, SCENARIO)), robot)), robot=robot)
+    own = getattr(robot, call)
+
+    def breaking(*given: float) -> float | None:
+        if robot.t >= 103.0:
+            raise OSError("no clock")
+        return own(*given)
+
+    setattr(robot, call, breaking)
+    live.run()
+    assert live.so_far().outcome in ("stopped", "stop_unconfirmed")
+    assert robot.told("stop")
+
+
+def test_two_tracks_of_one_person_are_two_bodies_and_nobody_is_sure(here):
+    robot = gliding()
+    robot.people["other"] = (5.4, 3.4, 0.0)
+    robot.called["other"] = "guest"
+    live = LiveEpisode(prepare(as_seen(load_scenario(written(here, SCENARIO)), robot)), robot=robot)
+    live.run()
+    episode = live.so_far()
+    assert "guest" in episode.uncertain
+    for x, y, _ in (robot.people["guest"], robot.people["other"]):
+        assert min(math.dist((px, py), (x, y)) for _, px, py, v in robot.path if v == 0.0) >= 0.45 + 0.29
+
+
+def test_a_dropped_frame_is_neither_a_loss_nor_a_doubt(here):
+    """The tracker drops somebody for two ticks, again and again."""
+    robot = gliding()
+    sleep = robot.sleep
+
+    def sleep_and_drop(seconds: float) -> None:
+        sleep(seconds)
+        robot.dropped = {"host", "guest"} if round(robot.t / 0.05) % 20 < 2 else set()
+
+    live = LiveEpisode(prepare(as_seen(load_scenario(written(here, SCENARIO)), robot)), robot=robot)
+    robot.sleep = sleep_and_drop
+    live.run()
+    episode = live.so_far()
+    assert episode.outcome == "success"
+    assert episode.uncertain == frozenset()
+    assert episode.disturbances == ()
+
+
+def test_in_doubt_nobody_is_approached_faster_than_any_of_them_likes(here):
+    robot = gliding()
+    robot.sure_of = {"host": None, "guest": None}
+    prepared = prepare(as_seen(load_scenario(written(here, SCENARIO)), robot))
+    live = LiveEpisode(prepared, robot=robot)
+    live.run()
+    slowest = min(values["approach_speed"].number for values in prepared.values.values())
+    for values in live.so_far().values.values():
+        assert values["approach_speed"].number <= slowest + 1e-9
+
+
+def test_a_base_whose_goal_stays_succeeded_after_it_was_stopped_has_stopped(here):
+    robot = gliding()
+    stop, motion = robot.stop, robot.motion
+
+    def stay(goal: object = None) -> None:
+        was = motion()
+        stop(goal)
+        robot.motion = lambda: replace(motion(), state=was.state) if was.state == "succeeded" else motion()
+
+    def go(goal: object, go=robot.go) -> object:
+        robot.motion = motion
+        return go(goal)
+
+    robot.stop, robot.go = stay, go
+    live = LiveEpisode(prepare(as_seen(load_scenario(written(here, SCENARIO)), robot)), robot=robot)
+    live.run()
+    assert live.so_far().outcome == "success"
