@@ -48,7 +48,7 @@ class RealWorld:
         if now_s <= self._recorded_s:
             return  # a simulated clock that has not gone on
         self._recorded_s = now_s
-        poses = (self.robot.pose, *(person.pose for person in self.robot.people))
+        poses = (self.robot.here, *(person.pose for person in self.robot.people))
         rows = (frame_row(pose) for pose in poses)
         self._recorder.record(now_s, [(round(x, DIGITS), round(y, DIGITS), turn) for x, y, turn in rows])
 

@@ -27,6 +27,7 @@ from comity_sim2d.pose import Pose, direction_to
 from comity_sim2d.robot.in_the_way import in_the_way
 from comity_sim2d.robot.motion import Reading
 from comity_sim2d.scene.obstacles import Surroundings, floor_plan
+from comity_sim2d.senses.taken_apart import off_things
 
 if TYPE_CHECKING:
     from comity.live.operator import Operator
@@ -97,7 +98,7 @@ class RobotOnMap:
         own = [self._by_own_clock(track) for track in tracks]
         if not self._is_deaf(now_s):
             is_free = getattr(self._base, "floor_is_free", None)
-            self._seen.take_in(own, self.pose, self.now_s(), is_free=is_free)
+            self._seen.take_in(own, self.here, self.now_s(), is_free=is_free)
             self._identities.take_in(own, self.now_s(), doubted=several)
         self._strangers = tuple(stranger(track) for track in own if track.person not in self._names)
 
@@ -131,7 +132,7 @@ class RobotOnMap:
         for what, age in ages.items():
             if age > SILENT_S:
                 return f"nothing was heard of the {what} for {_age(age)}"
-        return self._seen.may_be_at(self.pose, self.now_s())
+        return self._seen.may_be_at(self.here, self.now_s())
 
     @property
     def name(self) -> str:
@@ -149,6 +150,13 @@ class RobotOnMap:
 
     @property
     def pose(self) -> Pose:
+        """Where it can be, near where it last knew to be: localisation that is off puts it into things."""
+        here, radius_m = self.here, self._scene.robot.radius_m
+        x_m, y_m = off_things(here.xy, radius_m, self._surroundings.plan)
+        return Pose(x_m, y_m, here.heading_rad)
+
+    @property
+    def here(self) -> Pose:
         """Where it last knew to be; before it ever did, where the scenario has it."""
         here = self._localised
         return (
@@ -205,7 +213,7 @@ class RobotOnMap:
         seen, here = self._seen.of(person), self._localised
         if not seen.is_seen or seen.stamp_s is None or here is None or self.has_to_stand:
             return None
-        stands = docked(self.pose, self._scene.robot.radius_m, seen.person)
+        stands = docked(self.here, self._scene.robot.radius_m, seen.person)
         return Reading(
             distance_m=stands.distance_m,
             centre_distance_m=stands.centre_distance_m,
@@ -367,7 +375,7 @@ class RobotOnMap:
         """Whether the robot is so near somebody that it has to begin to slow down for them."""
         can = self.capabilities
         ahead_m = speed_m_s * can.latency_s + speed_m_s**2 / (2.0 * can.braking_m_s2) + FOLLOW_M
-        gap_m = dist(self.pose.xy, person.xy) - self._scene.robot.radius_m - person.radius_m
+        gap_m = dist(self.here.xy, person.xy) - self._scene.robot.radius_m - person.radius_m
         return gap_m <= NEAR_PEOPLE_M + ahead_m
 
     @property

@@ -17,8 +17,14 @@ from comity_executor.execution import Execution, ExecutionStatus
 
 RATE_HZ = 20.0
 """A goal holds for 0.3 s (`LONGEST_LEASE_S`): at this rate five ticks may be late before the base stops."""
+HANGS_S = 1.0
+"""Once the loop is to end, a call that takes longer is broken off (our choice)."""
 WAY_OUT_S = 60.0
 """A base that cannot be made to stop is told so for so long after the loop's end (our choice)."""
+
+
+class HungError(TimeoutError):
+    """A call of the robot that has not returned, and was broken off."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,12 +80,15 @@ class Loop:
         self._ticks = 0
         self._overruns: list[Overrun] = []
         self._signal: signal.Signals | None = None
+        self._since_s: float | None = None
+        """When what may hang was called, by the real clock; None while nothing was."""
 
     def run(self, each: Callable[[], None] = lambda: None) -> LoopReport:
         """Tick until the execution is over, or a signal comes, and leave the base at rest.
 
         A first Ctrl-C or SIGTERM ends the loop as it should end; a second one while the base is made to stop
-        is as it always is.
+        is as it always is. A call of the robot that does not return is broken off then, with a `HungError`,
+        where the system can do that.
 
         Args:
             each: Called after every tick, such as to show how it goes, or to `resume` after a stop.
@@ -87,7 +96,7 @@ class Loop:
         with self._signals():
             try:
                 while self._signal is None and self._tick() == "running":
-                    each()
+                    self._watched(each)
                     self._pause()
             finally:
                 self._stop()
@@ -96,12 +105,30 @@ class Loop:
 
     def _tick(self) -> ExecutionStatus:
         self._began_s = self._clock()
-        status = self._execution.tick()
+        self._watched(self._execution.tick)
+        status = self._execution.status
         took_s = self._clock() - self._began_s
         if took_s > self._period_s:
             self._overruns.append(Overrun(self._ticks, took_s))
         self._ticks += 1
         return status
+
+    def _watched(self, call: Callable[[], object]) -> None:
+        """Call what may hang; once a signal has come it is broken off after a while."""
+        self._since_s = time.monotonic()
+        try:
+            call()
+        except HungError as error:
+            self._execution.stop(str(error))
+        finally:
+            self._since_s = None
+
+    def _break_off(self, number: int, _: object) -> None:
+        """What a timer calls again and again, once a signal has come."""
+        since_s = self._since_s
+        if since_s is not None and time.monotonic() - since_s > HANGS_S:
+            self._since_s = time.monotonic()
+            raise HungError(f"a call of the robot has not returned within {HANGS_S:g} s")
 
     def _pause(self) -> None:
         """Until the next tick is due; what a late one has missed is not made up for."""
@@ -114,7 +141,7 @@ class Loop:
         self._execution.stop(self._signal.name if self._signal else "the loop was left")
         ends_s = self._clock() + WAY_OUT_S
         while True:
-            self._execution.tick()
+            self._watched(self._execution.tick)
             if self._execution.is_at_rest or self._execution.status == "stop_unconfirmed":
                 return
             if self._clock() >= ends_s:  # the robot's own clock stands still
@@ -132,12 +159,19 @@ class Loop:
         def note(number: int, _: object) -> None:
             self._signal = signal.Signals(number)
             signal.signal(number, before[self._signal] or signal.SIG_DFL)
+            if hasattr(signal, "setitimer"):
+                signal.signal(signal.SIGALRM, self._break_off)
+                signal.setitimer(signal.ITIMER_REAL, HANGS_S, HANGS_S)
 
         for number, handler in before.items():
             if handler is not signal.SIG_IGN:
                 signal.signal(number, note)
+        alarm = signal.getsignal(signal.SIGALRM) if hasattr(signal, "SIGALRM") else None
         try:
             yield
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler or signal.SIG_DFL)
+            if hasattr(signal, "setitimer"):
+                signal.setitimer(signal.ITIMER_REAL, 0.0)
+                signal.signal(signal.SIGALRM, alarm or signal.SIG_DFL)

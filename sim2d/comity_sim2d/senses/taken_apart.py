@@ -39,7 +39,7 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
     for _ in range(ROUNDS):
         before = list(at)
         for i, person in enumerate(people):
-            at[i] = _off_robot(_off_things(at[i], person.radius_m, plan), person.radius_m, robot)
+            at[i] = _off_robot(off_things(at[i], person.radius_m, plan), person.radius_m, robot)
         for i, j, reach_m in near:
             if math.dist(at[i], at[j]) < reach_m:
                 at[i], at[j] = _off_one_another(at[i], at[j], reach_m)
@@ -51,7 +51,8 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
     )
 
 
-def _off_things(xy: XY, radius_m: float, plan: FloorPlan) -> XY:
+def off_things(xy: XY, radius_m: float, plan: FloorPlan) -> XY:
+    """The nearest place where a disc is clear of walls and furniture; the same where it is already."""
     if plan.blocker(xy, radius_m) is None:
         return xy
     from shapely import Point

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
+import time
 
 import pytest
 from hypothesis import given, settings
@@ -82,6 +84,32 @@ def test_a_signal_stops_the_base_and_says_whether_it_rests(number: signal.Signal
     assert report.interrupted_by == number.name
     assert hall.at_rest
     assert signal.getsignal(number) is before
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system cannot break a call off")
+@pytest.mark.parametrize("call", ["motion", "read"])
+def test_a_call_that_does_not_return_holds_no_signal_up(call: str) -> None:
+    """It hangs in mid-motion; the signal ends the loop all the same, and the base is told to stop."""
+    hall = RealHall()
+    execution, loop = loop_of(hall)
+    before, answer, ticks = signal.getsignal(signal.SIGALRM), getattr(hall, call), iter(range(1000))
+
+    def hang_once(*given: str) -> object:
+        setattr(hall, call, answer)
+        threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+        time.sleep(60.0)
+        return answer(*given)
+
+    def each() -> None:
+        if next(ticks) == 30:
+            setattr(hall, call, hang_once)
+
+    began_s = time.monotonic()
+    report = loop.run(each)
+    assert time.monotonic() - began_s < 30.0
+    assert (execution.status, report.interrupted_by) == ("stopped", "SIGINT")
+    assert hall.at_rest
+    assert signal.getsignal(signal.SIGALRM) is before
 
 
 def test_an_error_stops_the_base_on_its_way_out() -> None:
