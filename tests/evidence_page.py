@@ -24,6 +24,11 @@ elsewhere, and each says which.
 
 A grade says how well a finding is supported, and not how large the effect is: every value is a
 prior, with the spread that stands beside its parameter.
+
+One measure for all. A finding is weak where it rests on a theory, on memory, on one project's choice, on
+one or two dozen people, or on something else than what its rule says, such as postures for gestures, cities
+for robots, or a comparison of two countries for all. It is contested where studies of the same thing found
+the opposite.
 """
 
 BEHAVIOURS = """\
@@ -41,6 +46,9 @@ BEHAVIOURS = """\
 | `gesture_amplitude` | stands in the record of the gesture, and in the picture |
 | `touch` | `none`, asked for, takes the handshake out whatever was consented to; else nothing by itself |
 | `bow_extent`, `mutual_gaze`, `initiative`, `explanation_level` | nothing: no rule for them is on |
+
+For `speech_rate`, `gesture_amplitude`, `verbal_directness`, `formality` and `rhetorical_style` no rule is on
+either: what a person asks for decides, else the neutral value.
 """
 
 
@@ -57,8 +65,32 @@ def page(rulebook: Rulebook) -> str:
         "## Rules",
         *(part for parameter in rulebook.parameters for part in _rules(rulebook, parameter)),
     )
-    parts = (head, _parameters(rulebook.parameters.values()), BEHAVIOURS, *rules, _sources(rulebook))
+    parts = (
+        head,
+        _on(rulebook),
+        _parameters(rulebook.parameters.values()),
+        BEHAVIOURS,
+        *rules,
+        _sources(rulebook),
+    )
     return "\n".join(part.rstrip() + "\n" for part in parts)
+
+
+def _on(rulebook: Rulebook) -> str:
+    """What is on and why: each finding once, with how its sources measured it."""
+    by_finding = {rule.finding: rule for rule in rulebook.rules if rule.enabled}
+    rows = [
+        (
+            rule.finding,
+            ", ".join(dict.fromkeys(is_.name for is_ in rule.consequents)),
+            rule.evidence,
+            ". ".join(f"{source.key}: {source.measured}" for source in rule.sources),
+        )
+        for rule in by_finding.values()
+    ]
+    return "## What is on, and why\n\n" + _table(
+        ("finding", "parameter", "grade", "how it was measured"), rows
+    )
 
 
 def _parameters(parameters: Iterable[Parameter]) -> str:

@@ -125,7 +125,9 @@ def test_a_table_of_scores_may_have_a_people_as_a_row(tmp_path):
 
     (tmp_path / "x.csv").write_text("country,score\nDEU,67\nKurdish,40\n", encoding="utf-8")
     table = read_scores(tmp_path / "x.csv")
-    assert table.find("kurdish").value == 40.0
+    kurdish = table.find("kurdish")
+    assert kurdish is not None
+    assert kurdish.value == 40.0
     assert table.find("Roma") is None
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from datetime import date
 from importlib.resources import files
 
-import numpy as np
 import pytest
 import yaml
 
@@ -110,16 +109,17 @@ def test_a_strangers_visit_ends_farther_off_than_a_friends(meet):
     assert distance_m(far) - distance_m(near) == pytest.approx(0.38, abs=0.03)
 
 
-def test_two_cultures_with_different_gestures_are_seen_to_differ(meet):
-    japanese, german = meet({"culture": "JPN"}), meet({"culture": "DEU"})
-    assert act(japanese, "bow").amplitude < act(german, "nod").amplitude
+def test_manner_and_words_do_not_follow_from_culture_while_their_findings_are_weak(meet):
+    told = [meet({"culture": culture}) for culture in ("DEU", "JPN", "Arab countries")]
+    assert {act(one, "utter").text for one in told} == {"Hello, Johanna."}
+    assert {act(one, "utter").volume for one in told} == {0.5}
 
 
 def test_words_follow_directness_formality_style_and_language(meet):
     said = {
-        "explicit": act(meet({"culture": "DEU"}), "utter").text,
-        "implicit": act(meet({"culture": "Arab countries"}), "utter").text,
-        "informal": act(meet({}, situation={"familiarity": "close"}), "utter").text,
+        "explicit": act(meet({"settings": {"verbal_directness": 0.9}}), "utter").text,
+        "implicit": act(meet({"settings": {"verbal_directness": 0.1}}), "utter").text,
+        "informal": act(meet({"settings": {"formality": 0.1}}), "utter").text,
         "rhetorical": act(
             meet(
                 {"languages": ["ara"], "settings": {"rhetorical_style": 0.9}},
@@ -142,23 +142,10 @@ def test_words_follow_directness_formality_style_and_language(meet):
         "implicit": "Hello, Johanna. I am here, should anything be needed.",
         "informal": "Hi, Johanna.",
         "rhetorical": "Marhaban, Johanna. Tasharraftu bi-liqaikum.",
-        "to a close person": "Marhaba, Johanna.",
+        "to a close person": "Marhaban, Johanna.",
         "plain": "Hello, Johanna.",
         "formal": "Good day, Johanna.",
     }
-
-
-def test_who_is_new_to_robots_is_approached_more_slowly(meet):
-    """Judged from the frames, over the last two thirds of a metre."""
-    fastest = {}
-    for experience in ("low", "high"):
-        frames = meet({"robot_experience": experience}).frames
-        robot, person = (frames.of(name)[:, :2] for name in ("robot", "johanna"))
-        steps = np.hypot(*np.diff(robot, axis=0).T) / np.diff(frames.time_s)
-        near = np.hypot(*(robot - person).T)[1:] < 1.5
-        fastest[experience] = steps[near].max()
-    assert fastest["low"] == pytest.approx(0.254, abs=0.02)
-    assert fastest["high"] == pytest.approx(0.35, abs=0.02)
 
 
 def test_a_rulebook_without_manners_leaves_the_normal_ones():
@@ -168,9 +155,9 @@ def test_a_rulebook_without_manners_leaves_the_normal_ones():
 
 
 def test_the_trace_tells_why_the_words_were_chosen(meet):
-    causes = [cause.text for event in meet({"culture": "DEU"}).events for cause in event.because]
-    assert any(text.startswith("verbal_directness 0.7") for text in causes)
-    assert "if individualism is LC2 then verbal_directness is explicit" in causes
+    causes = [cause.text for event in meet({"languages": ["ara"]}).events for cause in event.because]
+    assert any(text.startswith("greeting_language ara") for text in causes)
+    assert "if language is ara then greeting_language is ara" in causes
 
 
 @pytest.mark.parametrize(

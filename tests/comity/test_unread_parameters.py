@@ -47,7 +47,7 @@ def test_every_door_notes_the_behaviour_parameters_that_no_action_reads(names, k
 
 def test_a_run_notes_it_too(here, comity):
     values = comity("run", "johanna", "--rulebook", "evidence", "--json").json["values"]
-    assert [note.split(":")[0] for note in values["johanna"]["notes"]] == ["bow_extent", "mutual_gaze"]
+    assert [note.split(":")[0] for note in values["johanna"]["notes"][:2]] == ["bow_extent", "mutual_gaze"]
 
 
 def test_a_rulebook_that_is_not_for_visits_gets_no_note():

@@ -15,12 +15,12 @@ GRADES = {
     **dict.fromkeys(("dist-1", "dist-2", "dist-3", "dist-4", "dist-5", "dist-6"), "contested"),
     **dict.fromkeys(("dist-7", "dist-8", "dist-9"), "strong"),
     **{"dist-10": "moderate", "dir-1": "strong", "dir-2": "moderate", "dir-3": "weak"},
-    **{"speed-1": "moderate", "speed-2": "weak", "speed-3": "weak"},
+    **{"speed-1": "weak", "speed-2": "weak", "speed-3": "weak"},
     **{"greet-1": "moderate", "greet-2": "moderate", "greet-3": "weak", "greet-4": "weak"},
     **{"greet-5": "moderate", "bow-1": "weak", "bow-2": "weak", "vol-1": "weak", "vol-2": "moderate"},
-    **{"rate-1": "weak", "gaze-1": "contested", "gaze-2": "weak", "gest-1": "moderate", "gest-2": "weak"},
-    **{"dirv-1": "moderate", "dirv-2": "moderate", "form-1": "weak", "form-2": "moderate"},
-    **{"rhet-1": "moderate", "touch-1": "strong", "touch-2": "weak", "init-1": "weak", "init-2": "weak"},
+    **{"rate-1": "weak", "gaze-1": "contested", "gaze-2": "weak", "gest-1": "weak", "gest-2": "weak"},
+    **{"dirv-1": "weak", "dirv-2": "weak", "form-1": "weak", "form-2": "weak"},
+    **{"rhet-1": "weak", "touch-1": "strong", "touch-2": "weak", "init-1": "weak", "init-2": "weak"},
 }
 """Every finding that was collected, with its grade."""
 
@@ -172,6 +172,7 @@ def _differs(before, after, facts, rule):
 
 def _everybody():
     shared = {"power_distance": 90, "uncertainty_avoidance": 90, "age": 80, "familiarity": "close"}
+    shared |= {"robot_experience": "low", "language": "ara"}
     for individualism, culture, gender in product(
         (20, 80), ("JPN", "IND", "GBR", "MEX", "ITA"), ("female", "male")
     ):
