@@ -41,6 +41,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
                 "status",
                 "outcome",
                 "scenario",
+                "robot",
                 "rulebook",
                 "profiles",
                 "at",

@@ -12,7 +12,8 @@ export function title(episode) {
   const profiles = Object.entries(account.profiles).map(
     ([person, profile]) => `${person} as ${plain(profile)}`,
   );
-  const facts = [seconds(episode.end), plain(account.rulebook), `seed ${account.seed}`, ...profiles];
+  const carriedOut = account.robot ? `with ${account.robot}` : `seed ${account.seed}`;
+  const facts = [seconds(episode.end), plain(account.rulebook), carriedOut, ...profiles];
   return el(
     "div",
     { class: "title" },
