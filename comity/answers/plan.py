@@ -273,7 +273,11 @@ class PlanAnswer(Answer):
     unreachable: tuple[UnreachableAnswer, ...] = Field(description="Whom no plan can serve.")
     unmet: tuple[UnmetAnswer, ...] = Field(description="Every goal that fails, with what stands in its way.")
     already: tuple[str, ...] = Field(description="Who was greeted before the start.")
-    notes: tuple[str, ...] = Field(default=(), description="Behaviour parameters that no action reads.")
+    notes: tuple[str, ...] = Field(
+        default=(),
+        description="Behaviour parameters that no action reads, and people whom the sensor would not show "
+        "from where the robot is to stand.",
+    )
     stability: StabilityAnswer | None = Field(
         default=None, description="With `--stability`, up to 12 people; null beyond."
     )

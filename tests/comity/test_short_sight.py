@@ -75,6 +75,17 @@ def test_whom_it_does_not_see_from_there_it_comes_to_slowly_and_says_so(profile)
     assert stop.stop_distance_error_m == pytest.approx(0.0, abs=0.01)
 
 
+def test_the_plan_says_whom_the_robot_will_not_verify(comity, here):
+    for range_m, notes in ((1.0, 1), (10.0, 0)):
+        written = {"range_m": range_m, "profile": "german_man", "noise_m": 0.0, "drive": "omnidirectional"}
+        Path("room.scenario.yaml").write_text(ROOM % written, encoding="utf-8")
+        found = [
+            note for note in comity("plan", "room.scenario.yaml", "--json").json["notes"] if "ada" in note
+        ]
+        assert len(found) == notes
+        assert all("not verified" in note for note in found)
+
+
 def test_the_trace_and_the_answer_say_that_it_is_not_verified(comity, here):
     written = {"range_m": 1.0, "profile": "german_man", "noise_m": 0.0, "drive": "omnidirectional"}
     Path("room.scenario.yaml").write_text(ROOM % written, encoding="utf-8")

@@ -195,6 +195,7 @@ RECORDS = {
     "Metrics",
     "Motion",
     "OSpace",
+    "PlannedRoute",
     "Pose",
     "Reading",
     "Route",

@@ -13,6 +13,7 @@ from comity.report.plans.side import SIDES
 from comity.report.plans.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
 from comity_domain import Plan, as_json
+from comity_sim2d.senses.sight import too_short_for
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -38,9 +39,20 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
             "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
             "unmet": [asdict(goal) for goal in prepared.unmet],
             "already": _already(prepared.file),
-            "notes": notes_of_unread(prepared.rulebook),
+            "notes": (*notes_of_unread(prepared.rulebook), *_unverified(prepared)),
         }
     )
+
+
+def _unverified(prepared: Prepared) -> Iterator[str]:
+    """The people whom the sensor would not show from the target distance, with why."""
+    robot = prepared.scene.robot
+    for step in prepared.plan.steps:
+        distance_m = step.parameters.get("conversational_distance")
+        if step.action == "Reach_user" and isinstance(distance_m, float):
+            reason = too_short_for(robot.sensor, robot.radius_m + distance_m)
+            if reason is not None:
+                yield f"{step.person}: {reason}"
 
 
 def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswer, ...]:

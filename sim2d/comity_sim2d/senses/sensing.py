@@ -18,11 +18,9 @@ from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.active_faults import SENSORS, ActiveFaults
 from comity_sim2d.senses.missing import Missing
 from comity_sim2d.senses.seen_floor import Numbers, SeenFloor, WalkedOut
-from comity_sim2d.senses.sight import PLAIN_M, PLAIN_SIGMAS, Sight
+from comity_sim2d.senses.sight import Sight, too_short_for
 from comity_sim2d.senses.tracking import Track
 
-SPARE_M = 0.05
-"""So much more than plain view takes: the robot stops a little beside its mark (our choice)."""
 DRIFTS_M_S = 0.05
 """Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
 
@@ -176,13 +174,7 @@ class Senses:
         Args:
             apart_m: From the robot's centre to the surface of the person's body [m].
         """
-        needed_m = apart_m + SPARE_M + PLAIN_M + PLAIN_SIGMAS * self.noise_m
-        if needed_m <= self._sensor.range_m:
-            return None
-        return (
-            f"not verified: the sensor sees {self._sensor.range_m:.2f} m far, and {needed_m:.2f} m "
-            "are needed to be sure that the person is there"
-        )
+        return too_short_for(self._sensor, apart_m)
 
     def would_see(self, name: str, robot: XY) -> bool:
         """Whether a look from there would show if somebody whom it does not see is where it believes."""

@@ -19,6 +19,25 @@ PLAIN_SIGMAS = 3.0
 PLAIN_SHARE = 0.5
 """The middle of the field of view, so much of it, is plain view however near somebody is (our choice)."""
 
+SPARE_M = 0.05
+"""So much more than plain view takes: the robot stops a little beside its mark (our choice)."""
+
+
+def too_short_for(sensor: Sensor, apart_m: float) -> str | None:
+    """Why a sensor would not surely show a person so far away; None where it would.
+
+    Args:
+        sensor: Its range and noise.
+        apart_m: From the robot's centre to the surface of the person's body [m].
+    """
+    needed_m = apart_m + SPARE_M + PLAIN_M + PLAIN_SIGMAS * sensor.sigma_m
+    if needed_m <= sensor.range_m:
+        return None
+    return (
+        f"not verified: the sensor sees {sensor.range_m:.2f} m far, and {needed_m:.2f} m are needed "
+        "to be sure that the person is there"
+    )
+
 
 class Sight:
     """The sensor's view of a floor plan.
