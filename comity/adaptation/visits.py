@@ -35,10 +35,12 @@ class Meeting:
     model_m: float
     """What culture and situation gave."""
     interval_m: tuple[float, float]
-    """Where the middle of the person's comfort interval lay with 90 % probability, as the robot saw it."""
+    """Where the middle of the person's comfort interval lay with 90 % probability, as the robot saw it; no
+    nearer than safety allows."""
     wanted_m: float
     """Where the robot wanted to stop."""
     reached_m: float | None
+    """Where it stood in truth when it docked."""
     shown: Signal | None
     """What the person truly did; None where the robot never came to stand before them."""
     seen: Observation | None
@@ -155,9 +157,9 @@ def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[M
     _require_days(acquaintance, times)
     person = load_scenario(STAGE).scenario.people[PERSON]
     known = tuple(seen for seen in acquaintance.known if seen.situation == situation_of(person))
-    spread = _parameter(load_rulebook(acquaintance.rulebook)).spread
+    parameter = _parameter(load_rulebook(acquaintance.rulebook))
     for visit in range(times):
-        meeting = _meet(acquaintance, comfort, visit, known, spread)
+        meeting = _meet(acquaintance, comfort, visit, known, parameter)
         if meeting.seen is not None:
             known = (*known, meeting.seen)
         yield meeting
@@ -175,24 +177,30 @@ def _require_days(acquaintance: Acquaintance, times: int) -> None:
 
 
 def _meet(
-    acquaintance: Acquaintance, comfort: Comfort, visit: int, known: tuple[Learning, ...], spread: float
+    acquaintance: Acquaintance,
+    comfort: Comfort,
+    visit: int,
+    known: tuple[Learning, ...],
+    parameter: NumericParameter,
 ) -> Meeting:
     days = visit * acquaintance.every_days
     day = acquaintance.begin + timedelta(days=days)
-    prepared = acquaintance.prepared(comfort, day, learnt_on(day, known, spread))
+    prepared = acquaintance.prepared(comfort, day, learnt_on(day, known, parameter.spread))
     value = prepared.values[PERSON][PARAMETER]
-    low, high = comfort_on(day, known, spread).interval()
+    belief, model = comfort_on(day, known, parameter.spread), model_m(value)
+    low, high = belief.interval(nearest=parameter.safe.low - model)
     live = LiveEpisode(prepared, seed=1000 * acquaintance.seed + visit)
     live.run()
-    visits = live.so_far().visits
-    at = visits[0].docked_at if visits else None
+    episode = live.so_far()
+    visits, stops = episode.visits, episode.metrics.stopping
+    off_m = stops[PERSON].stop_distance_error_m if PERSON in stops else None
     situation = situation_of(prepared.file.scenario.people[PERSON])
     return Meeting(
         days=days,
-        model_m=model_m(value),
-        interval_m=(model_m(value) + float(low), model_m(value) + float(high)),
+        model_m=model,
+        interval_m=(model + float(low), model + float(high)),
         wanted_m=value.number,
-        reached_m=at.distance_m if at else None,
+        reached_m=None if off_m is None else value.number + off_m,
         shown=next((shown.signal for shown in live.shown), None),
         seen=observation(visits[0], prepared.values[PERSON], situation, day) if visits else None,
     )

@@ -18,10 +18,11 @@ class MeetingAnswer(Answer):
     distance_liked_m: float = Field(description="The middle of what the simulated person likes; hidden.")
     distance_model_m: float = Field(description="What culture and situation give.")
     interval_m: tuple[float, float] = Field(
-        description="Where the robot believed the liked distance with 90 % probability, before the visit."
+        description="Where the robot believed the liked distance with 90 % probability, before the visit; "
+        "no nearer than safety allows."
     )
     distance_wanted_m: float = Field(description="Where the robot wanted to stop.")
-    distance_reached_m: float | None
+    distance_reached_m: float | None = Field(description="Where the robot stood when it docked.")
     error_m: float | None = Field(description="Reached minus liked.")
     shown: Signal | None = Field(description="What the simulated person truly did.")
     noticed: Signal | None = Field(description="What the robot noticed.")

@@ -295,3 +295,26 @@ def test_visits_end_before_the_calendar_does(comity):
     said = comity("visits", "german_woman", "--times", "3", "--every", "30", "--at", "9999-12-01")
     assert said.code == 2
     assert "the calendar ends on 9999-12-31" in said.err
+
+
+def test_who_asked_it_nearer_and_was_at_ease_finds_it_there_a_month_later(comity):
+    """At ease from 0.5 to 0.8 m; the model says 0.85 m."""
+    words = ("visits", "german_woman", "--wants", "0.5..0.8", "--times", "4", "--json")
+    asked, at_ease, *later = comity(*words).json["visits"]
+    assert (asked["noticed"], at_ease["noticed"]) == ("ask_closer", "nothing")
+    assert at_ease["distance_reached_m"] == pytest.approx(0.70, abs=0.01)
+    for visit in later:
+        assert 0.69 <= visit["distance_wanted_m"] <= 0.73
+
+
+def test_no_interval_is_nearer_than_safety_allows_and_what_is_reached_is_where_the_robot_stood(comity):
+    """Somebody at ease from 0.3 to 0.5 m asks the robot nearer: it stops half a spread nearer, at 0.49 m."""
+    words = ("visits", "arab_woman", "--wants", "0.30..0.50", "--times", "4", "--seed", "1", "--json")
+    first, second, *_ = visits = comity(*words).json["visits"]
+    for visit in visits:
+        assert visit["interval_m"][0] >= 0.30
+        assert visit["distance_reached_m"] == pytest.approx(visit["distance_wanted_m"], abs=0.015)
+    assert first["noticed"] == "ask_closer"
+    assert second["distance_reached_m"] == pytest.approx(0.49, abs=0.015)
+    assert second["error_m"] == pytest.approx(0.09, abs=0.015)
+    assert "0.00.." not in comity(*words[:-1]).out

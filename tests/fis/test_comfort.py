@@ -263,6 +263,32 @@ def test_the_personal_offset_is_bounded(history):
     assert abs(float(known.offset)) <= FARTHEST * SPREAD + 1e-9
 
 
+@few
+@given(
+    st.floats(-WITHIN * SPREAD, WITHIN * SPREAD),
+    st.lists(st.floats(1, 60), min_size=1, max_size=8),
+)
+def test_who_asked_it_nearer_and_is_at_ease_there_finds_it_there_a_month_later(at, pauses):
+    """Within 3 cm, at every further visit at which they show nothing; years later it may have gone back."""
+    known = Comfort.before_meeting(SPREAD).after("ask_closer", at)
+    asked = float(known.later(30).offset)
+    assert asked == pytest.approx(-STEP_NEARER * SPREAD, abs=WITHIN * SPREAD)
+    for days in pauses:
+        known = known.later(days)
+        assert asked - 1e-9 <= float(known.offset) <= asked + 0.03
+        known = known.after("nothing", float(known.offset))
+
+
+@few
+@given(OBSERVATIONS, st.floats(-0.6, 0.4), st.floats(0.1, 0.99))
+def test_no_end_of_an_interval_is_below_what_is_possible(history, nearest, share):
+    """And where hardly any of the belief is below it, nothing changes."""
+    known = learnt(history)
+    low, high = (float(end) for end in known.interval(share, nearest))
+    assert nearest - 1e-9 <= low < high
+    assert np.allclose(known.interval(share, nearest=-10.0), known.interval(share))
+
+
 @settings(max_examples=30)
 @given(st.permutations([("step_back", 0.0), ("nothing", 0.2), ("turn_away", 0.1), ("lean_in", 0.4)]))
 def test_the_order_of_signals_does_not_change_what_is_believed(signals):
@@ -390,4 +416,4 @@ def test_two_requests_outweigh_the_prior():
     """Somebody who twice asked for more distance is met a good way farther out."""
     known = learnt([("ask_farther", 0.0, 0), ("ask_farther", 0.15, 30)])
     assert float(known.offset) > 0.3
-    assert float(known.interval(0.8)[0]) > 0.1
+    assert float(known.interval(0.6)[0]) > 0.1

@@ -99,7 +99,7 @@ def _row(visit: MeetingAnswer) -> tuple[str, ...]:
         number(visit.distance_wanted_m, digits=2),
         number(visit.distance_reached_m, "m", digits=2),
         off,
-        f"{max(low, 0.0):.2f}..{high:.2f} m",
+        f"{low:.2f}..{high:.2f} m",
         _shown(visit),
     )
 

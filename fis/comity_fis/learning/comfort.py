@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from comity_fis.learning.comfort_loss import losses
-from comity_fis.learning.showing import MISREAD, feelings, noticed
-from comity_fis.learning.signals import AWAY, SIGNALS, Signal
+from comity_fis.learning.showing import MISREAD, WHEN_HABITUAL, feelings, noticed
+from comity_fis.learning.signals import AWAY, SIGNALS, WORDS, Signal
 
 Floats = NDArray[np.float64]
 
@@ -45,14 +45,16 @@ person then correlate by 1 / (1 + ANSWER**2) = 0.9 between people. Our own choic
 WITHIN = 0.1
 """An invitation from so little beyond a boundary was given at it."""
 
-CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9, 0.6])
+CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9, 0.6, 0.0])
 """How often a person shows a discomfort at all, by manner."""
-CONTRARY = np.array([False, False, False, False, True])
+CONTRARY = np.array([False, False, False, False, True, False])
 """Whether people of this manner show what others show for the opposite discomfort."""
-MANNER_WEIGHTS: Floats = np.array([0.40, 0.17, 0.23, 0.17, 0.03])
-"""Some people never show anything: silence alone never makes anything less likely than 0.40 times its prior.
-And a few may mean the opposite of what they show."""
-UNUSUAL_SHARE, UNUSUAL_SPREADS = 0.15, 2.0
+HABITUAL = np.array([False, False, False, False, False, True])
+"""Whether what people of this manner show means nothing: they invite, lean in or make room by habit."""
+MANNER_WEIGHTS: Floats = np.array([0.19, 0.21, 0.24, 0.18, 0.06, 0.12])
+"""Some people never show anything: silence alone never makes anything less likely than 0.19 times its prior.
+A few may mean the opposite of what they show, and some mean nothing by it."""
+UNUSUAL_SHARE, UNUSUAL_SPREADS = 0.11, 2.0
 """The prior of the middle has heavy tails: so many people are spread so much wider around the model's value,
 because the model may be wrong about them."""
 
@@ -72,6 +74,8 @@ class Comfort:
     """How near the robot may come uninvited, shape (...), in the parameter's unit."""
     asked: NDArray[np.bool_]
     """Whether they ever said themselves what they like, shape (...)."""
+    believed: NDArray[np.bool_]
+    """Whether they last spoke, or showed nothing nearer than the model's value, shape (...)."""
     said: Floats
     """How near invitations may bring the robot, shape (...): to the answer, or one step from the value."""
     held: Floats
@@ -92,6 +96,7 @@ class Comfort:
             weights,
             nearest=np.zeros(shape),
             asked=np.zeros(shape, dtype=np.bool_),
+            believed=np.zeros(shape, dtype=np.bool_),
             said=np.full(shape, -STEP_NEARER * spread),
             held=np.full(shape, -np.inf),
         )
@@ -116,11 +121,20 @@ class Comfort:
         felt = feelings(at[..., None, None] / self.spread, near, far, EDGE)
         close, far_off = (feeling[..., None] for feeling in felt)
         shown_as = np.where(CONTRARY, far_off, close), np.where(CONTRARY, close, far_off)
-        weights = self.weights * noticed(numbers[..., None, None, None], *shown_as, CHANCES)
+        chosen = numbers[..., None, None, None]
+        meant = noticed(chosen, *shown_as, CHANCES)
+        weights = self.weights * np.where(HABITUAL, WHEN_HABITUAL[chosen], meant)
         total = weights.sum(axis=(-3, -2, -1), keepdims=True)
         held = self._held_after(numbers, at)
         nearest = np.maximum(self._nearest_after(numbers, at), np.maximum(self.said, held))
-        return replace(self, weights=weights / total, nearest=nearest, held=held)
+        at_ease = _IS_QUIET[numbers] & (at < -WITHIN * self.spread)
+        return replace(
+            self,
+            weights=weights / total,
+            nearest=nearest,
+            held=held,
+            believed=_SPOKEN[numbers] | at_ease,
+        )
 
     def after_answer(self, offset: ArrayLike) -> Comfort:
         """The posterior after the person said, asked about it, which distance they like best.
@@ -152,10 +166,11 @@ class Comfort:
         """Where to stand next, from the model's value.
 
         It is the one of `PLACES` that is expected to cost least; and never nearer than the person allowed.
+        Harm does not count after an answer, nor after words, nor while they are at ease with it nearer.
         """
         of_middles = self.weights.sum(axis=(-2, -1))
         shown, said = ((of_middles @ costs.T).argmin(axis=-1) for costs in _losses())
-        best = PLACES[np.where(self.asked, said, shown)]
+        best = PLACES[np.where(self.asked | self.believed, said, shown)]
         return np.asarray(np.maximum(best * self.spread, self.nearest))
 
     @property
@@ -165,19 +180,30 @@ class Comfort:
         mean = of_middles @ MIDDLES
         return np.asarray(self.spread * np.sqrt(of_middles @ MIDDLES**2 - mean**2))
 
-    def quantile(self, probability: float) -> Floats:
+    def quantile(self, probability: ArrayLike) -> Floats:
         """Of the middle of the interval, from the model's value, interpolated between points of the grid."""
+        wanted = np.asarray(probability, dtype=np.float64)
         mass = self.weights.sum(axis=(-2, -1))
         edges = np.concatenate([np.zeros((*mass.shape[:-1], 1)), np.cumsum(mass, axis=-1)], axis=-1)
-        cell = np.minimum((edges[..., 1:] < probability).sum(axis=-1), len(MIDDLES) - 1)
+        cell = np.minimum((edges[..., 1:] < wanted[..., None]).sum(axis=-1), len(MIDDLES) - 1)
         below = np.take_along_axis(edges, cell[..., None], -1)[..., 0]
         inside = np.take_along_axis(mass, cell[..., None], -1)[..., 0]
         width = MIDDLES[1] - MIDDLES[0]
-        return np.asarray(self.spread * (MIDDLES[cell] + width * ((probability - below) / inside - 0.5)))
+        return np.asarray(self.spread * (MIDDLES[cell] + width * ((wanted - below) / inside - 0.5)))
 
-    def interval(self, share: float = 0.9) -> tuple[Floats, Floats]:
-        """Where the middle lies with so much probability, as much of the rest on either side."""
-        return self.quantile((1.0 - share) / 2.0), self.quantile((1.0 + share) / 2.0)
+    def interval(self, share: float = 0.9, nearest: float = -np.inf) -> tuple[Floats, Floats]:
+        """Where the middle lies with so much probability, as much of the rest on either side.
+
+        Args:
+            share: In (0, 1).
+            nearest: What is possible: given that the middle is no nearer, from the model's value.
+        """
+        cells = np.clip((nearest / self.spread - MIDDLES) / (MIDDLES[1] - MIDDLES[0]) + 0.5, 0.0, 1.0)
+        out = (self.weights.sum(axis=(-2, -1)) * cells).sum(axis=-1)
+        low, high = (
+            self.quantile(out + (1.0 - out) * end) for end in ((1.0 - share) / 2.0, (1.0 + share) / 2.0)
+        )
+        return low, high
 
     def _held_after(self, numbers: NDArray[np.int64], at: Floats) -> Floats:
         """How near the robot may come since a step back or a request for distance, until they say otherwise.
@@ -205,13 +231,15 @@ class Comfort:
 
 
 _IS_AWAY = np.array([signal in AWAY for signal in SIGNALS])
+_SPOKEN = np.array([signal in WORDS for signal in SIGNALS])
 _ASKS_NEARER = np.array([signal == "ask_closer" for signal in SIGNALS])
+_IS_QUIET = np.array([signal == "nothing" for signal in SIGNALS])
 _INVITES = np.array([signal in INVITES for signal in SIGNALS])
 
 
 @lru_cache(maxsize=1)
 def _losses() -> tuple[Floats, Floats]:
-    """With people who only showed what they like, and with those who said it: to believe them is no harm."""
+    """With people who only showed what they like, and with those who said it or are at ease: without harm."""
     return losses(PLACES, MIDDLES), losses(PLACES, MIDDLES, harm=0.0)
 
 

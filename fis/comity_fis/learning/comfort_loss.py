@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-HARM = 3.4
+HARM = 3.5
 """To leave somebody worse costs as much as being off by so many spreads. Set in the study of learning, with
 room to spare, so that at most one in twenty is left worse where one in ten means the opposite."""
 NOTICED = 1.0 / 6.0

@@ -25,6 +25,8 @@ MISREAD = 0.03
 """The share of moments in which what was noticed has nothing to do with what was felt."""
 WHEN_MISREAD: Floats = np.array([0.15, 0.05, 0.30, 0.15, 0.05, 0.30])
 """People turn for many reasons, and shift their weight; words are seldom misheard."""
+WHEN_HABITUAL: Floats = np.array([0.16, 0.03, 0.10, 0.18, 0.03, 0.50])
+"""Of people whose signals mean nothing: some lean in to hear, some make room."""
 
 
 def feelings(distance: ArrayLike, near: ArrayLike, far: ArrayLike, edge: float) -> tuple[Floats, Floats]:
