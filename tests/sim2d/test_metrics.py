@@ -409,8 +409,31 @@ def test_bearing_and_facing_errors_are_those_of_the_geometry():
     found = measure(walk, Known(visits=(visit,))).stopping["anna"]
     assert found.bearing_error_deg == pytest.approx(30.0)
     assert found.robot_facing_error_deg == pytest.approx(30.0)
-    assert found.person_facing_error_deg == pytest.approx(90.0)
+    assert found.person_facing_error_deg == pytest.approx(30.0)
     assert found.visible_approach_share == 0.0
+
+
+@pytest.mark.parametrize("bearing_deg", [-90.0, -45.0, 0.0, 30.0, 90.0])
+def test_a_wanted_side_is_no_error(bearing_deg):
+    """The robot stands 1 m from Anna, who looks along x, on the side that was wanted, and faces her."""
+    angle = math.radians(bearing_deg)
+    place = (5.0 + 1.45 * math.cos(angle), 1.45 * math.sin(angle), math.pi + angle)
+    walk = frames([place] * 12, (5.0, 0.0, 0.0), every_s=0.1)
+    span = Span(0.0, 1.0)
+    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, bearing_deg),))).stopping["anna"]
+    for error in (found.bearing_error_deg, found.person_facing_error_deg, found.robot_facing_error_deg):
+        assert error == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_distance_that_is_wished_for_on_the_way_is_no_error_of_what_was_held_before():
+    """It stands 1 m from Anna; after a second she wants 1.5 m, and it goes back."""
+    robot = line(3.55, *[3.55] * 10, *[3.55 - 0.05 * k for k in range(1, 11)], *[3.05] * 20)
+    walk = frames(robot, (5.0, 0.0, math.pi), every_s=0.1)
+    span = Span(0.0, float(walk.time_s[-1]))
+    docked = Span(0.0, 0.5)
+    visit = Wanted("anna", span, docked, 1.0, 0.0, distances_m=((0.0, 1.0), (1.0, 1.5)))
+    found = measure(walk, Known(visits=(visit,))).stopping["anna"]
+    assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
 
 
 def test_the_hold_error_is_the_root_mean_square_over_five_seconds():

@@ -104,7 +104,7 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
             "deg", "How far the robot looked past the person, at that rest.", OWN
         ),
         "person_facing_error_deg": Definition(
-            "deg", "How far the person looked past the robot, at that rest.", OWN
+            "deg", "How far the person looked past the robot, less the wanted bearing, at that rest.", OWN
         ),
         "speed_within_1_5_m_m_s": Definition(
             "m/s",
@@ -121,7 +121,7 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
         ),
         "hold_error_rms_m": Definition(
             "m",
-            "Root mean square of distance minus wanted, 5 s from that rest on or to the visit's end.",
+            "Root mean square of distance minus wanted, 5 s from that rest on, or to its end or a new wish.",
             OWN,
         ),
         "compliance_share": Definition(

@@ -89,7 +89,9 @@ class Stopping:
     robot_facing_error_deg: float | None
     """Between the robot's heading and the direction to the person, at that rest, in [0, 180]."""
     person_facing_error_deg: float | None
-    """Between the person's heading and the direction to the robot, at that rest, in [0, 180]."""
+    """Between the person's heading and the direction to the robot, beyond the wanted bearing, at that rest.
+
+    In [0, 180]. A robot on a side that was wanted is where it should be."""
     speed_within_1_5_m_m_s: float | None
     """The fastest within 1.5 m of the body on the way in, less the person's speed; None: never so near."""
     speed_at_3_6_m_m_s: float | None
@@ -100,7 +102,9 @@ class Stopping:
     visible_approach_share: float | None
     """Of the time of approach within 3.6 m: the share within 60 degrees of where the person looks."""
     hold_error_rms_m: float | None
-    """Of the distance against the wanted one, over 5 s from the rest on, or as long as the visit lasts."""
+    """Of the distance against the wanted one, over 5 s from the rest on.
+
+    Or until another one is wanted, or the visit ends."""
 
 
 def stopping(frames: Frames, wanted: Wanted) -> Stopping:
@@ -126,7 +130,9 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
         if rest is None
         else abs(math.degrees(wrap_angle(float(approach.bearings[rest]) - math.radians(wanted.bearing_deg)))),
         robot_facing_error_deg=None if rest is None else math.degrees(abs(float(approach.facings[rest]))),
-        person_facing_error_deg=None if rest is None else math.degrees(abs(float(approach.bearings[rest]))),
+        person_facing_error_deg=None
+        if rest is None
+        else max(0.0, math.degrees(abs(float(approach.bearings[rest]))) - abs(wanted.bearing_deg)),
         speed_within_1_5_m_m_s=_fastest_near(gaps, speeds - approach.walks[coming]),
         speed_at_3_6_m_m_s=_speed_at(3.6, gaps, speeds),
         speed_at_1_2_m_m_s=_speed_at(1.2, gaps, speeds),
@@ -134,7 +140,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
         peak_closing_speed_m_s=float((-np.diff(gaps) / steps).max(initial=0.0)),
         peak_deceleration_m_s2=float((-np.diff(speeds) / steps).max(initial=0.0)),
         visible_approach_share=_visible(gaps, approach.bearings[coming]),
-        hold_error_rms_m=approach.hold_error(rest, wanted.distance_m),
+        hold_error_rms_m=approach.hold_error(rest, wanted),
     )
 
 
@@ -210,11 +216,16 @@ class _Approach:
                 worst, allowed_m = max(worst, float((allowed - gaps).max())), float(allowed[-1])
         return worst
 
-    def hold_error(self, rest: int | None, wanted_m: float) -> float | None:
+    def hold_error(self, rest: int | None, wanted: Wanted) -> float | None:
+        """Until another distance is wanted, which the robot then has to go to."""
         if rest is None:
             return None
-        held = (self.times >= self.times[rest]) & (self.times <= self.times[rest] + HOLD_S)
-        return float(np.sqrt(np.mean((self.gaps[held] - wanted_m) ** 2)))
+        since_s = self.times[rest]
+        later = (s for s, distance_m in wanted.distances_m if s > since_s and distance_m != wanted.distance_m)
+        held = (
+            (self.times >= since_s) & (self.times <= since_s + HOLD_S) & (self.times < next(later, math.inf))
+        )
+        return float(np.sqrt(np.mean((self.gaps[held] - wanted.distance_m) ** 2)))
 
 
 def _wrapped(angles: Numbers) -> Numbers:
