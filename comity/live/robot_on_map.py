@@ -27,6 +27,7 @@ from comity_sim2d.pose import Pose, direction_to
 from comity_sim2d.robot.in_the_way import in_the_way
 from comity_sim2d.robot.motion import Reading
 from comity_sim2d.scene.obstacles import Surroundings, floor_plan
+from comity_sim2d.senses.sight import too_short_for
 from comity_sim2d.senses.taken_apart import off_things
 
 if TYPE_CHECKING:
@@ -79,6 +80,8 @@ class RobotOnMap:
         self._record = ActRecord()
         self._goal: MotionGoal | None = None
         """The newest one; None once all was stopped."""
+        self._distances_m: dict[str, float] = {}
+        """How far from each person it was last told to stand."""
         self._goals = 0
         """So many there have been."""
         self._told: MapGoal | None = None
@@ -209,20 +212,38 @@ class RobotOnMap:
         return carried() if carried else None
 
     def read(self, person: str) -> Reading | None:
-        """Distances and angles to a person whom the tracker sees; None otherwise."""
-        seen, here = self._seen.of(person), self._localised
-        if not seen.is_seen or seen.stamp_s is None or here is None or self.has_to_stand:
+        """Distances and angles to a person whom the tracker sees; None otherwise.
+
+        Where the sensor is too short for the pose that the robot was told to take beside them, that is how it
+        stands to where they were seen last, as for the simulated robot.
+        """
+        seen, localised = self._seen.of(person), self._localised
+        if localised is None or self.is_blind or not (seen.is_seen or self._presumes(person)):
             return None
         stands = docked(self.here, self._scene.robot.radius_m, seen.person)
+        here_s = localised.stamp_s - self._start_s
         return Reading(
             distance_m=stands.distance_m,
             centre_distance_m=stands.centre_distance_m,
             bearing_deg=stands.bearing_deg,
             facing_error_deg=stands.facing_error_deg,
             person_facing_error_deg=abs(stands.bearing_deg),
-            speed_m_s=abs(here.speed_m_s),
-            stamp_s=min(seen.stamp_s, here.stamp_s - self._start_s),
+            speed_m_s=abs(localised.speed_m_s),
+            stamp_s=here_s if seen.stamp_s is None else min(seen.stamp_s, here_s),
+            is_seen=seen.is_seen,
         )
+
+    def _presumes(self, person: str) -> bool:
+        """Whether it takes a person whom it does not see to stand where they were seen last."""
+        distance_m = self._distances_m.get(person)
+        if distance_m is None or self._seen.of(person).has_vanished or person in self._seen.lost:
+            return False
+        return self._too_short_for(distance_m) is not None
+
+    def _too_short_for(self, distance_m: float) -> str | None:
+        """Why its sensor would not surely show a person so far away; None where it would."""
+        robot = self._scene.robot
+        return too_short_for(robot.sensor, robot.radius_m + distance_m)
 
     def heard(self, person: str) -> Sequence[Words]:
         """What the robot understood of a person; nothing where it has no ears."""
@@ -239,17 +260,19 @@ class RobotOnMap:
         direction_desirability: Curve,
     ) -> DockingPose | None:
         """The wanted pose if the map and the people leave it free, else the most desirable one that is."""
-        if person not in self._seen.lost:
-            wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
-            around, here = self._around(), self.pose.xy
-            return choose_pose(RouteMap(around), here, wish) or choose_pose(
-                PastPeople(around).to(person), here, wish
-            )
-        return None
+        if person in self._seen.lost:
+            return None
+        wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
+        around, here = self._around(), self.pose.xy
+        pose = choose_pose(RouteMap(around), here, wish)
+        pose = pose or choose_pose(PastPeople(around).to(person), here, wish)
+        return pose and replace(pose, unverified=self._too_short_for(pose.distance_m))
 
     def go(self, goal: MotionGoal) -> int:
         """Set out for a goal, once localisation and tracker are heard; its number."""
         self._goal, self._goals = goal, self._goals + 1
+        if goal.pose is not None:
+            self._distances_m[goal.to] = goal.pose.distance_m
         self._go_on(self._base_goals[-1:])
         return self._goals
 

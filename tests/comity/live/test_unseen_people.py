@@ -308,3 +308,27 @@ def test_a_place_that_is_centimetres_inside_furniture_ends_nothing(here):
     robot.sleep = sleep_and_err
     live.run()
     assert live.so_far().outcome == "success"
+
+
+def test_where_the_sensor_is_short_it_stops_where_they_were_seen_last_and_says_so(here):
+    """The tracker sees bodies that are 1.2 m from its middle, and he wants it 1.09 m + 0.25 m away."""
+    text = SCENARIO.replace("robot: {at_m: [1, 1]}", "robot: {at_m: [1, 1], sensor: {range_m: 1.2}}")
+    robot = gliding()
+    prepared = prepare(as_seen(load_scenario(written(here, text)), robot))
+    sleep = robot.sleep
+
+    def sleep_and_see(seconds: float) -> None:
+        sleep(seconds)
+        at = {name: place[:2] for name, place in robot.people.items()}
+        robot.dropped = {name for name in at if math.dist((robot.x, robot.y), at[name]) - 0.2 > 1.2}
+
+    robot.sleep = sleep_and_see
+    live = LiveEpisode(prepared, robot=robot)
+    live.run()
+    host = next(visit for visit in live.so_far().visits if visit.person == "host")
+    assert host.outcome == "greeted"
+    wanted = prepared.values["host"]["conversational_distance"].number
+    assert host.docked_at.distance_m == pytest.approx(wanted, abs=0.011)
+    assert "not verified" in host.unverified
+    coming = [one for one in robot.path if one[0] - 100.0 <= host.docked_s]
+    assert max(v for _, x, y, v in coming if math.dist((x, y), (3.0, 3.0)) < 1.9) <= 0.3 + 1e-9
