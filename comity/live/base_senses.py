@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import replace
-from math import isfinite
+from math import inf, isfinite
 from numbers import Real
 from typing import TYPE_CHECKING
 
@@ -40,8 +40,8 @@ class BaseSenses:
         self._plan = plan
         self._tracks: dict[int | str, PersonTrack] = {}
         """The newest of each name of the tracker, for as long as it is believed."""
-        self.tracked_s = base.now_s()
-        """When the tracker was heard last."""
+        self.tracked_s = -inf
+        """When the tracker was heard last; it was not yet."""
 
     def localisation(self, now_s: float) -> Localisation | None:
         """Where it is; None where it does not know, or cannot be."""

@@ -7,15 +7,18 @@ import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
+from comity.live.driving import sleep_of
 from comity.scenario import Standing
 from comity_fis import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from comity.scenario import ScenarioFile
     from comity_executor import Localisation, MapRobot, PersonTrack
 
 PATIENCE_S = 10.0
-"""So long a robot may take to know where it is (our choice)."""
+"""So long a robot may take to know where it is and whom it sees (our choice)."""
 EVERY_S = 0.1
 StandingT = TypeVar("StandingT", bound=Standing)
 
@@ -28,12 +31,12 @@ def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
         base: The robot.
 
     Raises:
-        InputError: The robot does not say where it is.
+        InputError: The robot does not say where it is, or whom it sees.
     """
-    here = _localised(base)
+    here, tracks = _sensed(base)
     scenario = file.scenario
     robot = _standing(scenario.robot, here.x_m, here.y_m, here.heading_rad)
-    seen = {track.person: track for track in base.tracks() or () if track.person in scenario.people}
+    seen = {track.person: track for track in tracks if track.person in scenario.people}
     people = {
         name: _as_tracked(person, seen[name]) if name in seen else person
         for name, person in scenario.people.items()
@@ -67,17 +70,25 @@ def slowed(file: ScenarioFile, max_speed_m_s: float | None) -> ScenarioFile:
     return replace(file, scenario=file.scenario.model_copy(update={"robot": slower}))
 
 
-def _localised(base: MapRobot) -> Localisation:
-    sleep, ends_s = getattr(base, "sleep", time.sleep), base.now_s() + PATIENCE_S
-    while (here := base.localisation()) is None:
-        if base.now_s() >= ends_s:
-            raise InputError(
-                expected=f"a robot that knows where it is within {PATIENCE_S:g} s",
-                got="None from its `localisation`",
-                remedy="Localise it on the map of the scenario first.",
-            )
+def _sensed(base: MapRobot) -> tuple[Localisation, Sequence[PersonTrack]]:
+    """Where it is and whom it sees, once it knows both."""
+    sleep, rounds = sleep_of(base) or time.sleep, round(PATIENCE_S / EVERY_S)
+    got = ""
+    for _ in range(rounds):
+        try:
+            here, tracks = base.localisation(), base.tracks()
+        except Exception as error:
+            here, tracks, got = None, None, f"{type(error).__name__}: {error}"
+        else:
+            got = f"None from its `{'localisation' if here is None else 'tracks'}`"
+        if here is not None and tracks is not None:
+            return here, tracks
         sleep(EVERY_S)
-    return here
+    raise InputError(
+        expected=f"a robot that knows where it is and whom it sees within {PATIENCE_S:g} s",
+        got=got,
+        remedy="Localise it on the map of the scenario, and start its tracker, first.",
+    )
 
 
 def _as_tracked(person: StandingT, track: PersonTrack) -> StandingT:

@@ -238,13 +238,40 @@ def test_a_robot_that_cannot_be_made_is_told_with_its_reason(here, monkeypatch):
         load_robot("off:Base")
 
 
-def test_a_robot_that_does_not_know_where_it_is_is_waited_for_and_then_refused(file):
+def raising() -> None:
+    raise OSError("no answer")
+
+
+@pytest.mark.parametrize("call", ["localisation", "tracks"])
+@pytest.mark.parametrize("says", [lambda: None, raising])
+def test_a_robot_that_does_not_know_where_it_is_or_whom_it_sees_is_waited_for_and_then_refused(
+    file, call, says
+):
     robot = gliding()
-    robot.localisation = lambda: None
+    setattr(robot, call, says)
     before = robot.t
-    with pytest.raises(InputError, match="knows where it is"):
+    with pytest.raises(InputError, match="knows where it is and whom it sees"):
         as_seen(file, robot)
     assert robot.t - before == pytest.approx(10.0, abs=0.2)
+
+
+@pytest.mark.parametrize("call", ["localisation", "tracks"])
+def test_nothing_is_commanded_before_both_are_heard(file, call):
+    """The plan was made when they were; then the robot starts anew, and hears of it after 3 s."""
+    robot = gliding()
+    prepared, own, sleep = prepare(as_seen(file, robot)), getattr(robot, call), robot.sleep
+
+    def sleep_and_hear(seconds: float) -> None:
+        sleep(seconds)
+        if robot.t >= 103.0:
+            setattr(robot, call, own)
+
+    setattr(robot, call, lambda: None)
+    robot.sleep = sleep_and_hear
+    live = LiveEpisode(prepared, robot=robot)
+    live.run()
+    assert live.so_far().outcome == "success"
+    assert min(t for t, command, _ in robot.log if command == "go") >= 103.0
 
 
 def test_an_installed_package_offers_its_robots_by_name(here, monkeypatch):
