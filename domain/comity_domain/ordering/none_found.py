@@ -28,8 +28,10 @@ def none_found(time_limit_s: float, *, in_time: bool, proven: bool = False) -> P
 
 def require_free_hands(choices: Options) -> None:
     """Refuse a person who can only be greeted with the hands, where these are full."""
-    bearer = choices.people.get(choices.bearer_of or "")
-    if bearer is not None and not bearer.may_come_bringing:
+    if choices.bearer_of is None:
+        return
+    bearer = choices.people[choices.bearer_of]
+    if not bearer.may_come_bringing:
         against = (bearer.ruled_out_bringing or {}).items()
         reasons = "; ".join(f"{greeting.words}: {reason}" for greeting, reason in against)
         raise PlanningFailed(
