@@ -1,0 +1,186 @@
+"""Goals of the tree told to a base as poses of the map.
+
+A pose beside a person moves along with them: where it has moved by more than `FOLLOW_M`, or the robot comes
+near and has to slow down, the base is told anew, which replaces the goal before; for the tree it is still one
+goal. Goals are renewed only while the robot may move, so that a base that does not know where it is, or who
+is there, stops by itself; it is told to stop all the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from math import dist, pi
+from typing import TYPE_CHECKING
+
+from comity_executor import MapGoal, MotionStatus
+from comity_sim2d import RouteMap, wrap_angle
+from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S
+from comity_sim2d.navigation.docking import spot_beside
+from comity_sim2d.pose import direction_to
+from comity_sim2d.robot.in_the_way import in_the_way
+
+if TYPE_CHECKING:
+    from comity.live.known_world import KnownWorld
+    from comity_executor import GoalId, MapRobot, Motion, MotionGoal
+    from comity_sim2d import Person, Pose
+
+FOLLOW_M, FOLLOW_RAD = 0.05, 5.0 * pi / 180.0
+"""A pose that has moved or turned by more is told to the base anew (our choice)."""
+
+
+class GoalsOnMap:
+    """The motion goals of one robot, by numbers of their own.
+
+    Args:
+        base: The robot.
+        known: What it knows of the world.
+        stands: Why it must not move for now; None: it may.
+    """
+
+    def __init__(self, base: MapRobot, known: KnownWorld, stands: Callable[[], str | None]) -> None:
+        self._base = base
+        self._known = known
+        self._stands = stands
+        self.places: Mapping[str, Pose] = {}
+        """Where to stand to fetch things."""
+        self.distances_m: dict[str, float] = {}
+        """How far from each person the robot was last told to stand."""
+        self._goal: MotionGoal | None = None
+        """The newest one; None once all was stopped."""
+        self._goals = 0
+        """So many there have been."""
+        self._told: MapGoal | None = None
+        """What the base was told last; None while it is to stand."""
+        self._told_for = 0
+        """For which goal."""
+        self._base_goals: list[GoalId] = []
+        """What the base calls it, and before it those that were told for the same goal."""
+
+    def go(self, goal: MotionGoal) -> int:
+        """Set out for a goal, once the robot may move; its number."""
+        self._goal, self._goals = goal, self._goals + 1
+        if goal.pose is not None:
+            self.distances_m[goal.to] = goal.pose.distance_m
+        self._go_on(self._base_goals[-1:])
+        return self._goals
+
+    def renew(self, goal: GoalId) -> None:
+        """Let the base go on, or tell it where the goal is by now."""
+        if goal != self._goals or self._goal is None:
+            return
+        if self._stands() or self._told is None or _differs(self._told, self._pose_of(self._goal)):
+            self._go_on(self._base_goals)
+        else:
+            self._base.renew(self._base_goals[-1])
+
+    def stop(self, goal: GoalId | None) -> None:
+        """End the newest goal, where it is that; None: whatever the base does."""
+        if goal is None:
+            self._goal = self._told = None
+            self._base.stop()
+        elif goal == self._goals:
+            self._goal = self._told = None
+            if self._base_goals:
+                self._base.stop(self._base_goals[-1])
+
+    def _go_on(self, before: Sequence[GoalId]) -> None:
+        """Tell the base where its goal is now, or stop it while it does not know where it is or who is there.
+
+        Args:
+            before: What the base calls the goal that goes on so, last of all the newest.
+        """
+        assert self._goal is not None
+        if self._stands():
+            if self._told is not None:
+                self._base.stop(before[-1])
+            self._told, self._base_goals = None, []
+            return
+        is_new = self._told_for != self._goals
+        self._told, self._told_for = self._pose_of(self._goal), self._goals
+        self._base_goals = [*([] if is_new else before), self._base.go(self._told)]
+
+    def motion(self) -> MotionStatus:
+        """How the newest goal goes, as the base says, by the number that it has here."""
+        said = self._base.motion()
+        if self._goal is not None and self._told is None:
+            return self._waiting(said)
+        state, number = said.state, self._number_of(said.goal)
+        if self._base_goals and said.goal in self._base_goals[:-1]:
+            state = "running"  # what replaces it is not taken up yet
+        if self._goal is None and state == "succeeded":
+            state = "stopped"  # it has ended, and nothing else was asked for
+        return MotionStatus(
+            number,
+            state,  # type: ignore[arg-type]  # the tree refuses other words
+            said.text,
+            stamp_s=self._known.own_time_s(said.stamp_s),
+            remaining_m=said.remaining_m,
+            is_blocked=said.is_blocked,
+            blocked_by=self._blocked_by(said),
+            is_at_rest=said.is_at_rest,
+        )
+
+    def _waiting(self, said: Motion) -> MotionStatus:
+        """How a goal goes of which the base does not know yet."""
+        return MotionStatus(
+            self._goals,
+            "accepted",
+            self._stands() or "",
+            stamp_s=self._known.now_s(),
+            is_blocked=True,
+            is_at_rest=said.is_at_rest,
+        )
+
+    def _number_of(self, goal: GoalId | None) -> int | None:
+        """What a goal of the base is called here: the newest one, or any before it."""
+        if goal is None or not self._goals:
+            return None
+        return self._goals if goal in self._base_goals else self._goals - 1 or None
+
+    def _pose_of(self, goal: MotionGoal) -> MapGoal:
+        here, speed_m_s = self._known.pose, min(goal.speed_m_s, self._known.scene.robot.max_speed_m_s)
+        if goal.kind == "go_to":
+            there = self.places[goal.to]
+            return MapGoal("go_to", goal.to, there.x_m, there.y_m, there.heading_rad, speed_m_s)
+        person = self._known.person(goal.to)
+        xy = (
+            here.xy if goal.pose is None else spot_beside(person, self._known.scene.robot.radius_m, goal.pose)
+        )
+        if self._is_near(person, speed_m_s):
+            speed_m_s = min(speed_m_s, goal.near_m_s)
+        for other in self._known.bodies:
+            if self._is_near(other, speed_m_s):
+                speed_m_s = min(speed_m_s, other.approach_speed_m_s or NEAR_PEOPLE_M_S)
+        return MapGoal(goal.kind, goal.to, *xy, direction_to(xy, person.xy), speed_m_s)
+
+    def _is_near(self, person: Person, speed_m_s: float) -> bool:
+        """Whether the robot is so near somebody that it has to begin to slow down for them."""
+        can = self._base.capabilities
+        ahead_m = speed_m_s * can.latency_s + speed_m_s**2 / (2.0 * can.braking_m_s2) + FOLLOW_M
+        gap_m = dist(self._known.here.xy, person.xy) - self._known.scene.robot.radius_m - person.radius_m
+        return gap_m <= NEAR_PEOPLE_M + ahead_m
+
+    def _blocked_by(self, said: Motion) -> tuple[str, ...]:
+        """The people in the way, by the map where the base does not name them."""
+        goal = self._goal
+        if not said.is_blocked or said.blocked_by or goal is None or goal.pose is None:
+            return tuple(said.blocked_by)
+        found = in_the_way(
+            RouteMap(self._known.around),
+            self._known.pose.xy,
+            self._pose_xy(goal),
+            visited=goal.to,
+            keep_m=goal.pose.distance_m,
+            detour_m=goal.detour_m,
+        )
+        return tuple(name for name in found.people if name in self._known.names) if found else ()
+
+    def _pose_xy(self, goal: MotionGoal) -> tuple[float, float]:
+        there = self._pose_of(goal)
+        return there.x_m, there.y_m
+
+
+def _differs(told: MapGoal, wanted: MapGoal) -> bool:
+    moved_m = dist((told.x_m, told.y_m), (wanted.x_m, wanted.y_m))
+    turned_rad = abs(wrap_angle(told.heading_rad - wanted.heading_rad))
+    return moved_m > FOLLOW_M or turned_rad > FOLLOW_RAD or told.speed_m_s != wanted.speed_m_s

@@ -1,0 +1,204 @@
+"""What a real robot knows of the world on a map: where it is, who is where, and what it reads of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import inf
+from typing import TYPE_CHECKING
+
+from comity.live.base_senses import GRACE_S, BaseSenses, one_each, stranger
+from comity.live.identities import Identities
+from comity.live.people_seen import PeopleSeen
+from comity_sim2d import Person, RouteMap, Wish, choose_pose, wrap_angle
+from comity_sim2d.navigation.docking import docked
+from comity_sim2d.navigation.past_people import PastPeople
+from comity_sim2d.pose import Pose
+from comity_sim2d.robot.motion import Reading
+from comity_sim2d.scene.obstacles import Surroundings, floor_plan
+from comity_sim2d.senses.sight import too_short_for
+from comity_sim2d.senses.taken_apart import off_things
+
+if TYPE_CHECKING:
+    from comity_executor import DockingPose, Localisation, MapRobot, PersonTrack
+    from comity_sim2d import Scene
+
+SILENT_S = 0.5
+"""Localisation or a tracker of which nothing was heard for so long is silent (our choice)."""
+
+
+class KnownWorld:
+    """Asks one robot once a tick, and keeps what it said.
+
+    Args:
+        base: The robot.
+        scene: The map, everybody where they were when the plan was made, and the robot's body.
+    """
+
+    def __init__(self, base: MapRobot, scene: Scene) -> None:
+        self.scene = scene
+        self._base = base
+        self._start_s = base.now_s()
+        self._surroundings = Surroundings.of(scene)
+        self._seen = PeopleSeen(scene)
+        self.names = frozenset(person.name for person in scene.people)
+        """The people of the scenario."""
+        self._identities = Identities(self.names)
+        self._strangers: tuple[Person, ...] = ()
+        """People whom the tracker sees and the scenario does not know."""
+        self._localised: Localisation | None = None
+        self._senses = BaseSenses(base, floor_plan(scene))
+
+    def own_time_s(self, stamp_s: float) -> float:
+        """A time of the robot's clock by that of the episode, which begins at 0."""
+        return stamp_s - self._start_s
+
+    def sense(self) -> None:
+        """Take in where the robot is and whom it sees; to be called once in every tick."""
+        now_s = self._base.now_s()
+        self._localised = self._senses.localisation(now_s) or self._localised
+        tracks, several = one_each(self._senses.tracks(now_s))
+        if self._localised is None:
+            return
+        own = [self._by_own_clock(track) for track in tracks]
+        if not self._is_deaf(now_s):
+            is_free = getattr(self._base, "floor_is_free", None)
+            self._seen.take_in(own, self.here, self.now_s(), is_free=is_free)
+            self._identities.take_in(own, self.now_s(), doubted=several)
+        self._strangers = tuple(stranger(track) for track in own if track.person not in self.names)
+
+    def _is_deaf(self, now_s: float) -> bool:
+        """Whether the tracker is silent: then nothing follows from whom it does not name."""
+        return now_s - self._senses.tracked_s > GRACE_S
+
+    def _by_own_clock(self, track: PersonTrack) -> PersonTrack:
+        sure_s = None if track.identified_s is None else track.identified_s - self._start_s
+        return replace(track, stamp_s=track.stamp_s - self._start_s, identified_s=sure_s)
+
+    @property
+    def uncertain(self) -> frozenset[str]:
+        """Of whom it is not sure who they are."""
+        return self._identities.uncertain
+
+    @property
+    def is_blind(self) -> str | None:
+        """Why it does not know enough to move: where it is, or who is there; None: it does."""
+        now_s, here = self._base.now_s(), self._localised
+        ages = {
+            "localisation": inf if here is None else now_s - here.stamp_s,
+            "tracker": now_s - self._senses.tracked_s,
+        }
+        for what, age in ages.items():
+            if age > SILENT_S:
+                return f"nothing was heard of the {what} for {_age(age)}"
+        return self._seen.may_be_at(self.here, self.now_s())
+
+    def now_s(self) -> float:
+        """Seconds since the start of the episode."""
+        return self._base.now_s() - self._start_s
+
+    @property
+    def pose(self) -> Pose:
+        """Where it can be, near where it last knew to be: localisation that is off puts it into things."""
+        here, radius_m = self.here, self.scene.robot.radius_m
+        x_m, y_m = off_things(here.xy, radius_m, self._surroundings.plan)
+        return Pose(x_m, y_m, here.heading_rad)
+
+    @property
+    def here(self) -> Pose:
+        """Where it last knew to be; before it ever did, where the scenario has it."""
+        here = self._localised
+        return (
+            self.scene.robot.pose if here is None else Pose(here.x_m, here.y_m, wrap_angle(here.heading_rad))
+        )
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """All people of the scenario where it believes them to be."""
+        return self._seen.people
+
+    @property
+    def missing(self) -> frozenset[str]:
+        """Who is known not to be where they were seen last."""
+        return frozenset(self._seen.lost)
+
+    @property
+    def walking(self) -> frozenset[str]:
+        """Who is under way."""
+        return frozenset(walker.person.name for walker in self._seen.walkers)
+
+    def lost(self) -> dict[str, str]:
+        """The missing, with since when: it does not go to look for them."""
+        return {name: _lost(name, since_s) for name, since_s in sorted(self._seen.lost.items())}
+
+    def person(self, name: str) -> Person:
+        """One person where it believes them to be."""
+        return self._seen.of(name).person
+
+    def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
+        """Know how a person wants it to pass them."""
+        self._seen.learn(person, distance_m=distance_m, speed_m_s=speed_m_s)
+
+    def read(self, person: str, *, told_m: float | None) -> Reading | None:
+        """Distances and angles to a person whom the tracker sees; None otherwise.
+
+        Where the sensor is too short for the pose that the robot was told to take beside them, that is how it
+        stands to where they were seen last, as for the simulated robot.
+
+        Args:
+            person: Who.
+            told_m: How far from them it was told to stand; None where it was not.
+        """
+        seen, localised = self._seen.of(person), self._localised
+        if localised is None or self.is_blind or not (seen.is_seen or self._presumes(person, told_m)):
+            return None
+        stands = docked(self.here, self.scene.robot.radius_m, seen.person)
+        here_s = self.own_time_s(localised.stamp_s)
+        return Reading(
+            distance_m=stands.distance_m,
+            centre_distance_m=stands.centre_distance_m,
+            bearing_deg=stands.bearing_deg,
+            facing_error_deg=stands.facing_error_deg,
+            person_facing_error_deg=abs(stands.bearing_deg),
+            speed_m_s=abs(localised.speed_m_s),
+            stamp_s=here_s if seen.stamp_s is None else min(seen.stamp_s, here_s),
+            is_seen=seen.is_seen,
+        )
+
+    def _presumes(self, person: str, told_m: float | None) -> bool:
+        """Whether it takes a person whom it does not see to stand where they were seen last."""
+        if told_m is None or self._seen.of(person).has_vanished or person in self._seen.lost:
+            return False
+        return self._too_short_for(told_m) is not None
+
+    def _too_short_for(self, distance_m: float) -> str | None:
+        """Why its sensor would not surely show a person so far away; None where it would."""
+        robot = self.scene.robot
+        return too_short_for(robot.sensor, robot.radius_m + distance_m)
+
+    def pose_for(self, wish: Wish) -> DockingPose | None:
+        """The wanted pose if the map and the people leave it free, else the most desirable one that is."""
+        if wish.person in self._seen.lost:
+            return None
+        around, here = self.around, self.pose.xy
+        pose = choose_pose(RouteMap(around), here, wish)
+        pose = pose or choose_pose(PastPeople(around).to(wish.person), here, wish)
+        return pose and replace(pose, unverified=self._too_short_for(pose.distance_m))
+
+    @property
+    def bodies(self) -> tuple[Person, ...]:
+        """Everybody who is or may be there, as large as where they may be."""
+        return (*self._seen.obstacles(self.now_s()), *self._strangers)
+
+    @property
+    def around(self) -> Surroundings:
+        """The map with all of them."""
+        return self._surroundings.with_people(self.bodies)
+
+
+def _age(age_s: float) -> str:
+    return "the whole time" if age_s == inf else f"{age_s:.1f} s"
+
+
+def _lost(name: str, since_s: float | None) -> str:
+    seen = "has not been seen yet" if since_s is None else f"was seen last at {since_s:.1f} s"
+    return f"{name} {seen}, and is not there any more"
