@@ -17,6 +17,8 @@ from comity.commands.options import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from comity.people.profile import Profile
     from comity_fis import Rulebook
 
@@ -65,21 +67,24 @@ def export(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Hand out everything that is kept of a person, as a profile file with what was learnt as comments."""
-    from comity.people.store import EXPORTED, Store
+    """Hand out what is kept of a person, as a profile file with what was learnt as comments.
+
+    Only the note `about` never leaves the store; `comity profile show` shows it.
+    """
+    from comity.people.store import EXPORT_MARK, Store
     from comity.system.own_files import refuse_foreign, write_whole
 
     store = Store()
     text = store.exported(name)
     if out is not None:
-        refuse_foreign({out: EXPORTED.encode()})
+        refuse_foreign({out: EXPORT_MARK.encode()})
         write_whole(out, text.encode(), private=True)
     if as_json:
         print_json({"name": name, "profile": _kept(name), "learnt": store.learnt(name)})
     elif out is None:
         print(text, end="")
     else:
-        print(f"Everything kept of {name} stands in {out}")
+        print(f"What is kept of {name} stands in {out}, but for the note `about`")
 
 
 def delete(
@@ -112,11 +117,10 @@ def _notes(profile: Profile, rulebook: Rulebook) -> tuple[str, ...]:
     return tuple(dict.fromkeys(note for case in cases for note in case.notes))
 
 
-def _kept(name: str) -> dict[str, Any] | None:
-    """The document of somebody who is kept; None where only something learnt is."""
+def _kept(name: str) -> Mapping[str, Any] | None:
+    """The document of somebody who is kept, without the note; None where only something learnt is."""
     from comity.adaptation.editing import kept_document
-    from comity.people.store import Store
-    from comity_fis.validation.yaml_file import read_yaml
+    from comity.people.store import Store, without_note
 
-    path = Store().path(name)
-    return None if path is None else kept_document(name, read_yaml(path))
+    file = Store().declared(name)
+    return None if file is None else without_note(kept_document(name, file))

@@ -60,7 +60,8 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
     )
     known = remembered(declared.kept_as) if declared.kept_as else None
     learnt = Store().learnt(declared.kept_as) if declared.kept_as and known else None
-    shown = Shown(declared, place, on, inference, learnt)
+    note = str(declared.file.data.get("about", "")) if declared.file else ""
+    shown = Shown(declared, place, on, inference, learnt, note)
     if as_json:
         print_json(profile_answer(shown))
     else:

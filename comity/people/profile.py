@@ -72,7 +72,7 @@ class Profile(BaseModel):
 
     schema_version: Literal[1] = 1
     name: Annotated[str, AfterValidator(one_line)] = Field(min_length=1, max_length=100)
-    about: str = Field(default="", description="A sentence for whoever reads a list of profiles.")
+    about: str = Field(default="", description="A sentence for the reader; it stays in the store.")
     culture: Cultures | None = Field(
         default=None,
         description="Self-declared: a country by ISO 3166 code or English name, or a region such as "
@@ -258,7 +258,8 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
     """A profile by name, or one from a file.
 
     A shipped name goes first, so that shipped scenarios mean the same everywhere; then somebody who is kept
-    in the store; then a file, which a path such as `./amal` names for certain.
+    in the store; then a file, which a path such as `./amal` names for certain. The note `about` of a stored
+    person stays in the store: only the file has it.
 
     Args:
         name: A shipped or stored name, or a path.
@@ -271,7 +272,8 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
     kept = Store().path(name)
     if kept is not None and name not in library.shipped("profile"):
         file = read_yaml(kept)
-        return Declared(file.check(Profile), file, kept_as=name)
+        profile = file.check(Profile).model_copy(update={"about": ""})  # it never leaves the store
+        return Declared(profile, file, kept_as=name)
     if kept is not None:
         raise InputError(
             expected=f"one profile of the name {name}",

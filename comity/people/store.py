@@ -25,8 +25,11 @@ from comity_fis import InputError, closest
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml, read_yaml
 
 PROFILE, LEARNT = "profile.yaml", "learnt.yaml"
-EXPORTED = "# Exported by Comity: everything that is kept of a person."
-"""The first line of an export, by which a later one knows what it may replace."""
+EXPORTED = "# Exported by Comity: everything that is kept of a person, but for the note `about`."
+"""The first line of an export."""
+EXPORT_MARK = "# Exported by Comity: everything that is kept of a person"
+"""How each export began, by which a later one knows what it may replace."""
+NOTE_STAYS = "The note `about` stays in the store: `comity profile show` shows it there."
 LEARNT_ABOUT = "conversational_distance"
 """The parameter that meetings teach something about."""
 _FOLDER_VARIABLES = ("XDG_DATA_HOME", "HOME", "USERPROFILE", "LOCALAPPDATA", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
@@ -164,17 +167,31 @@ class Store:
             return True
 
     def exported(self, name: str) -> str:
-        """Everything that is kept of a person: a usable profile file, with what was learnt as comments.
+        """What is kept of a person but for `about`: a usable profile file, with what was learnt as comments.
+
+        Comments that somebody wrote into the files stay in the store, too.
 
         Raises:
             InputError: if nobody of that name is kept.
         """
-        declared = self.require(name) / PROFILE
-        profile = declared.read_text(encoding="utf-8") if declared.is_file() else ""
-        learnt = self.learnt_file(name)
-        lines = ["", "What was learnt with them:", *learnt.text.splitlines()] if learnt else []
+        declared = self.declared(name)
+        profile = dump_yaml(without_note(declared.data), inline=True) if declared else ""
+        learnt = self.learnt(name)
+        lines = [
+            *(["", NOTE_STAYS] if declared and "about" in declared.data else []),
+            *(["", "What was learnt with them:", *_lines(learnt)] if learnt is not None else []),
+        ]
         comments = "".join(f"# {line}".rstrip() + "\n" for line in lines)
         return f"{EXPORTED}\n{profile}{comments}"
+
+    def declared(self, name: str) -> YamlFile | None:
+        """The file of what a person declared; None where only something learnt is kept.
+
+        Raises:
+            InputError: if nobody of that name is kept, or the file is no YAML.
+        """
+        path = self.require(name) / PROFILE
+        return read_yaml(path) if path.is_file() else None
 
     def delete(self, name: str) -> None:
         """Forget a person altogether.
@@ -228,6 +245,15 @@ class Store:
                     shutil.rmtree(folder, ignore_errors=True)
                 raise
         return folder / file
+
+
+def without_note(document: Document) -> Document:
+    """What a person declared, without the free words about them: those never leave the store."""
+    return {key: value for key, value in document.items() if key != "about"}
+
+
+def _lines(document: Document) -> list[str]:
+    return dump_yaml(document, inline=True).splitlines()
 
 
 @contextmanager

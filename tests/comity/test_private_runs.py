@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import os
+import pickle
 import stat
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
+import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
+import comity as comity_package
 from comity.parameters.used import used_facts, used_of
 from comity.parameters.values import infer_for
 from comity.people.profile import Declared, Profile
+from comity.people.store import Store
 from tests.comity.test_profiles import BOOKS, day, facts, of
 
 FATIMA = """\
@@ -89,6 +95,49 @@ def test_a_file_that_others_could_read_is_theirs_no_longer_when_it_is_written_ag
         assert comity("profile", "export", "kim", "--out", "kim.yaml").code == 0
         assert modes(here / "kim.yaml") == {0o600}
         (here / "kim.yaml").chmod(0o644)
+
+
+NOTE = "diagnosed with dementia in 2019"
+
+
+def test_the_note_about_a_person_never_leaves_the_store(comity, here, monkeypatch, tmp_path_factory):
+    home = tmp_path_factory.mktemp("home")
+    monkeypatch.setenv("COMITY_HOME", str(home))
+    assert comity("profile", "set", "kim", "age=71", f"about={NOTE}").code == 0
+    for words in (
+        ["profiles"],
+        ["profiles", "--json"],
+        ["profile", "show", "kim", "--json"],
+        ["profile", "show", "kim", "--years", "2020..2021"],
+        ["profile", "export", "kim"],
+        ["profile", "export", "kim", "--json"],
+        ["profile", "export", "kim", "--out", "kim.yaml"],
+        ["infer", "kim", "--json"],
+        ["run", "--as", "johanna=kim", "--out", "run", "--json"],
+    ):
+        said = comity(*words)
+        assert said.code == 0
+        assert "dementia" not in said.out + said.err
+    assert not [file for file in here.rglob("*") if file.is_file() and b"dementia" in file.read_bytes()]
+    assert b"dementia" not in pickle.dumps(comity_package.run("johanna", profiles={"johanna": "kim"}))
+    assert NOTE in comity("profile", "show", "kim").out
+    assert comity("profile", "set", "kim", "age=72").code == 0
+    assert NOTE in (home / "people" / "kim" / "profile.yaml").read_text()
+
+
+@given(st.text(st.characters(codec="utf-8", exclude_categories=["C"]), min_size=4))
+def test_an_export_has_all_that_is_kept_but_the_note_and_comments(note):
+    note = f"n{note}"
+    with TemporaryDirectory() as home:
+        store = Store(Path(home))
+        kept = {"schema_version": 1, "name": "kim", "age": 71, "settings": {"approach_speed": 0.3}}
+        path = store.remember_profile("kim", {**kept, "about": note})
+        with path.open("a", encoding="utf-8") as file:
+            file.write("# a comment of somebody\n")
+        exported = store.exported("kim")
+        assert yaml.safe_load(exported) == kept
+        assert "a comment" not in exported
+        assert exported == Store(Path(home)).exported("kim")
 
 
 def test_the_facts_of_no_profile_are_all_used_by_the_paper():

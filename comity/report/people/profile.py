@@ -33,6 +33,8 @@ class Shown:
     day: date | None
     inference: Inference
     learnt: Mapping[str, Any] | None
+    note: str
+    """Free words about the person; no answer for programs has those of somebody who is kept."""
 
 
 def profile_answer(shown: Shown) -> ProfileAnswer:
@@ -66,7 +68,7 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
     profile, file = shown.declared.profile, shown.declared.file
     where = {"shipped": "ships with Comity", "kept": f"kept in {file.path if file else ''}"}
     yield unbroken(f"{profile.name} ({where.get(shown.place, 'a file')})")
-    yield from ([f"  {profile.about.strip()}"] if profile.about else [])
+    yield from ([f"  {shown.note.strip()}"] if shown.note else [])
     yield "\nDeclared" + (f", as of {shown.day}" if shown.day else "")
     yield table(list(_declared(shown)) or [("nothing", "which is everybody's right")])
     if profile.settings:
