@@ -97,7 +97,7 @@ def _recorded(
         episode = _run(live, folder, account, watch)
         answer = account_after(account, episode, folder)
         folder.write(run_folder.RUN, answer)
-        _show(folder, views)
+        show(folder, views)
     except BaseException as error:
         crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
         folder.write(run_folder.RUN, account_under_way(account, live).model_copy(update=crash))
@@ -194,7 +194,7 @@ def _run(
     return live.so_far()
 
 
-def _show(folder: RunFolder, views: Collection[View]) -> None:
+def show(folder: RunFolder, views: Collection[View]) -> None:
     """Make what was asked for of what was written; nothing that draws is loaded otherwise."""
     if "picture" in views or "gif" in views:
         from comity.replay.pictures import draw_run, film_run

@@ -77,6 +77,7 @@ from comity.answers.run import (
     RevisionAnswer,
     RunAnswer,
     SettledAnswer,
+    SharedAnswer,
     VisitAnswer,
 )
 from comity.answers.trace import (
@@ -162,6 +163,7 @@ __all__ = [
     "RuledOutAnswer",
     "RunAnswer",
     "SettledAnswer",
+    "SharedAnswer",
     "ShiftAnswer",
     "ShownValueAnswer",
     "SkippingAnswer",

@@ -208,6 +208,13 @@ class LoopAnswer(Answer):
     )
 
 
+class SharedAnswer(Answer):
+    """What a run that can be passed on has beside pseudonyms, age bands, relative times and no free text."""
+
+    culture: bool
+    gender: bool
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
@@ -259,3 +266,6 @@ class RunAnswer(Answer):
     )
     files: tuple[str, ...]
     error: str | None = None
+    shared: SharedAnswer | None = Field(
+        default=None, description="Of a run with pseudonyms, which can be passed on; else null."
+    )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from comity.sharing.extra import Extra
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
@@ -71,6 +72,10 @@ At = Annotated[
         metavar="DATE",
         help="Take dated facts as of this day (YYYY-MM-DD, or a year); today without it.",
     ),
+]
+With = Annotated[
+    list[Extra],
+    typer.Option("--with", help="Pass this on, too; more than once for both. Only where the people agreed."),
 ]
 Set = Annotated[
     list[str], typer.Option("--set", metavar="VARIABLE=VALUE", help="State a fact; `unknown` takes one back.")

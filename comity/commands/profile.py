@@ -11,15 +11,19 @@ from comity.commands.options import (
     AsJson,
     JudgingRulebookName,
     KeptName,
+    With,
     pairs,
     print_json,
     require_terminal,
 )
+from comity_fis.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Collection, Mapping
 
     from comity.people.profile import Profile
+    from comity.sharing.export import Export
+    from comity.sharing.extra import Extra
     from comity_fis import Rulebook
 
 
@@ -65,26 +69,37 @@ def export(
     out: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write it there; what is not ours stays.")
     ] = None,
+    pseudonym: Annotated[
+        str | None,
+        typer.Option(metavar="WORD", help="Under this name; age bands, days since the first, no free text."),
+    ] = None,
+    with_: With = [],  # noqa: B006  (Typer copies it)
     as_json: AsJson = False,
 ) -> None:
     """Hand out what is kept of a person, as a profile file with what was learnt as comments.
 
-    Only the note `about` never leaves the store; `comity profile show` shows it.
+    Only the note `about` never leaves the store; `comity profile show` shows it. With --pseudonym the file
+    can be passed on as a run of `comity share` can, culture and gender only where --with asks for them.
     """
     from comity.people.store import EXPORT_MARK, Store
     from comity.system.own_files import refuse_foreign, write_whole
 
+    if pseudonym is None and with_:
+        raise _with_alone()
     store = Store()
-    text = store.exported(name)
+    under = None if pseudonym is None else _under(pseudonym, name, with_)
+    text = store.exported(name) if under is None else under.text
     if out is not None:
         refuse_foreign({out: EXPORT_MARK.encode()})
         write_whole(out, text.encode(), private=True)
     if as_json:
-        print_json({"name": name, "profile": _kept(name), "learnt": store.learnt(name)})
+        kept = {"name": name, "profile": _kept(name), "learnt": store.learnt(name)}
+        print_json(kept if under is None else under.as_json())
     elif out is None:
         print(text, end="")
     else:
-        print(f"What is kept of {name} stands in {out}, but for the note `about`")
+        what = "but for the note `about`" if under is None else f"under the name {pseudonym}"
+        print(f"What is kept of {name} stands in {out}, {what}")
 
 
 def delete(
@@ -115,6 +130,36 @@ def _notes(profile: Profile, rulebook: Rulebook) -> tuple[str, ...]:
 
     cases = cases_of(Declared(profile, None), rulebook, at=day_for(None, profile))
     return tuple(dict.fromkeys(note for case in cases for note in case.notes))
+
+
+def _with_alone() -> InputError:
+    return InputError(
+        expected="--pseudonym WORD",
+        got="--with without it",
+        remedy="Leave --with out: without a pseudonym all is handed out.",
+    )
+
+
+def _under(pseudonym: str, name: str, extras: Collection[Extra]) -> Export:
+    """What is kept of somebody, as it may be passed on."""
+    from comity.people.profile import day_for, load_profile
+    from comity.people.remembered import remembered
+    from comity.people.store import Store
+    from comity.sharing.export import Export
+    from comity.sharing.person import Filter, plain_words
+    from comity_fis import load_rulebook, shipped_rulebooks
+
+    Store().require(name)
+    words = plain_words(*map(load_rulebook, shipped_rulebooks()))
+    profile = load_profile(name).profile
+    learnt = remembered(name)
+    return Export.of(
+        Filter(frozenset(extras), words),
+        pseudonym,
+        profile,
+        day_for(None, profile),
+        learnt.conversational_distance if learnt else (),
+    )
 
 
 def _kept(name: str) -> Mapping[str, Any] | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from contextlib import nullcontext, redirect_stdout
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -16,6 +17,7 @@ from comity.commands.options import (
     OptionalRulebookName,
     ScenarioName,
     Seed,
+    With,
     day,
     pairs,
     print_json,
@@ -36,6 +38,13 @@ Out = Annotated[
 ]
 Learn = Annotated[bool, typer.Option("--learn", help="Remember how each person took the robot's coming.")]
 Gif = Annotated[bool, typer.Option("--gif", help="Write a GIF of the episode, too; it takes a while.")]
+Pseudonyms = Annotated[
+    bool,
+    typer.Option(
+        "--pseudonyms",
+        help="Keep only a run that can be passed on, with no name and no free text; see `comity share`.",
+    ),
+]
 NoPictures = Annotated[bool, typer.Option("--no-pictures", help="Leave the picture out.")]
 RobotName = Annotated[
     str | None,
@@ -84,6 +93,8 @@ def run(
     open_: Open = False,
     gif: Gif = False,
     no_pictures: NoPictures = False,
+    pseudonyms: Pseudonyms = False,
+    with_: With = [],  # noqa: B006
     as_json: AsJson = False,
 ) -> None:
     """Run an episode: plan it, execute it, say what was reached.
@@ -91,7 +102,8 @@ def run(
     Writes a run folder with the plan, the trace, all frames, a picture and a page that shows the episode;
     with --gif a GIF, too, which `comity replay RUN --gif FILE` can also make later. With --learn it also adds
     what was noticed of each person with a profile of their own to what is known of them; without it, a run
-    changes nothing there. With --robot a robot of your own carries it out, on the scenario's map and from
+    changes nothing there. With --pseudonyms the folder holds no name and no free text, and nothing else is
+    kept. With --robot a robot of your own carries it out, on the scenario's map and from
     where it is and sees people. Exit code 1: a person could not be served.
     """
     from comity.adaptation.learning import in_words, keep, observed, refuse_nobody_kept
@@ -100,12 +112,20 @@ def run(
     from comity.output.run_folder import place_for
     from comity.preparation import prepare
     from comity.recording import record
-    from comity.report.episodes.run import summary
+    from comity.report.episodes.run import reached_text, summary
     from comity.report.text import show
     from comity.scenario import load_scenario
+    from comity.sharing.run import FOLDER, record_shared
+    from comity_fis import InputError
 
+    if with_ and not pseudonyms:
+        raise InputError(
+            expected="--pseudonyms", got="--with without it", remedy="Add --pseudonyms, or leave --with out."
+        )
     file = for_adults(slowed(load_scenario(scenario), max_speed), adults_only=adults_only)
-    place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
+    place_for(
+        out, FOLDER if pseudonyms else file.scenario.name
+    )  # before the planning: a folder that cannot be used costs no wait
     with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
         needs = {"--adults-only": adults_only, "--shadow": shadow, "--operator": operator}
         base = _robot(robot, needs=needs, shadow=shadow)
@@ -116,7 +136,8 @@ def run(
             prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed)
             if learn:
                 refuse_nobody_kept(prepared)
-            recorded = record(
+            write = partial(record_shared, extras=with_) if pseudonyms else record
+            recorded = write(
                 prepared,
                 seed=seed,
                 out=out,
@@ -131,7 +152,8 @@ def run(
     if as_json:
         print_json(recorded.answer)
     else:
-        show(*summary(recorded.answer, recorded.episode), *_written(recorded))
+        told = reached_text(recorded.answer) if pseudonyms else summary(recorded.answer, recorded.episode)
+        show(*told, *_written(recorded))
         if learn:
             show(*in_words(seen, kept))
     if open_:

@@ -31,8 +31,12 @@ if TYPE_CHECKING:
 def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
     """One for the first plan and for every one that took over, by time; empty where there is no way.
 
+    A run with pseudonyms has none: no profile is there from which its poses would follow.
+
     A plan knew where people stood when it was made, and nothing of what came later: nor do these routes.
     """
+    if run.account.shared:
+        return ()
     try:
         stage = staged(run.file, seed=run.account.seed)
     except InputError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.answers import PlanAnswer, RunAnswer
+from comity.answers import PlanAnswer, RunAnswer, SettledAnswer
 from comity.output.run_folder import FRAMES, PLAN, RUN, SCENARIO, damaged
 from comity.parameters.cast import cast_of
 from comity.replay.frames_file import frames_of
@@ -13,6 +13,7 @@ from comity.scenario import load_scenario
 from comity.simulation.changes import changes_of_values
 from comity.simulation.scenery import scene_of
 from comity_executor.tracing.intervention import INSTANT_S
+from comity_fis import Choice, Contribution, Inference, ParameterValue
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.parameters.cast import Cast
     from comity.scenario import ScenarioFile
-    from comity_fis import Inference
     from comity_sim2d import Frames, Scene
 
 
@@ -51,11 +51,38 @@ def read_run(folder: RunFolder) -> SavedRun:
     account, plan = folder.read(RUN, RunAnswer), folder.read(PLAN, PlanAnswer)
     file = load_scenario(str(folder / SCENARIO))
     cast = cast_of(file)
-    values = cast.values()
+    values = values_told(account) if account.shared else cast.values()
     frames = frames_of(folder / FRAMES)
     _refuse_cut(folder / FRAMES, frames, account)
     scene = scene_of(file, {**values, **_later(cast, _end_s(frames))}, account.seed)
     return SavedRun(account, plan, file, cast, values, frames, scene)
+
+
+def values_told(account: RunAnswer) -> dict[str, Inference]:
+    """The values that a run with pseudonyms tells: no profile is there that they would follow from again."""
+    return {
+        person: Inference(
+            rulebook=account.rulebook,
+            mode="exact",
+            inputs={},
+            parameters={name: _value(name, told) for name, told in values.parameters.items()},
+        )
+        for person, values in account.values.items()
+    }
+
+
+def _value(name: str, told: SettledAnswer) -> ParameterValue:
+    return ParameterValue(
+        name=name,
+        value=told.value,
+        unit=told.unit,
+        spread=told.spread,
+        origin=told.origin,
+        contributions=tuple(Contribution(one.origin, one.value, one.text) for one in told.contributions),
+        desirability=Choice({}),  # not told
+        fired=(),
+        note="",
+    )
 
 
 def _later(cast: Cast, end_s: float) -> dict[str, Inference]:

@@ -12,6 +12,7 @@ from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
 from comity.scenario import load_scenario
+from comity.sharing.run import share
 from tests.browser.moments import go, weak_texts
 
 NAMES = ["</script><script>alert(1)</script>", '"><img src=x onerror=alert(1)>', "😀 éß", "a" * 90]
@@ -38,6 +39,15 @@ def odd(tmp_path_factory) -> RunFolder:
     folder.write("replay.html", replay_page(folder))
     folder.write("both.html", replay_page(folder, folder))
     return folder
+
+
+def test_a_run_that_can_be_passed_on_is_shown_without_a_name(reader, odd, tmp_path):
+    shared = share(odd, tmp_path / "shared").folder
+    page = reader.open(shared / "replay.html", "#t=4.00")
+    told = page.eval_on_selector_all(".person", "all => all.map(one => one.dataset.person)")
+    assert sorted(told) == [f"person_{i}" for i in range(1, len(NAMES) + 1)]
+    for name in NAMES:
+        assert name not in page.locator("body").inner_text()
 
 
 def test_hostile_names_are_shown_as_they_are(reader, odd):

@@ -257,8 +257,8 @@ def _planned_instead(person: str, episode: Episode) -> Iterator[PlannedInsteadAn
                 )
 
 
-def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
-    """People in the order of the visits, with times; what was reached, which values were used, and why."""
+def reached_text(answer: RunAnswer) -> Iterator[RenderableType]:
+    """How it ended, and the people in the order of the visits, with times and what was reached."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
     late = sum(bool(visit.late_s) for visit in answer.visits)
     yield (
@@ -282,6 +282,11 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
             "greeting",
         ),
     )
+
+
+def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
+    """People in the order of the visits, with times; what was reached, which values were used, and why."""
+    yield from reached_text(answer)
     for visit in answer.visits:
         notes = (visit.reason or visit.deviation_reason, visit.unverified)
         yield from (f"  {visit.person}: {note}" for note in notes if note)

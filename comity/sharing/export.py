@@ -1,0 +1,59 @@
+"""What is kept of a person, as it may be passed on: a profile file with what was learnt as comments."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import date
+from typing import TYPE_CHECKING, Any
+
+from comity.people.store import EXPORT_MARK, LEARNT_ABOUT
+from comity_fis import InputError, Where
+from comity_fis.validation.yaml_file import dump_yaml
+
+if TYPE_CHECKING:
+    from comity.people.learnt_file import Learning
+    from comity.people.profile import Profile
+    from comity.sharing.person import Filter
+
+PSEUDONYM = re.compile(r"\w[\w-]{0,63}")
+
+
+@dataclass(frozen=True, slots=True)
+class Export:
+    """A person under a pseudonym."""
+
+    profile: dict[str, Any]
+    learnt: list[dict[str, Any]]
+    """By days since the first."""
+
+    @classmethod
+    def of(
+        cls, people: Filter, pseudonym: str, profile: Profile, day: date | None, learnt: Iterable[Learning]
+    ) -> Export:
+        """What the filter lets through.
+
+        Raises:
+            InputError: for a pseudonym that no file can have everywhere.
+        """
+        if not PSEUDONYM.fullmatch(pseudonym):
+            raise InputError(
+                expected="a pseudonym of up to 64 letters, digits, `_` and `-`",
+                got=repr(pseudonym),
+                remedy="Choose another, such as P07.",
+                where=Where("--pseudonym"),
+            )
+        return cls(people.profile(profile, day, pseudonym), people.learnt(learnt))
+
+    @property
+    def text(self) -> str:
+        """A profile file."""
+        lessons = dump_yaml({LEARNT_ABOUT: self.learnt}, inline=True).splitlines() if self.learnt else []
+        lines = ["", "What was learnt, by days since the first:", *lessons] if lessons else []
+        comments = "".join(f"# {line}".rstrip() + "\n" for line in lines)
+        return f"{EXPORT_MARK}, under a pseudonym.\n{dump_yaml(self.profile, inline=True)}{comments}"
+
+    def as_json(self) -> dict[str, Any]:
+        """The same as data."""
+        return {"name": self.profile["name"], "profile": self.profile, "learnt": self.learnt}

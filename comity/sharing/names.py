@@ -1,0 +1,167 @@
+"""Everything in a run that somebody gave a name, with the pseudonym that stands for it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from pydantic import BaseModel
+
+from comity.scenario import MapPlace, Scenario
+from comity.sharing.person import pseudonyms
+from comity.specification.goals import Goal
+from comity_sim2d.maps.file import MapFile
+
+if TYPE_CHECKING:
+    from comity_executor import Cause
+
+Told = TypeVar("Told", bound=BaseModel)
+
+# fmt: off
+PROGRAM = frozenset({
+    "Reach_user", "Return_to_user", "Greet_person", "Greet_company", "Fetch", "Say", "Offer", "Wait",
+    "Take_leave", "Skip_visit", "utter", "say", "nod", "wave", "bow", "bow_and_nod", "handshake",
+    "palms_together", "pick_up", "hand_over", "front", "left", "right", "behind", "start", "here", "none",
+    "verbal", "gestural", "both", "speaks", "moves", "robot",
+})
+"""Words of Comity's own that stand among names."""
+IDENTIFIERS = frozenset({
+    "person", "act", "greeting", "action", "arguments", "people", "parameters", "parameter", "value",
+    "thing", "together_with", "node", "door", "planned", "inferred", "about", "already",
+})
+"""Fields of answers that hold names or words of a closed list."""
+KEPT = frozenset({
+    "status", "outcome", "origin", "kind", "unit", "engine", "halt", "noticed", "fingerprint", "files",
+    "trace_sha256", "interrupted_by",
+})
+"""Fields that hold words of the program, and of nobody."""
+# fmt: on
+NUMBERED = re.compile(r"[0-9.]+( [a-z/]+)?|passer-by [0-9]+")
+"""`3 s`, `0.8 m`, and people without a name of their own."""
+PLACED = frozenset({"arguments", "origin"})
+"""Names of which each has its place: one that is left out leaves an empty word."""
+EMPTIED = frozenset({"parts", "unmet", "notes"})
+"""Fields that say where somebody is from, or what stands in their way, in words."""
+KEPT_CAUSES = frozenset({"step", "parameter", "reading", "condition"})
+"""Causes that are told without their words; a rule, a variable and a source name culture and gender."""
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """Names in a run; whatever has none here and is no word of the program's is left out."""
+
+    given: Mapping[str, str]
+    """Pseudonyms by name."""
+    words: Collection[str]
+    """Of the rulebook: parameters and what they can be."""
+
+    def word(self, word: str) -> str:
+        """A name's pseudonym, a word of the program or the rulebook as it is, else nothing."""
+        if word in self.given:
+            return self.given[word]
+        return word if word in PROGRAM or word in self.words or NUMBERED.fullmatch(word) else ""
+
+    def node(self, node: str) -> str:
+        """A node of the tree, such as `Timeout 40 s(Reach_user, johanna)`."""
+        head, bracket, inside = node.partition("(")
+        if not bracket:
+            return node
+        for name in sorted(self.given, key=len, reverse=True):
+            inside = re.sub(
+                rf"(^|(?<=, )|(?<=\()){re.escape(name)}(?=[,)])", f"\0{self.given[name]}\0", inside
+            )
+        parts = re.split(r"(\0[^\0]*\0|, |[()])", inside)
+        return head + bracket + "".join(self._part(part) for part in parts if part)
+
+    def _part(self, part: str) -> str:
+        if part.startswith("\0"):
+            return part.strip("\0")
+        return part if part in {", ", "(", ")"} else self.word(part)
+
+    def answer(self, answer: Told) -> Told:
+        """An answer with numbers, names and words of closed lists; all prose is empty."""
+        fields = type(answer).model_fields
+        return answer.model_copy(update={name: self._value(name, getattr(answer, name)) for name in fields})
+
+    def _value(self, field: str, value: Any) -> Any:
+        told: Any
+        match value:
+            case None | bool() | int() | float():
+                told = value
+            case BaseModel():
+                told = self.answer(value)
+            case str():
+                told = self._word(field, value)
+            case tuple() | dict() if field in EMPTIED:
+                told = ()
+            case tuple() if field in PLACED:
+                told = tuple(map(self.word, value))
+            case tuple():
+                told = tuple(one for each in value if (one := self._value(field, each)) != "")
+            case Mapping():
+                told = {self.given.get(key, key): self._value(field, one) for key, one in value.items()}
+            case _:
+                told = None  # a date
+        return told
+
+    def _word(self, field: str, value: str) -> str:
+        if field in KEPT:
+            return value
+        if field == "node":
+            return self.node(value)
+        return self.word(value) if field in IDENTIFIERS else ""
+
+    def cause(self, cause: Cause) -> Cause | None:
+        """A cause with its number and without its words; None for one that names a fact or a rule."""
+        from comity_executor import Cause
+
+        if cause.kind not in KEPT_CAUSES:
+            return None
+        value = self.word(cause.value) if isinstance(cause.value, str) else cause.value
+        if cause.kind == "step":
+            return Cause(cause.kind, self.node(cause.text), value)
+        name = cause.text.split(" ", 1)[0] if cause.kind == "parameter" else cause.kind
+        shown = f"{value:.2f}" if isinstance(value, float) else value or ""
+        return Cause(cause.kind, f"{self.word(name) or cause.kind} {shown}".strip(), value)
+
+
+def names_in(scenario: Scenario, words: Collection[str]) -> Names:
+    """All names of a resolved scenario.
+
+    Args:
+        scenario: Whose.
+        words: Parameters of the rulebook and what they can be.
+    """
+    given: dict[str, str] = {}
+    for kind, names in (*_of_place(scenario), *_of_goals(scenario)):
+        given |= pseudonyms((name for name in names if name not in given), kind)
+    given |= pseudonyms(scenario.groups, "group") | {scenario.robot.name: "robot"}
+    return Names(given | pseudonyms(scenario.people), words)
+
+
+def _of_place(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
+    place = scenario.place
+    if isinstance(place, MapPlace) and isinstance(place.map, MapFile):
+        yield "room", place.map.rooms
+        yield "door", place.map.doors
+        yield "place", place.map.locations
+        yield "furniture", [piece.name for piece in place.map.furniture]
+    elif not isinstance(place, MapPlace):
+        yield "furniture", [piece.name for piece in place.furniture]
+
+
+def _of_goals(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
+    carried = [scenario.robot.carrying, *(person.carrying for person in scenario.people.values())]
+    yield "thing", [name for name in (*carried, *(goal.offer for goal in scenario.goals)) if name]
+    yield "text", [goal.say for goal in scenario.goals if goal.say]
+
+
+def goal_of(goal: Goal, names: Names) -> dict[str, Any]:
+    """A goal under other names."""
+    told = goal.model_dump(mode="json", by_alias=True, exclude_none=True)
+    return {
+        key: names.word(value) if isinstance(value, str) and key != "until" else value
+        for key, value in told.items()
+    }

@@ -1,0 +1,285 @@
+"""A run that can be passed on, made of one that happened: the same files, told by the filter."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from io import StringIO
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+from comity.answers import PlanAnswer, RunAnswer, SharedAnswer
+from comity.output import run_folder
+from comity.output.run_folder import RunFolder, claimed, damaged, place_for
+from comity.people.profile import Profile
+from comity.recording import VIEWS, Recorded, View, record, show
+from comity.replay.frames_file import frames_of
+from comity.scenario import MapPlace, Scenario, ScenarioFile, load_scenario
+from comity.sharing.extra import Extra
+from comity.sharing.names import Names, goal_of, names_in
+from comity.sharing.person import CLOSED, Filter, plain_words
+from comity.system.library import shipped
+from comity.system.own_files import create_private, read_regular
+from comity_executor import TraceFile, read_nodes, read_trace
+from comity_fis import InputError, Where, load_rulebook, shipped_rulebooks
+from comity_fis.validation.yaml_file import dump_yaml
+from comity_sim2d import FramesFile
+
+if TYPE_CHECKING:
+    from comity.preparation import Prepared
+    from comity.scenario import Person
+    from comity_executor import TraceEvent
+
+FOLDER = "shared"
+"""Without another name: `runs/shared-1` and so on, whatever the run is called."""
+ABOUT = "A run with pseudonyms: its values are in run.json, and do not follow from these profiles."
+
+
+@dataclass(frozen=True, slots=True)
+class SharedRun:
+    """A run that can be passed on."""
+
+    folder: RunFolder
+    answer: RunAnswer
+
+
+@dataclass(frozen=True, slots=True)
+class _Original:
+    """A run as it happened, with the filter that is put before it."""
+
+    folder: RunFolder
+    account: RunAnswer
+    file: ScenarioFile
+    names: Names
+    people: Filter
+    title: str
+    """The scenario's name, where it ships with Comity and is nobody's name."""
+
+    @property
+    def scenario(self) -> Scenario:
+        return self.file.scenario
+
+
+def share(
+    folder: RunFolder,
+    out: Path | None = None,
+    extras: Collection[Extra] = (),
+    views: Collection[View] = VIEWS,
+) -> SharedRun:
+    """Write a run beside one that happened, with pseudonyms, age bands, relative times and no free text.
+
+    Times of a run count from its start, so they stay; its day does not. Rules, facts and words that were said
+    are left out; numbers, tracks and the tree stay, and are personal data still.
+
+    Args:
+        folder: The run that happened.
+        out: The folder; None for the next free `runs/shared-<n>`.
+        extras: What to tell besides: culture, gender.
+        views: What to make of it for people to look at.
+
+    Raises:
+        InputError: if the run is damaged or goes on, or the folder cannot be used.
+    """
+    original = _read(folder, frozenset(extras))
+    target = place_for(out, FOLDER)
+    if target.resolve() == folder.path.resolve():
+        raise InputError(
+            expected="another folder than that of the run itself",
+            got=str(target),
+            remedy="Name a new one with --out.",
+            where=Where("share"),
+        )
+    with claimed(target, new=out is None) as shared:
+        return _written(original, shared, views)
+
+
+def record_shared(
+    prepared: Prepared,
+    *,
+    out: Path | None = None,
+    extras: Collection[Extra] = (),
+    views: Collection[View] = VIEWS,
+    **options: Any,
+) -> Recorded:
+    """Run an episode and keep only a run that can be passed on.
+
+    What happened stands in a private folder until the end, also one by Ctrl-C, and is removed then; a program
+    that is killed outright leaves it among the system's temporary files.
+
+    Args:
+        prepared: The scenario with its plan.
+        out: The folder; None for the next free `runs/shared-<n>`.
+        extras: What to tell besides: culture, gender.
+        views: What to make of it for people to look at.
+        options: Of `record`.
+    """
+    place_for(out, FOLDER)
+    with TemporaryDirectory(prefix="comity-") as private:
+        path = Path(private) / "run"
+        try:
+            recorded = record(prepared, out=path, views=(), **options)
+        except BaseException:
+            if (path / run_folder.FRAMES).is_file():
+                share(RunFolder(path), out, extras, views=())
+            raise
+        shared = share(recorded.folder, out, extras, views)
+        return Recorded(recorded.episode, shared.folder, shared.answer)
+
+
+def _read(folder: RunFolder, extras: frozenset[Extra]) -> _Original:
+    account = folder.read(run_folder.RUN, RunAnswer)
+    if account.status == "running":
+        raise InputError(
+            expected="a run that has ended",
+            got="one that goes on, or was killed",
+            remedy="Wait for its end, or run the scenario again.",
+            where=Where(str(folder.path)),
+        )
+    file = load_scenario(str(folder / run_folder.SCENARIO))
+    words = plain_words(load_rulebook(file.file.part("rulebook")))
+    names = names_in(file.scenario, words)
+    is_known = account.scenario in shipped("scenario") and account.scenario not in file.scenario.people
+    title = account.scenario if is_known else "scenario"
+    return _Original(folder, account, file, names, Filter(extras, words), title)
+
+
+def _written(original: _Original, shared: RunFolder, views: Collection[View]) -> SharedRun:
+    """Write all files; what people look at is made of the others, as for any run."""
+    folder, names = original.folder, original.names
+    shared.write(run_folder.SCENARIO, dump_yaml(_scenario(original)))
+    for table in sorted((folder / run_folder.TABLES).glob("*.csv")):
+        shared.write(f"{run_folder.TABLES}/{table.name}", table.read_text(encoding="utf-8"))
+    plan = names.answer(folder.read(run_folder.PLAN, PlanAnswer))
+    shared.write(run_folder.PLAN, plan.model_copy(update={"scenario": original.title}))
+    _copy_trace(folder / run_folder.TRACE, shared / run_folder.TRACE, names)
+    frames = frames_of(folder / run_folder.FRAMES)
+    renamed = replace(frames, entities=tuple(names.word(name) for name in frames.entities))
+    with FramesFile(create_private(shared / run_folder.FRAMES)) as file:
+        file.keep(renamed)
+    if (folder / run_folder.READINGS).is_file():
+        shared.write(run_folder.READINGS, _readings(folder / run_folder.READINGS, names))
+    answer = _account(original, shared)
+    shared.write(run_folder.RUN, answer)
+    if answer.status == "done":
+        show(shared, views)
+    answer = answer.model_copy(update={"files": shared.files()})
+    shared.write(run_folder.RUN, answer)
+    return SharedRun(shared, answer)
+
+
+def _account(original: _Original, shared: RunFolder) -> RunAnswer:
+    account, extras = original.account, original.people.extras
+    digest = sha256(read_regular(shared / run_folder.TRACE)).hexdigest() if account.trace_sha256 else None
+    return original.names.answer(account).model_copy(
+        update={
+            "at": None,
+            "robot": "a real robot" if account.robot else None,
+            "scenario": original.title,
+            "rulebook": account.rulebook if account.rulebook in shipped_rulebooks() else "own rulebook",
+            "episode": shared.path.name,
+            "trace_sha256": digest,
+            "shared": SharedAnswer(culture=Extra.CULTURE in extras, gender=Extra.GENDER in extras),
+            "bytes_per_minute": shared.bytes_per_minute(account.simulated_s),
+            "files": (),
+        }
+    )
+
+
+def _copy_trace(source: Path, target: Path, names: Names) -> None:
+    nodes = [replace(node, name=names.node(node.name)) for node in read_nodes(source)]
+    events = [_event(event, names) for event in read_trace(source)]
+    with TraceFile(create_private(target), nodes) as file:
+        file.keep(events, nodes)
+
+
+def _event(event: TraceEvent, names: Names) -> TraceEvent:
+    causes = tuple(told for cause in event.because if (told := names.cause(cause)))
+    return replace(event, node=names.node(event.node), because=causes)
+
+
+def _readings(path: Path, names: Names) -> str:
+    """The same numbers under other names.
+
+    Raises:
+        InputError: if the file is damaged.
+    """
+    try:
+        rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
+        text = StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(rows[0])
+        for person, *numbers in rows[1:]:
+            writer.writerow([names.word(person), *(float(number) for number in numbers)])
+    except (OSError, ValueError, IndexError) as error:
+        raise damaged(path, error) from None
+    return text.getvalue()
+
+
+def _scenario(original: _Original) -> dict[str, Any]:
+    """The scenario with what a picture of the run needs of it."""
+    scenario, names = original.scenario, original.names
+    told = scenario.model_dump(
+        mode="json",
+        by_alias=True,
+        exclude_none=True,
+        include={"schema_version", "keep_to", "limits", "passers_by", "robot"},
+    )
+    return {
+        **told,
+        "name": original.title,
+        "about": ABOUT,
+        "rulebook": original.file.file.part("rulebook").data,
+        "place": _place(scenario, names),
+        "robot": _where(told["robot"], names),
+        "people": {names.word(name): _person(original, name) for name in scenario.people},
+        "groups": {names.word(name): list(map(names.word, group)) for name, group in scenario.groups.items()},
+        "goals": [goal_of(goal, names) for goal in scenario.goals],
+        "already": [{"greeted": names.word(one.greeted)} for one in scenario.already],
+    }
+
+
+def _person(original: _Original, name: str) -> dict[str, Any]:
+    person: Person = original.scenario.people[name]
+    assert isinstance(person.profile, Profile)  # a run writes it out
+    kept = {"at_m", "at", "facing_deg", "posture", "carrying", "noise_db", "noisy"}
+    told = person.model_dump(mode="json", exclude_none=True, include=kept)
+    situation = {key: fact for key, fact in person.situation.items() if fact in CLOSED.get(key, ())}
+    return {
+        **_where(told, original.names),
+        "profile": original.people.profile(
+            person.profile, original.scenario.at or original.account.at, original.names.word(name)
+        ),
+        **({"situation": situation} if situation else {}),
+    }
+
+
+def _where(told: dict[str, Any], names: Names) -> dict[str, Any]:
+    """Somebody's place, robot or person, under other names."""
+    keys = [key for key in ("name", "at", "carrying") if isinstance(told.get(key), str)]
+    named: dict[str, Any] = {key: names.word(told[key]) for key in keys}
+    if isinstance(told.get("at"), dict):
+        named["at"] = {key: names.word(room) for key, room in told["at"].items()}
+    return told | named
+
+
+def _place(scenario: Scenario, names: Names) -> dict[str, Any]:
+    place = scenario.place.model_dump(mode="json", by_alias=True, exclude_none=True)
+    if not isinstance(scenario.place, MapPlace):
+        return place | {"furniture": _renamed(place["furniture"], names)}
+    drawn = place["map"]
+    walls = [{key: value for key, value in wall.items() if key != "name"} for wall in drawn["walls"]]
+    keyed = {
+        key: {names.word(name): one for name, one in drawn[key].items()}
+        for key in ("rooms", "doors", "locations")
+    }
+    furniture = _renamed(drawn["furniture"], names)
+    about = {"name": "map", "about": "", "walls": walls, "furniture": furniture}
+    doors = {names.word(name): state for name, state in place["doors"].items()}
+    return place | {"map": drawn | keyed | about, "doors": doors}
+
+
+def _renamed(pieces: Iterable[dict[str, Any]], names: Names) -> list[dict[str, Any]]:
+    return [piece | {"name": names.word(piece["name"])} for piece in pieces]
