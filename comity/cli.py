@@ -27,6 +27,7 @@ from comity.commands import (
     plan,
     profile,
     profile_ask,
+    profile_consent,
     profile_show,
     replay,
     run,
@@ -122,6 +123,7 @@ kept = typer.Typer(
 )
 about_people: tuple[Run, ...] = (
     profile_show.show,
+    profile_consent.consent,
     profile.set_,
     profile_ask.ask,
     profile.reset,

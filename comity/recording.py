@@ -15,6 +15,7 @@ from comity.live_episode import LiveEpisode, Progress
 from comity.output import run_folder
 from comity.output.resolved import resolved_files
 from comity.output.run_folder import RunFolder
+from comity.people.consents import require_consent
 from comity.report.episodes.run import account_after, account_before, account_under_way
 from comity.report.plans.plan import plan_answer
 from comity.system.own_files import create_private, written_whole
@@ -67,8 +68,11 @@ def record(
         called: How the account calls it.
 
     Raises:
-        InputError: if the folder cannot be used or `acts` names no act; nothing is written then.
+        InputError: if the folder cannot be used, `acts` names no act, or somebody who is kept did not agree
+            to be recorded; nothing is written then.
     """
+    for name in filter(None, prepared.kept_as.values()):
+        require_consent(name, "record")
     live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot, operator=operator)
     while True:
         path = run_folder.place_for(out, prepared.file.scenario.name)

@@ -20,6 +20,7 @@ from hypothesis import settings
 from terminal import signals_of_a_terminal
 
 from comity.__main__ import main
+from comity.people.consents import SCOPES, consents_of
 
 settings.register_profile("comity", deadline=None, derandomize="CI" in os.environ)
 settings.register_profile("study", deadline=None, max_examples=100)
@@ -80,10 +81,24 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def comity(here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Comity:
-    """The `comity` command in an empty folder: `comity("run", "johanna", "--json")`."""
+def comity(
+    here: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    request: pytest.FixtureRequest,
+) -> Comity:
+    """The `comity` command in an empty folder: `comity("run", "johanna", "--json")`.
+
+    Everybody whom a test keeps agreed to everything, unless it is marked `nobody_agreed`.
+    """
+    agreed = request.node.get_closest_marker("nobody_agreed") is None
 
     def call(*words: object) -> Said:
+        if words[:2] == ("profile", "set") and agreed and consents_of(str(words[2])) is None:
+            run("profile", "consent", words[2], *SCOPES, "--by", "a_test", "--at", "2000-01-01")
+        return run(*words)
+
+    def run(*words: object) -> Said:
         monkeypatch.setattr(sys, "argv", ["comity", *map(str, words)])
         capsys.readouterr()
         try:

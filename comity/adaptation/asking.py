@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from comity.adaptation.editing import Books, checked, edited, keep_edited
 from comity.parameters.acquaintance import learnt_about, model_m, usual_situation
 from comity.parameters.values import infer_for
+from comity.people.consents import require_consent
 from comity.people.learnt_file import PARAMETER, Stated
 from comity.people.profile import day_for, load_profile
 from comity.people.remembered import forget_answers, remember_answer
@@ -56,13 +57,15 @@ class Question:
             What they named [m].
 
         Raises:
-            InputError: for an answer that could not be granted as a wish either; nothing is changed.
+            InputError: for an answer that could not be granted as a wish either, or of somebody who did not
+                agree that meetings teach about them; nothing is changed.
         """
         document = edited({"name": self.name}, {f"settings.{PARAMETER}": said}, self.judges)
         wish = checked(document, self.judges, self.day).settings.get(PARAMETER)
         if wish is None:
             forget_answers(self.name, self.situation)
             return None
+        require_consent(self.name, "learn")
         stated = Stated(
             day=self.day,
             situation=dict(self.situation),

@@ -11,6 +11,7 @@ from typing import Any
 
 from comity.parameters.consent import refuse_resting
 from comity.parameters.values import cases_of
+from comity.people.consents import lapse, require_consent
 from comity.people.profile import Declared, Profile, day_for
 from comity.people.store import Store
 from comity_fis import (
@@ -92,14 +93,19 @@ def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
         judges: They know which parameters there are, and which wishes can be granted.
 
     Raises:
-        InputError: if the profile cannot be used with the change; nothing is written.
+        InputError: if the profile cannot be used with the change, or the person did not agree to be kept or
+            touched; nothing is written.
     """
+    lapse(name)
+    require_consent(name, "remember")
     profiles: list[Profile] = []
 
     def changed(file: YamlFile | None) -> Document:
         document = edited(kept_document(name, file), words, judges)
         asked = {name for section, name in (_place(key, judges) for key in words) if section == "settings"}
         profiles.append(checked(document, judges, asked=asked))
+        if "touch_consent" in words and "given" in str(document.get("touch_consent")).casefold():
+            require_consent(name, "touch")
         return document
 
     Store().change_profile(name, changed)

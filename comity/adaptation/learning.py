@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import observation, situation_of
 from comity.people.adulthood import is_under_age
+from comity.people.consents import is_covered, require_consent
 from comity.people.remembered import remember
 from comity_fis import InputError, Where
 from comity_fis.learning.signals import SAID
@@ -22,10 +23,14 @@ def refuse_nobody_kept(prepared: Prepared) -> None:
     """Refuse to learn where there is nobody to learn about.
 
     Raises:
-        InputError: if all who are visited have profiles that describe nobody in particular.
+        InputError: if all who are visited have profiles that describe nobody in particular, or none of those
+            who are kept agrees to it.
     """
     visited = prepared.file.scenario.visited()
-    if not any(prepared.kept_as[person] for person in visited):
+    kept = [name for person in visited if (name := prepared.kept_as[person])]
+    if kept and not any(is_covered(name, "learn") for name in kept):
+        require_consent(kept[0], "learn")
+    if not kept:
         raise InputError(
             expected="somebody who is kept on this machine to learn about",
             got="none among those who are visited",
@@ -46,7 +51,13 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
         kept = prepared.kept_as[visit.person]
         person = prepared.file.scenario.people[visit.person]
         seen = observation(visit, prepared.values[visit.person], situation_of(person), day or date.today())
-        if kept and seen and visit.person not in episode.uncertain and _is_adult(episode, visit.person):
+        if (
+            kept
+            and seen
+            and is_covered(kept, "learn")
+            and visit.person not in episode.uncertain
+            and _is_adult(episode, visit.person)
+        ):
             invented = person.comfort is not None  # the scenario reacted, not whoever is kept
             found[kept] = seen.model_copy(update={"simulated": invented})
     return found
@@ -76,4 +87,7 @@ def in_words(seen: Mapping[str, Observation], kept: Container[str]) -> Iterator[
         else:
             yield f"Learnt   nothing about {name}, who is not kept any more"
     if not seen:
-        yield "Learnt   nothing: nobody who is kept was reached, or each asked for a distance of their own"
+        yield (
+            "Learnt   nothing: nobody who is kept and agreed to it was reached, or each asked for a distance "
+            "of their own"
+        )

@@ -22,6 +22,9 @@ class ProfileAnswer(Answer):
     at: date | None = Field(description="The day of the facts; null where none depends on it.")
     declared: Mapping[str, object] = Field(description="The profile as it is written.")
     learnt: Mapping[str, object] | None = Field(description="What meetings taught, as it is kept.")
+    consents: tuple[Mapping[str, str], ...] = Field(
+        default=(), description="What the person agreed to, as it is kept; empty where nothing was recorded."
+    )
     rulebook: str
     inputs: Inputs
     notes: tuple[str, ...]

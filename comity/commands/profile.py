@@ -81,11 +81,13 @@ def export(
     Only the note `about` never leaves the store; `comity profile show` shows it. With --pseudonym the file
     can be passed on as a run of `comity share` can, culture and gender only where --with asks for them.
     """
+    from comity.people.consents import consents_of, lapse
     from comity.people.store import EXPORT_MARK, Store
     from comity.system.own_files import refuse_foreign, write_whole
 
     if pseudonym is None and with_:
         raise _with_alone()
+    lapse(name)
     store = Store()
     under = None if pseudonym is None else _under(pseudonym, name, with_)
     text = store.exported(name) if under is None else under.text
@@ -93,7 +95,13 @@ def export(
         refuse_foreign({out: EXPORT_MARK.encode()})
         write_whole(out, text.encode(), private=True)
     if as_json:
-        kept = {"name": name, "profile": _kept(name), "learnt": store.learnt(name)}
+        agreed = consents_of(name)
+        kept = {
+            "name": name,
+            "profile": _kept(name),
+            "learnt": store.learnt(name),
+            "consents": agreed.model_dump(mode="json")["consents"] if agreed else [],
+        }
         print_json(kept if under is None else under.as_json())
     elif out is None:
         print(text, end="")

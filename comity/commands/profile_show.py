@@ -42,6 +42,7 @@ def show(
 def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) -> None:
     from comity.parameters.acquaintance import learnt_about, usual_situation
     from comity.parameters.values import infer_for
+    from comity.people.consents import consents_of
     from comity.people.profile import day_for
     from comity.people.remembered import remembered
     from comity.people.store import Store
@@ -61,7 +62,8 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
     known = remembered(declared.kept_as) if declared.kept_as else None
     learnt = Store().learnt(declared.kept_as) if declared.kept_as and known else None
     note = str(declared.file.data.get("about", "")) if declared.file else ""
-    shown = Shown(declared, place, on, inference, learnt, note)
+    agreed = consents_of(declared.kept_as) if declared.kept_as else None
+    shown = Shown(declared, place, on, inference, learnt, note, agreed)
     if as_json:
         print_json(profile_answer(shown))
     else:

@@ -20,6 +20,7 @@ from pydantic import (
 )
 
 from comity.people.address import FormOfAddress
+from comity.people.consents import lapse
 from comity.people.culture import Belonging, Cultures, belongings
 from comity.people.dated import OLDEST, UNKNOWN, Day, age_on, held, in_order, is_dated, undated
 from comity.people.fact import (
@@ -259,7 +260,7 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
 
     A shipped name goes first, so that shipped scenarios mean the same everywhere; then somebody who is kept
     in the store; then a file, which a path such as `./amal` names for certain. The note `about` of a stored
-    person stays in the store: only the file has it.
+    person stays in the store: only the file has it. Who agrees to be remembered no more is forgotten.
 
     Args:
         name: A shipped or stored name, or a path.
@@ -269,6 +270,7 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
     Raises:
         InputError: if there is none, or the file does not hold a profile.
     """
+    lapse(name)
     kept = Store().path(name)
     if kept is not None and name not in library.shipped("profile"):
         file = read_yaml(kept)

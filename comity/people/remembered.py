@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from comity.people.consents import is_covered, lapse, require_consent
 from comity.people.learnt_file import Learning, LearntFile, Stated
 from comity.people.store import Store, advising
 from comity_fis import InputError, Where
@@ -14,22 +15,24 @@ if TYPE_CHECKING:
 
 
 def remembered(name: str) -> LearntFile | None:
-    """What meetings with a person taught; None where there were none.
+    """What meetings with a person taught; None where there were none, or they agree to it no more.
 
     Raises:
         InputError: if the file in the store was damaged, with its line.
     """
+    lapse(name)
     file = Store().learnt_file(name)
     return _checked(name, file) if file else None
 
 
 def require_kept(name: str | None) -> str:
-    """The name of somebody who is kept on this machine.
+    """The name of somebody who is kept on this machine and agrees that meetings teach about them.
 
     Raises:
-        InputError: if it is none.
+        InputError: if it is none, or they do not.
     """
     if name is not None:
+        require_consent(name, "learn")
         return name
     raise InputError(
         expected="a profile that is kept on this machine",
@@ -43,23 +46,25 @@ def remember(name: str, seen: Iterable[Learning]) -> bool:
     """Add observations of a person to the store; two runs that learn at the same time both do.
 
     Returns:
-        Whether the person is still kept there; if not, nothing is written.
+        Whether the person is still kept there and agrees to it; if not, nothing is written.
 
     Raises:
         InputError: if the store cannot be read or written.
     """
-    return _change(name, lambda known: known.also(seen))
+    return is_covered(name, "learn") and _change(name, lambda known: known.also(seen))
 
 
 def remember_answer(name: str, stated: Stated) -> bool:
     """Add what a person said; on one day the newer answer takes the place of the older.
 
     Returns:
-        Whether the person is still kept there; if not, nothing is written.
+        Whether the person is still kept there and agrees to it; if not, nothing is written.
 
     Raises:
         InputError: if the store cannot be read or written.
     """
+    if not is_covered(name, "learn"):
+        return False
     return _change(name, lambda known: known.without_answers(stated.situation, stated.day).also([stated]))
 
 

@@ -2,6 +2,7 @@
 
     $COMITY_HOME/people/<name>/profile.yaml     what the person declared and asked for
     $COMITY_HOME/people/<name>/learnt.yaml      what meetings with them taught
+    $COMITY_HOME/people/<name>/consent.yaml     what they agreed to
 
 `COMITY_HOME` is the platform's folder for a user's data unless it is set. Only the user may read the files,
 and deleting a person leaves nothing of them.
@@ -24,7 +25,7 @@ from comity.system.private_files import alone_in, permitted, replace_whole
 from comity_fis import InputError, closest
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml, read_yaml
 
-PROFILE, LEARNT = "profile.yaml", "learnt.yaml"
+PROFILE, LEARNT, CONSENT = "profile.yaml", "learnt.yaml", "consent.yaml"
 EXPORTED = "# Exported by Comity: everything that is kept of a person, but for the note `about`."
 """The first line of an export."""
 EXPORT_MARK = "# Exported by Comity: everything that is kept of a person"
@@ -70,7 +71,7 @@ class Store:
     def keeps(self, name: str) -> bool:
         """Whether anything is kept of a person."""
         return bool(NAME.fullmatch(name)) and any(
-            (self._folder(name) / file).is_file() for file in (PROFILE, LEARNT)
+            (self._folder(name) / file).is_file() for file in (PROFILE, LEARNT, CONSENT)
         )
 
     def path(self, name: str) -> Path | None:
@@ -94,7 +95,7 @@ class Store:
             path = self.path(name)
             document = change(None if path is None else read_yaml(path))
             if path is None:
-                self._clear(name)  # what was left of somebody else of that name
+                self._forget(name, LEARNT)  # what was left of somebody else of that name
             return self._write(name, PROFILE, document)
 
     def remember_profile(self, name: str, document: Document) -> Path:
@@ -142,8 +143,44 @@ class Store:
             if document is not None:
                 self._write(name, LEARNT, document)
             else:
-                with permitted(self._folder(name)):
-                    (self._folder(name) / LEARNT).unlink(missing_ok=True)
+                self._forget(name, LEARNT)
+            return True
+
+    def consent_file(self, name: str) -> YamlFile | None:
+        """What a person agreed to, as a file that knows its lines; None where nothing was ever recorded."""
+        path = self._folder(name) / CONSENT
+        return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
+
+    def change_consent(self, name: str, change: Callable[[YamlFile | None], Document]) -> YamlFile:
+        """Record something else of what a person agreed to, and keep a profile of theirs, which may be empty.
+
+        Args:
+            name: Of the person; somebody new is kept from now on.
+            change: From the file as it is kept, None for somebody new, to the new document.
+
+        Returns:
+            The file as it is kept now.
+
+        Raises:
+            InputError: for a name that cannot be kept, if `change` refuses, in which case nothing is written,
+                or if the system does not let us write.
+        """
+        refuse_name(name)
+        with alone_in(self._people):
+            document = change(self.consent_file(name))
+            if self.path(name) is None:
+                self._forget(name, LEARNT)  # what was left of somebody else of that name
+                self._write(name, PROFILE, {"schema_version": 1, "name": name})
+            return read_yaml(self._write(name, CONSENT, document))
+
+    def withhold_touch(self, name: str) -> bool:
+        """Write that a person does not agree to be touched where it says otherwise; whether it did."""
+        with alone_in(self._people):
+            path = self.path(name)
+            document = dict(read_yaml(path).data) if path else {}
+            if document.get("touch_consent") in (None, "withheld"):
+                return False
+            self._write(name, PROFILE, {**document, "touch_consent": "withheld"})
             return True
 
     def remember_learnt(self, name: str, document: Document) -> bool:
@@ -176,10 +213,11 @@ class Store:
         """
         declared = self.declared(name)
         profile = dump_yaml(without_note(declared.data), inline=True) if declared else ""
-        learnt = self.learnt(name)
+        learnt, consents = self.learnt(name), self.consent_file(name)
         lines = [
             *(["", NOTE_STAYS] if declared and "about" in declared.data else []),
             *(["", "What was learnt with them:", *_lines(learnt)] if learnt is not None else []),
+            *(["", "What they agreed to:", *_lines(consents.data)] if consents else []),
         ]
         comments = "".join(f"# {line}".rstrip() + "\n" for line in lines)
         return f"{EXPORTED}\n{profile}{comments}"
@@ -225,6 +263,10 @@ class Store:
     @property
     def _people(self) -> Path:
         return self.home / "people"
+
+    def _forget(self, name: str, file: str) -> None:
+        with permitted(self._folder(name)):
+            (self._folder(name) / file).unlink(missing_ok=True)
 
     def _clear(self, name: str) -> None:
         with permitted(self._folder(name)):

@@ -156,7 +156,7 @@ def test_an_answer_that_could_not_be_granted_is_refused_and_nothing_is_written(c
     said = comity("profile", "ask", "amal", "--answer", answer, "--counts-as", "observation")
     assert said.code == 2
     assert "conversational_distance" in said.err
-    assert [path.name for path in amal.iterdir()] == ["profile.yaml"]
+    assert {path.name for path in amal.iterdir()} == {"consent.yaml", "profile.yaml"}
 
 
 def test_only_the_situation_can_be_told_beside_an_answer(comity, amal):

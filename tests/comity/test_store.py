@@ -12,6 +12,7 @@ import yaml
 from comity.adaptation.editing import books, keep_edited
 from comity.adaptation.learning import in_words, keep
 from comity.adaptation.resetting import reset
+from comity.people.consents import SCOPES
 from comity.people.learnt_file import LearntFile
 from comity.people.profile import load_profile
 from comity.people.store import Store
@@ -49,11 +50,17 @@ def everything(home):
     return {path: path.read_bytes() if path.is_file() else None for path in sorted(home.rglob("*"))}
 
 
+def agree(comity, *names):
+    """Before anything else is kept of somebody."""
+    for name in names:
+        assert comity("profile", "consent", name, *SCOPES, "--by", "a_test").code == 0
+
+
 def test_a_person_is_kept_as_a_file_that_people_can_read(comity, home):
     said = comity("profile", "set", "amal", "culture={Egypt: 1, SWE: 2}", "birth_year=1954", "distance=90 cm")
     assert said.code == 0, said.err
-    (file,) = home.rglob("*.yaml")
-    assert file == home / "people" / "amal" / "profile.yaml"
+    file = home / "people" / "amal" / "profile.yaml"
+    assert {path.name for path in home.rglob("*.yaml")} == {"profile.yaml", "consent.yaml"}
     assert file.read_text() == (
         "schema_version: 1\nname: amal\nculture: {Egypt: 1, SWE: 2}\nbirth_year: 1954\n"
         "settings: {conversational_distance: 0.9}\n"
@@ -127,7 +134,7 @@ def test_deleting_leaves_nothing(comity, home):
     assert said.code == 0
     assert "Run folders" in said.out
     left = everything(home)
-    assert [path.name for path in left if path.is_file()] == ["profile.yaml"]
+    assert [path.name for path in left if path.is_file()] == ["consent.yaml", "profile.yaml"]
     for path, content in left.items():
         assert "zebedee" not in str(path.relative_to(home))
         assert b"zebedee" not in (content or b"")
@@ -262,6 +269,7 @@ def test_the_answer_unknown_takes_the_wish_back(comity, home):
 
 def test_a_disk_that_refuses_leaves_what_was_there(comity, home, monkeypatch):
     comity("profile", "set", "amal", "age=71")
+    agree(comity, "new")
     before = everything(home)
 
     def full(handle):
@@ -331,6 +339,7 @@ BAD = {
 def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kind):
     wish = {"conversational_distance": 1.1}
     Store().remember_profile("kept", {"name": "kept", "culture": "SWE", "settings": wish})
+    agree(comity, "kept", "new")
     before = everything(home)
     for name in ("new", "kept"):
         words = ["settings.conversational_distance=unknown", *BAD[kind]] if name == "kept" else BAD[kind]
@@ -514,13 +523,15 @@ def test_one_wish_under_two_names_is_refused(comity, home, other):
     for words in (["distance=1.3", f"{other}=1.2"], [f"{other}=1.2", "distance=1.3"]):
         said = comity("profile", "set", "s2", *words)
         assert (said.code, "which mean the same" in said.err) == (2, True)
-    assert everything(home) == {}
+    kept = (home / "people" / "s2" / "profile.yaml").read_text()
+    assert yaml.safe_load(kept) == {"schema_version": 1, "name": "s2"}
 
 
 def test_a_word_that_another_shipped_rulebook_cannot_use_is_refused_when_it_is_set(comity, home):
     said = comity("profile", "set", "x2", "familiarity=lover")
     assert (said.code, "familiarity" in said.err) == (2, True)
-    assert "x2" not in [path.name for path in everything(home)]
+    kept = (home / "people" / "x2" / "profile.yaml").read_text()
+    assert yaml.safe_load(kept) == {"schema_version": 1, "name": "x2"}
 
 
 def test_a_damaged_profile_is_listed_as_such_and_the_others_as_ever(comity, home):

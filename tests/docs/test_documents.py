@@ -63,6 +63,7 @@ def output(line: str, comity: Callable[..., Any]) -> str:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+@pytest.mark.nobody_agreed
 def test_a_page_says_what_happens(page, comity, here, monkeypatch):
     """In one folder, in the order of the page: files are written, commands run, Python runs."""
     monkeypatch.setenv("COMITY_HOME", str(here / "kept"))

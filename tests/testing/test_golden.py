@@ -10,6 +10,7 @@ import pytest
 from rooms import ROOM
 
 import comity_fis
+from comity.people.consents import give
 from comity.people.learnt_file import Stated
 from comity.people.remembered import remember_answer
 from comity.people.store import Store
@@ -266,6 +267,7 @@ def test_what_was_learnt_with_somebody_since_is_named(write, tmp_path, monkeypat
     """The store is no file of the scenario's, and no profile."""
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
     path = write(room=lambda room: room.replace("sam: {profile: german_man", "sam: {profile: sam"))
+    give("sam", ["remember", "learn"], by="a_test")
     Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male"})
     (claim,) = claims_in(path)
     assert judged(claim, update=True).passed

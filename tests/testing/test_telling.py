@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from comity.commands.test import test as command_test
+from comity.people.consents import give
 from comity.people.learnt_file import Stated
 from comity.people.remembered import remember_answer
 from comity.people.store import Store
@@ -167,6 +168,7 @@ def test_a_comparison_tells_the_day_where_one_of_its_profiles_has_dated_facts(wr
 def test_what_was_learnt_drifts_from_day_to_day(write, tmp_path, monkeypatch):
     """But not what the scenario says that was learnt: it holds as it stands there."""
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
+    give("sam", ["remember", "learn"], by="a_test")
     Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU"})
     path = write("finishes within 1 s", room=lambda room: room.replace(SAM, "sam: {profile: sam"))
     assert day_told(path) == []

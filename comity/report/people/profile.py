@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.answers import ProfileAnswer
@@ -15,11 +16,11 @@ from comity_fis import rests_on_facts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
-    from datetime import date
     from typing import Any, Literal
 
     from rich.console import RenderableType
 
+    from comity.people.consents import ConsentFile
     from comity.people.profile import Declared
     from comity_fis import FiredRule, Inference, ParameterValue
 
@@ -35,6 +36,8 @@ class Shown:
     learnt: Mapping[str, Any] | None
     note: str
     """Free words about the person; no answer for programs has those of somebody who is kept."""
+    consents: ConsentFile | None
+    """What they agreed to; None where nothing was recorded."""
 
 
 def profile_answer(shown: Shown) -> ProfileAnswer:
@@ -48,6 +51,9 @@ def profile_answer(shown: Shown) -> ProfileAnswer:
             "at": shown.day,
             "declared": shown.declared.profile.model_dump(mode="json", exclude_defaults=True),
             "learnt": shown.learnt,
+            "consents": [one.model_dump(mode="json") for one in shown.consents.consents]
+            if shown.consents
+            else [],
             "rulebook": shown.inference.rulebook,
             "inputs": inference["inputs"],
             "notes": shown.inference.notes,
@@ -74,6 +80,9 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
     if profile.settings:
         yield "\nAsked for; it goes before everything but safety"
         yield table([(words(name), str(wish)) for name, wish in profile.settings.items()])
+    if shown.place == "kept":
+        yield "\nAgreed to"
+        yield table(list(_consents(shown)) or [("nothing", "so that nothing more is kept")])
     if shown.learnt:
         yield "\nLearnt, by situation; `comity profile export` shows all of it"
         yield table(list(_learnt(shown.learnt)))
@@ -87,6 +96,11 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
     yield f"\nWhat the robot goes by, as the rulebook {shown.inference.rulebook} has it"
     for value in shown.inference.parameters.values():
         yield from _value(value, shown.inference)
+
+
+def _consents(shown: Shown) -> Iterator[tuple[str, str]]:
+    for one in shown.consents.consents if shown.consents else ():
+        yield one.scope, one.in_words(date.today())
 
 
 def _learnt(learnt: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
