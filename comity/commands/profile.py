@@ -19,7 +19,7 @@ from comity.commands.options import (
 from comity_fis.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Mapping
+    from collections.abc import Collection, Iterable, Mapping
 
     from comity.people.profile import Profile
     from comity.sharing.export import Export
@@ -112,23 +112,73 @@ def export(
 
 def delete(
     name: KeptName,
+    in_: Annotated[
+        list[Path] | None,
+        typer.Option("--in", metavar="DIR", help="Search here for runs and tables; runs without it."),
+    ] = None,
+    with_runs: Annotated[
+        bool,
+        typer.Option("--with-runs", help="Delete the runs that hold them, too, with all that is in these."),
+    ] = False,
     yes: Annotated[bool, typer.Option("--yes", help="Do not ask.")] = False,
 ) -> None:
-    """Delete everything that is kept of a person."""
+    """Delete everything that is kept of a person, and say which runs and tables hold them.
+
+    Files beside runs, such as tables of a study, are named and never deleted. Runs with pseudonyms hold no
+    name by which they could be found.
+
+    For example: comity profile delete amal --in runs --in ../study
+    """
+    from comity.output.holding import search
     from comity.people.store import Store
+    from comity.report.people.holding import holding_text
+    from comity.report.text import show
 
     store = Store()
-    folder = store.require(name)
+    default = [Path("runs")] if Path("runs").is_dir() else []
+    searched = search(default if in_ is None else in_, _names_of(name))
+    found = [one for each in searched for one in each.found]
+    if not found or store.keeps(name):
+        store.require(name)
+    runs = [one.path for one in found if one.run] if with_runs else []
     if not yes:
         require_terminal("profile delete", "--yes")
-        if not typer.confirm(f"Delete {folder} and everything in it?"):
+        show(*holding_text(name, searched))
+        what = [*([str(store.require(name))] if store.keeps(name) else []), *map(str, runs)]
+        if not what or not typer.confirm(f"Delete {', '.join(what)} and everything in it?"):
             print("Nothing is deleted.")
             return
-    store.delete(name)
+    _delete(name, runs)
     print(
-        f"Nothing of {name} is kept any more. Run folders hold the profiles they ran with: those are yours "
-        "to delete."
+        f"Nothing of {name} is kept any more."
+        if not runs
+        else f"Nothing of {name} is kept any more, and "
+        f"{len(runs)} run{'s are' if len(runs) > 1 else ' is'} deleted."
     )
+    if yes:
+        show(*holding_text(name, searched, deleted=runs))
+
+
+def _delete(name: str, runs: Iterable[Path]) -> None:
+    from comity.output.run_folder import remove
+    from comity.people.store import Store
+
+    if Store().keeps(name):
+        Store().delete(name)
+    for run in runs:
+        remove(run)
+
+
+def _names_of(name: str) -> set[str]:
+    """What a person may be called in a run: as they are kept, or as their profile says."""
+    from comity.people.store import Store
+
+    try:
+        file = Store().declared(name) if Store().keeps(name) else None
+    except InputError:  # a damaged profile is deleted all the same
+        file = None
+    said = file.data.get("name") if file is not None and isinstance(file.data, dict) else None
+    return {name, said} if isinstance(said, str) and said else {name}
 
 
 def _notes(profile: Profile, rulebook: Rulebook) -> tuple[str, ...]:

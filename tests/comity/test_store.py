@@ -132,7 +132,7 @@ def test_deleting_leaves_nothing(comity, home):
     (home / "people" / "zebedee" / ".profile.yaml.x7f").write_text("half a file of zebedee")
     said = comity("profile", "delete", "zebedee", "--yes")
     assert said.code == 0
-    assert "Run folders" in said.out
+    assert "Searched no folder" in said.out
     left = everything(home)
     assert [path.name for path in left if path.is_file()] == ["consent.yaml", "profile.yaml"]
     for path, content in left.items():

@@ -1,0 +1,47 @@
+"""Which folders were searched for a person, and what holds them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import TYPE_CHECKING
+
+from comity.report.text import unbroken
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from rich.console import RenderableType
+
+    from comity.output.holding import Searched
+
+NOTE = (
+    "Copies elsewhere, backups, and runs with pseudonyms, which hold no name, cannot be found: "
+    "those are yours to delete."
+)
+
+
+def holding_text(
+    name: str, searched: Collection[Searched], deleted: Collection[Path] = ()
+) -> Iterator[RenderableType]:
+    """Folder by folder: how much was searched, what was found, and what could not be read.
+
+    Args:
+        name: Of the person.
+        searched: Where.
+        deleted: Runs that are gone by now.
+    """
+    if not searched:
+        yield "Searched no folder: there is none called runs here. --in DIR names others."
+    for each in searched:
+        yield unbroken(
+            f"Searched {each.folder}: {_counted(each.runs, 'run')}, {_counted(each.files, 'other file')}"
+        )
+        for one in each.found:
+            state = ", deleted" if one.path in deleted else ""
+            yield unbroken(f"  {one.path} holds {name} {one.as_}{state}")
+        yield from (unbroken(f"  {path} could not be searched") for path in each.unread)
+    yield NOTE
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
