@@ -35,6 +35,7 @@ class Kind(StrEnum):
     PROFILE_ASK = "profile-ask"
     LIFE = "life"
     EVALUATE = "evaluate"
+    LEARN = "learn"
     AUDIT = "audit"
     DRAW = "draw"
     TEST = "test"
@@ -48,6 +49,7 @@ def schema(
 
     from comity import answers
     from comity.answers import measuring as measuring_answers
+    from comity.answers.learning import LearnAnswer
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
     from comity.scenario import Scenario
@@ -80,6 +82,7 @@ def schema(
         Kind.PROFILE_ASK: answers.AskAnswer,
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
+        Kind.LEARN: LearnAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
         Kind.TEST: TestsAnswer,
     }

@@ -1,1 +1,1 @@
-"""Tables: CSV with lines in complaints, measured tuples, variables fitted to them, rulebooks held to them."""
+"""Tables: CSV with lines in complaints, measured tuples, variables and rules from them, rulebooks judged."""

@@ -38,6 +38,9 @@ class Radii:
         return self.person + (self.robot if row.partner == "robot" else self.person)
 
 
+USUAL_RADII = Radii()
+
+
 @dataclass(frozen=True, slots=True)
 class Predicted:
     """One measured row and what the rulebook says of people of whom only its facts are known."""
@@ -193,13 +196,26 @@ def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Ra
 
 def _compared(one: Predicted, parameter: NumericParameter, reading: Reading, radii: Radii) -> Compared:
     """A row in the parameter's own convention."""
-    assert isinstance(one.row.value, float)
     assert isinstance(one.value, float)
-    said: Convention | Reading | None = one.row.measured or reading
-    shift = 0.0
-    if parameter.measured is not None and said not in (parameter.measured, "as_stated"):
-        shift = -radii.gap(one.row) if said == "centre" else radii.gap(one.row)
-    return Compared(one.row.value + shift, one.value, one.score)
+    return Compared(in_convention(one.row, parameter, reading, radii), one.value, one.score)
+
+
+def in_convention(
+    row: Measurement, parameter: NumericParameter, reading: Reading, radii: Radii = Radii()
+) -> float:
+    """A measured number as the parameter counts it: between surfaces, or between centres.
+
+    Args:
+        row: A row on this parameter.
+        parameter: That says between which points it is measured.
+        reading: How the row is read if it does not say.
+        radii: Of the bodies.
+    """
+    assert isinstance(row.value, float)
+    said: Convention | Reading | None = row.measured or reading
+    if parameter.measured is None or said in (parameter.measured, "as_stated"):
+        return row.value
+    return row.value - radii.gap(row) if said == "centre" else row.value + radii.gap(row)
 
 
 def _agreements(rows: tuple[Predicted, ...]) -> dict[str, StudyAgreement]:

@@ -48,6 +48,9 @@ class Measurement:
     """People behind the number; None where it was not found."""
     sd: float | None
     """Standard deviation between people, in the parameter's unit."""
+    participant: str
+    """Who it was measured of, inside the study; empty where the row tells of several people, or of whom it
+    does not say."""
     note: str
 
 
@@ -69,6 +72,8 @@ class RowReader:
     rulebook: Rulebook
     facts: tuple[str, ...]
     """Headings that are facts."""
+    about: str = ""
+    """The parameter of a row that names none."""
 
     def measurement(self, row: Row) -> Measurement:
         """One row, checked but for its facts' values, which inference checks."""
@@ -90,6 +95,7 @@ class RowReader:
                 partner=cast(Partner, self._one_of(row, "partner", Partner) or "robot"),
                 n=self._count(row),
                 sd=None if deviation is None else deviation * scale,
+                participant=self._cell(row, "participant"),
                 note=self._cell(row, "note"),
             )
         except InputError as error:
@@ -99,7 +105,7 @@ class RowReader:
         return row.cell(self.table.heading.index(name)) if name in self.table.heading else ""
 
     def _parameter(self, row: Row) -> Parameter:
-        name = self._cell(row, "parameter")
+        name = self._cell(row, "parameter") or self.about
         if name not in self.rulebook.parameters:
             raise InputError(
                 expected=f"a parameter of the rulebook {self.rulebook.name}",

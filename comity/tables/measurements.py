@@ -12,7 +12,7 @@ from comity_fis import Rulebook
 from comity_fis.validation.csv_table import CsvTable, read_csv, short
 
 REQUIRED = ("parameter", "value", "unit")
-OPTIONAL = ("study", "source", "measured", "partner", "n", "sd", "note")
+OPTIONAL = ("study", "source", "measured", "partner", "n", "sd", "participant", "note")
 MOST_ROWS = 5000
 LIKE_KNOWN = 0.8
 """A heading this similar to a known one is taken for a slip of the pen."""
@@ -30,38 +30,43 @@ class Measurements:
     """Headings that say nothing to this rulebook."""
 
 
-def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
+def read_measurements(name: str, rulebook: Rulebook, *, about: str = "") -> Measurements:
     """The rows of a file, each checked against the rulebook's parameters and variables.
 
     Args:
         name: A file's path, or `small-studies` for the rows that ship with Comity.
         rulebook: That the rows are to be held against.
+        about: The parameter of rows that name none; without it the heading `parameter` is required.
 
     Raises:
         InputError: with the line of whatever cannot be used.
     """
-    shipped = Path(__file__).parents[1] / "measured" / f"{SHIPPED}.csv"
     facts = facts_of(rulebook)
     known = [*REQUIRED, *OPTIONAL, *facts]
-    path, called = (shipped, SHIPPED) if name == SHIPPED else (Path(name), None)
-    with read_csv(path, known, called=called) as table:
-        _check_heading(table, known)
-        rows = tuple(_rows(table, rulebook, facts))
+    with read_csv(table_path(name), known, called=name if name == SHIPPED else None) as table:
+        _check_heading(table, known, [name for name in REQUIRED if not (about and name == "parameter")])
+        reader = RowReader(table, rulebook, tuple(name for name in table.heading if name in facts), about)
+        rows = tuple(_rows(table, reader))
     if not rows:
-        raise table.refusal("at least one row below the headings", "none", "Add what a study measured.")
+        remedy = "Add what a study measured."
+        raise table.refusal("at least one row below the headings", "none", remedy, table.line)
     unused = tuple(name for name in table.heading if name and name not in known)
     return Measurements(table.file, rows, unused)
 
 
-def _rows(table: CsvTable, rulebook: Rulebook, facts: Collection[str]) -> Iterator[Measurement]:
-    reader = RowReader(table, rulebook, tuple(name for name in table.heading if name in facts))
+def table_path(name: str) -> Path:
+    """Where the table of that name is, or would be."""
+    return Path(__file__).parents[1] / "measured" / f"{SHIPPED}.csv" if name == SHIPPED else Path(name)
+
+
+def _rows(table: CsvTable, reader: RowReader) -> Iterator[Measurement]:
     for count, row in enumerate(table.rows):
         if count == MOST_ROWS:
             raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file by study.", row.line)
         yield reader.measurement(row)
 
 
-def _check_heading(table: CsvTable, known: Collection[str]) -> None:
+def _check_heading(table: CsvTable, known: Collection[str], required: Collection[str]) -> None:
     for name in table.heading:
         if name and table.heading.count(name) > 1:
             raise table.refusal("each heading once", f"{short(name)} twice", "Rename one.", table.line)
@@ -72,10 +77,10 @@ def _check_heading(table: CsvTable, known: Collection[str]) -> None:
                 f"Did you mean {near!r}? Rename it otherwise.",
                 table.line,
             )
-    for name in REQUIRED:
+    for name in required:
         if name not in table.heading:
             raise table.refusal(
-                f"the headings {', '.join(REQUIRED)}",
+                f"the headings {', '.join(required)}",
                 f"none called {name!r}",
                 "Add it; commas, semicolons or tabs separate headings.",
                 table.line,

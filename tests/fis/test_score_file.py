@@ -133,7 +133,7 @@ def test_the_path_is_relative_to_the_rulebook_wherever_the_command_runs(tmp_path
 
 REFUSED = {
     "no file": (None, DERIVED, r"book\.yaml:\d+: .*'pdi.csv'.*no such file"),
-    "nothing in it": ("", DERIVED, r"pdi\.csv: .*line of headings"),
+    "nothing in it": ("", DERIVED, r"pdi\.csv:1: .*line of headings"),
     "no country": ("land,pdi\nDEU,3\n", DERIVED, r"pdi\.csv:1: .*column `country`"),
     "no score": ("country\nDEU\n", DERIVED, r"pdi\.csv:1: .*column of scores"),
     "several scores": (
@@ -174,5 +174,5 @@ def test_a_table_that_cannot_be_used_is_refused_with_its_line(tmp_path, case):
 def test_bytes_that_are_no_text_are_refused(tmp_path):
     path = rulebook_beside(tmp_path, "")
     (tmp_path / "pdi.csv").write_bytes("country,pdi\nCôte d'Ivoire,3\n".encode("latin-1"))
-    with pytest.raises(InputError, match=r"pdi\.csv: .*UTF-8"):
+    with pytest.raises(InputError, match=r"pdi\.csv:2:2: .*UTF-8"):
         load_rulebook(path)

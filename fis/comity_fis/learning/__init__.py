@@ -1,1 +1,1 @@
-"""What meetings with one person teach: signals of discomfort, the comfortable interval, what was learnt."""
+"""What people teach: one by signals of discomfort, many by a table from which rules and priors are learnt."""

@@ -19,12 +19,13 @@ FIRST_LINE = "# Written by Comity"
 """How a file that may be overwritten starts."""
 
 
-def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
+def rulebook_yaml(rulebook: Rulebook, origin: str, command: str = "comity convert") -> str:
     """The text of a rulebook file that reads back as the same rulebook.
 
     Args:
         rulebook: Any rulebook; tables of scores are named as it named them.
         origin: What it was made from, for the first line.
+        command: What may overwrite it.
     """
     content: dict[str, Any] = {
         "schema_version": 1,
@@ -51,7 +52,7 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
     if rulebook.methods != MAMDANI:
         content["methods"] = asdict(rulebook.methods)
     content["rules"] = [_rule(rule) for rule in rulebook.rules]
-    return f"{FIRST_LINE} from {origin}; `comity convert` may overwrite it.\n{dump_yaml(content)}"
+    return f"{FIRST_LINE} from {origin}; `{command}` may overwrite it.\n{dump_yaml(content)}"
 
 
 def _worded_variable(variable: NominalVariable) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from typing import TextIO
 
 from comity_fis.errors import InputError, Where
 from comity_fis.validation.no_file import no_file
+from comity_fis.validation.undecodable import undecodable
 
 MAX_BYTES = 20_000_000
 DELIMITERS, STRANGE = ",;\t", "|: "
@@ -94,7 +95,7 @@ def csv_table(text: TextIO, wanted: Collection[str], file: str) -> CsvTable:
     lines = _Lines(text)
     first = next(lines, None)
     if first is None:
-        raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.")
+        raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.", 1)
     line, delimiter = lines.number, _delimiter(first, wanted, file, lines.number)
     rows = _rows(file, csv.reader(chain([first], lines), delimiter=delimiter), lines)
     heading = tuple(cell.strip() for cell in next(rows).cells)
@@ -138,12 +139,23 @@ def opened(path: Path, file: str) -> Iterator[TextIO]:
         with path.open(encoding="utf-8-sig") as text:
             yield text
     except UnicodeDecodeError:
-        raise refusal(file, "a CSV file", "a byte that is no UTF-8", "Save it as CSV in UTF-8.") from None
+        raise _no_text(path, file) from None
     except InputError:
         raise
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
         raise refusal(file, "a CSV file", reason, "Check the path and its permissions.") from None
+
+
+def _no_text(path: Path, file: str) -> InputError:
+    """Which byte is no UTF-8; what was decoded until then may have begun in mid-file."""
+    remedy = "Save it as CSV in UTF-8."
+    try:
+        path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        where, got = undecodable(error, file)
+        return InputError(expected="a CSV file", got=got, remedy=remedy, where=where)
+    return refusal(file, "a CSV file", "a byte that was no UTF-8", remedy)
 
 
 def _delimiter(heading: str, wanted: Collection[str], file: str, line: int) -> str:

@@ -1,0 +1,132 @@
+"""A lesson: what a table proposes about one parameter, how it was judged, and what of it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from typing import Literal
+
+from comity.tables.basis import basis_of
+from comity.tables.contenders import CONSTANT, PRIOR, RULES, Contenders
+from comity.tables.evaluation import USUAL_RADII, Radii
+from comity.tables.examples import Examples, LeftOut, chosen_inputs, examples
+from comity.tables.leaving_out import Judgement, judged
+from comity.tables.measurements import read_measurements, table_path
+from comity.tables.proposal import cells_of, prior_of, with_cells, with_prior
+from comity_fis import Rulebook, Source, load_rulebook
+from comity_fis.audit.order import equality_band
+from comity_fis.learning.pooling import PooledPrior
+from comity_fis.learning.rule_table import Cell
+
+Kind = Literal["rules", "prior"]
+EVIDENCE = "evidence"
+"""The rulebook that whatever is learnt has to be compared with."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lesson:
+    """What a table teaches about one parameter."""
+
+    rulebook: Rulebook
+    """That it would change."""
+    examples: Examples
+    inputs: tuple[str, ...]
+    cells: tuple[Cell, ...]
+    prior: PooledPrior | None
+    """None where no row names its participant."""
+    judgement: Judgement
+    digest: str
+    """SHA-256 of the table, in hexadecimal."""
+
+    @property
+    def lacking_inputs(self) -> int:
+        """Rows that no rule is learnt from, since an input is not known."""
+        return sum(any(row.inputs.get(name) is None for name in self.inputs) for row in self.examples.rows)
+
+    @property
+    def proposals(self) -> tuple[Kind, ...]:
+        """What there is to be written: rules where any combination has enough rows, and the prior."""
+        rules: tuple[Kind, ...] = (RULES,) if any(not cell.is_thin for cell in self.cells) else ()
+        return (*rules, PRIOR) if self.prior is not None else rules
+
+    def in_the_way(self, kind: Kind) -> tuple[str, ...]:
+        """What is simpler than a proposal, and not beaten by it.
+
+        Beaten is what is farther off by more than the smallest difference that counts, as judged by enough
+        units for an interval; a constant, where that is more than chance besides. A mean of the others is
+        always a little farther off than any fixed number near it: that alone says nothing about people. A
+        prior of one group is a constant itself, and is compared with the rulebook alone.
+        """
+        against, least = self.judgement.differences[kind], equality_band(self.examples.parameter)
+        beaten = {name for name, one in against.items() if one.low is not None and one.mean < -least}
+        if against[CONSTANT].verdict != "better":
+            beaten -= {CONSTANT}
+        constant = () if kind == PRIOR and self._is_one_group else (CONSTANT,)
+        rivals = (*constant, self.rulebook.name)
+        return tuple(name for name in rivals if name not in beaten)
+
+    @property
+    def standing(self) -> Kind | None:
+        """The proposal of the smallest error with nothing in its way; None: nothing is learnt."""
+        free: list[Kind] = [kind for kind in self.proposals if not self.in_the_way(kind)]
+        free.sort(key=lambda kind: self.judgement.errors[kind].mean)
+        return free[0] if free else None
+
+    def learnt(self, kind: Kind, source: Source) -> Rulebook:
+        """The rulebook with a proposal in it."""
+        name = self.examples.parameter.name
+        if kind == PRIOR:
+            assert self.prior is not None
+            return with_prior(self.rulebook, name, self.prior, source)
+        return with_cells(self.rulebook, name, self.cells, source)
+
+    @property
+    def _is_one_group(self) -> bool:
+        return len({row.group for row in self.examples.rows}) == 1
+
+
+def learn(
+    table: str,
+    parameter: str,
+    rulebook: Rulebook,
+    *,
+    inputs: Sequence[str] = (),
+    left_out: LeftOut | None = None,
+    radii: Radii = USUAL_RADII,
+) -> Lesson:
+    """Learn about one parameter from a table.
+
+    Args:
+        table: A file's path, in the form that `comity evaluate` reads.
+        parameter: Over numbers; of rows that name none, too.
+        rulebook: Whose terms are used.
+        inputs: That rules may read; none: what rows tell of who a person is.
+        left_out: What is left out as one; None: a participant where rows name them, else a study, else a row.
+        radii: Of the bodies, for distances.
+
+    Raises:
+        InputError: if something cannot be used, with the line in the table.
+    """
+    basis = basis_of(rulebook, parameter)
+    found = examples(rulebook, basis, read_measurements(table, rulebook, about=parameter), radii)
+    read = chosen_inputs(rulebook, found, inputs)
+    evidence = load_rulebook(EVIDENCE)
+    books = {EVIDENCE: evidence} if parameter in evidence.parameters else {}
+    contenders = Contenders(basis, read, {**books, rulebook.name: rulebook})
+    learners = contenders.learners(people=found.named)
+    return Lesson(
+        rulebook=rulebook,
+        examples=found,
+        inputs=read,
+        cells=cells_of(basis, read, found.rows),
+        prior=prior_of(basis, found.rows) if found.named else None,
+        judgement=judged(
+            found.rows,
+            learners,
+            left_out or found.left_out,
+            proposals=[name for name in (RULES, PRIOR) if name in learners],
+            file=found.file,
+        ),
+        digest=sha256(table_path(table).read_bytes()).hexdigest(),
+    )
