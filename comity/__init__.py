@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False  # as in `typing`, whose import would come before Ctrl-C can be caught
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
     from datetime import date
     from pathlib import Path
     from typing import Any
@@ -59,6 +59,9 @@ def run(
     acts: Mapping[str, MakeAct] | None = None,
     robot: MapRobot | None = None,
     adults_only: bool = False,
+    unreviewed_wordings: bool = False,
+    site_language: str | None = None,
+    wordings: Sequence[str | Path] = (),
 ) -> Episode:
     """Run one episode.
 
@@ -76,6 +79,10 @@ def run(
             sees people (`comity_executor.MapRobot` says what it needs).
         adults_only: Whether you know that nobody whose age is not known is under 18; a real robot goes to
             nobody else.
+        unreviewed_wordings: Whether a real robot says wordings that nobody who speaks the language has
+            reviewed; else it says the name and the plainest word for it in the language of the site.
+        site_language: The language of the place, by code or name, instead of the scenario's.
+        wordings: Files of wordings, before those that ship.
 
     Returns:
         What happened: outcome, visits, trace, frames and metrics.
@@ -87,6 +94,7 @@ def run(
     from comity.live.loading import require_map_robot
     from comity.live.start import as_seen, for_adults
     from comity.live_episode import execute
+    from comity.parameters.speaking import at_site
     from comity.preparation import prepare, require_seed
     from comity.scenario import load_scenario
 
@@ -95,15 +103,27 @@ def run(
     if robot is not None:
         require_map_robot(robot, type(robot).__name__)
         file = for_adults(as_seen(file, robot), adults_only=adults_only)
+    if site_language is not None or wordings:
+        file = at_site(file, language=site_language, wordings=tuple(map(str, wordings)))
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
-        return execute(prepared, seed=seed, acts=acts or {}, robot=robot)
+        return execute(
+            prepared, seed=seed, acts=acts or {}, robot=robot, unreviewed_wordings=unreviewed_wordings
+        )
     from pathlib import Path
 
     from comity.recording import record
 
     called = None if robot is None else type(robot).__name__
-    return record(prepared, seed=seed, out=Path(out), acts=acts or {}, robot=robot, called=called).episode
+    return record(
+        prepared,
+        seed=seed,
+        out=Path(out),
+        acts=acts or {},
+        robot=robot,
+        called=called,
+        unreviewed_wordings=unreviewed_wordings,
+    ).episode
 
 
 def infer(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import dist
 from typing import TYPE_CHECKING, cast
 
@@ -76,6 +76,8 @@ class LiveEpisode:
             people say happens at its times; faults, walks, doors and stops are those of the real world.
         planner: Whom to ask when things change, in the place of ours.
         operator: Whose words a real robot goes by; every one is told in the trace.
+        unreviewed_wordings: Whether a real robot says wordings that nobody who speaks the language has
+            reviewed; else it says the name and the plainest word for it in the language of the site.
 
     Raises:
         InputError: `acts` names no act that a greeting can have, there is an operator and no robot, or the
@@ -93,6 +95,7 @@ class LiveEpisode:
         robot: MapRobot | None = None,
         planner: Planner | None = None,
         operator: Operator | None = None,
+        unreviewed_wordings: bool = False,
     ) -> None:
         _check_acts(prepared, acts)
         self._prepared = prepared
@@ -130,6 +133,7 @@ class LiveEpisode:
             unserved=prepared.asked.unreachable,
             acts=acts,
             emergency=stop,
+            speaker=replace(prepared.speaker, reviewed_only=robot is not None and not unreviewed_wordings),
         )
         self._operating = operator and Operating(
             operator,
@@ -324,6 +328,7 @@ def execute(
     seed: int = 0,
     acts: Mapping[str, MakeAct] = NO_ACTS,
     robot: MapRobot | None = None,
+    unreviewed_wordings: bool = False,
 ) -> Episode:
     """Carry a plan out.
 
@@ -332,8 +337,9 @@ def execute(
         seed: For the noise of sensors, where the scenario has any.
         acts: Behaviours of your own in place of the robot's acts, by the act's name.
         robot: A real robot in the place of the simulated one.
+        unreviewed_wordings: Whether a real robot says wordings that nobody has reviewed.
     """
-    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot)
+    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot, unreviewed_wordings=unreviewed_wordings)
     live.run()
     return live.so_far()
 

@@ -23,7 +23,7 @@ from comity.simulation.placement import placed
 from comity.simulation.scenery import scene_of
 from comity.specification.goals import agenda_of
 from comity_domain import NoPlan, Plan, PlanningFailed, Visitee, make_plan
-from comity_executor import Limits, greeting_text, leaves_of, manner_of
+from comity_executor import Limits, Speaker, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
 
@@ -63,6 +63,8 @@ class Prepared:
     """How long the robot watches how each person takes its coming."""
     happenings: tuple[Happening, ...]
     """What happens while the plan is carried out."""
+    speaker: Speaker
+    """What the robot says, and how it addresses people."""
     without_visit: tuple[tuple[Case, str], ...]
     """Those whom no plan can serve, each with the reason; the plan is for the others."""
 
@@ -184,6 +186,7 @@ def prepare(
         learnt=cast.learnt,
         kept_as={name: declared.kept_as for name, declared in cast.declared.items()},
         attend_s=attend_s,
+        speaker=cast.speaker,
     )
 
 
@@ -238,7 +241,7 @@ def _visitee(cast: Cast, name: str, values: Inference) -> Visitee:
     now = circumstances(scenario, name, values, cast.rulebook, profile=profile, day=cast.day)
     try:
         manner_of(values)  # what the acts read means what they take it for, or the world never starts
-        greeting_text((name,), values)
+        cast.speaker.wordings_of(values, name)
         return Visitee(
             name,
             values,

@@ -53,6 +53,7 @@ def record(
     robot: MapRobot | None = None,
     operator: Operator | None = None,
     called: str | None = None,
+    unreviewed_wordings: bool = False,
 ) -> Recorded:
     """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
 
@@ -66,6 +67,7 @@ def record(
         robot: A real robot in the place of the simulated one.
         operator: Whose words it goes by.
         called: How the account calls it.
+        unreviewed_wordings: Whether a real robot says wordings that nobody has reviewed.
 
     Raises:
         InputError: if the folder cannot be used, `acts` names no act, or somebody who is kept did not agree
@@ -73,7 +75,14 @@ def record(
     """
     for name in filter(None, prepared.kept_as.values()):
         require_consent(name, "record")
-    live = LiveEpisode(prepared, seed=seed, acts=acts, robot=robot, operator=operator)
+    live = LiveEpisode(
+        prepared,
+        seed=seed,
+        acts=acts,
+        robot=robot,
+        operator=operator,
+        unreviewed_wordings=unreviewed_wordings,
+    )
     while True:
         path = run_folder.place_for(out, prepared.file.scenario.name)
         try:

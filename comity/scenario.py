@@ -29,6 +29,7 @@ from comity.specification.matrix import Markers, Matrix
 from comity.specification.on_foot import PassersBy, Walks
 from comity.specification.scenario_check import NameCheck
 from comity.system import library
+from comity_executor.speech.wordings_file import WordingsFile
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.learning.signals import SIGNALS, Signal
@@ -309,6 +310,16 @@ class Scenario(BaseModel):
     )
     at: Day | None = Field(
         default=None, description="The day on which dated facts are taken; without it the day of the run."
+    )
+    site_language: Name | None = Field(
+        default=None,
+        description="The language of the place, by code or name: what the robot speaks to a person who "
+        "stated none that it has words in; English without it.",
+    )
+    wordings: tuple[Name | WordingsFile, ...] = Field(
+        default=(),
+        max_length=50,
+        description="Wordings of the site's own, each a file or written out; they go before those that ship.",
     )
     place: Annotated[
         Annotated[Place, Tag("room")] | Annotated[MapPlace, Tag("on a map")], Discriminator(_kind_of_place)

@@ -89,6 +89,7 @@ from comity.answers.trace import (
     TraceAnswer,
 )
 from comity.answers.visits import MeetingAnswer, VisitsAnswer
+from comity.answers.wording import WordingAnswer
 
 __all__ = [
     "ActAnswer",
@@ -181,6 +182,7 @@ __all__ = [
     "VisitsAnswer",
     "WhyAnswer",
     "WithoutAnswer",
+    "WordingAnswer",
     "YearAnswer",
     "YearValueAnswer",
 ]

@@ -15,6 +15,7 @@ from comity.answers.inference import (
     OtherwiseAnswer,
     ValueAnswer,
 )
+from comity.answers.wording import WordingAnswer
 from comity_fis.inference.value import Origin
 
 
@@ -114,6 +115,9 @@ class ExplainAnswer(ValueAnswer):
     flips: tuple[FlipAnswer, ...] = Field(description="Smallest change first.")
     without_setting: OtherwiseAnswer | None = Field(description="Null where the person asked for nothing.")
     notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
+    wordings: tuple[WordingAnswer, ...] = Field(
+        default=(), description="Of a parameter of the words: what the robot says to such a person."
+    )
     by_culture: tuple[ExplainedPartAnswer, ...] = Field(
         default=(), description="Of several cultures: each explained by itself, and no rules above."
     )

@@ -11,6 +11,7 @@ from pydantic import Field
 from comity.answers.base import Answer, Outcome
 from comity.answers.inference import ContributionAnswer, PartAnswer
 from comity.answers.plan import StepAnswer
+from comity.answers.wording import WordingAnswer
 from comity_fis.inference.value import Origin
 from comity_fis.learning.signals import Signal
 
@@ -30,6 +31,17 @@ class ActAnswer(Answer):
     amplitude: float | None = Field(description="Of a gesture, 0 to 1.")
     thing: str | None = Field(default=None, description="What was picked up or handed over.")
     stopped: bool = Field(description="Whether it was broken off.")
+    latin: str | None = Field(
+        default=None, description="The text in Latin letters, where it is written in others; else null."
+    )
+    spoken: str | None = Field(
+        default=None,
+        description="The text with the pronunciation that a person stated in place of their name, where they "
+        "did; else null.",
+    )
+    wordings: tuple[WordingAnswer, ...] = Field(
+        default=(), description="What the text is made of; empty for a scenario's own words and for gestures."
+    )
 
 
 class ActTowardsAnswer(ActAnswer):

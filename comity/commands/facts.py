@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity.commands.options import pairs
 from comity.parameters.acquaintance import learnt_here
+from comity.parameters.language import LANGUAGE
 from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.unread import noting_unread
 from comity.parameters.values import Fact, cases_of, infer_for
 from comity.people.dated import UNKNOWN
 from comity.people.profile import NOBODY, PERSONAL, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
+from comity_executor import Speaker
+from comity_executor.speech.speaker import ABOUT_WORDS
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 from comity_fis.validation.csv_table import NUMBER
 
 if TYPE_CHECKING:
     from datetime import date
 
+    from comity_executor import Wording
     from comity_fis import Inference, Learnt, Rulebook
 
 
@@ -63,12 +67,24 @@ class Told:
         accounts = [
             explain(self.rulebook, case.inputs, parameter, case.settings, self.learnt) for case in cases
         ]
-        value = inference[parameter]
+        value, wordings = inference[parameter], _wordings(parameter, inference)
         if not value.parts:
-            return Explained(inference, value, (("", 1.0, accounts[0]),))
+            account = replace(accounts[0], value=value) if parameter == LANGUAGE else accounts[0]
+            return Explained(inference, value, (("", 1.0, account),), wordings)
         parts = [(part.name, part.share) for part in value.parts]
         named = zip(parts, accounts, strict=True)
-        return Explained(inference, value, tuple((name, share, account) for (name, share), account in named))
+        explained = tuple((name, share, account) for (name, share), account in named)
+        return Explained(inference, value, explained, wordings)
+
+
+def _wordings(parameter: str, inference: Inference) -> tuple[Wording, ...]:
+    """What the robot says to such a person, where the parameter chooses words; none it has no words for."""
+    if parameter not in ABOUT_WORDS:
+        return ()
+    try:
+        return Speaker().wordings_of(inference)
+    except InputError:
+        return ()  # a run refuses the rulebook
 
 
 def told_in_words(profile: str | None, words: Iterable[str], rulebook: str, at: date | None = None) -> Told:

@@ -55,6 +55,26 @@ RobotName = Annotated[
 AdultsOnly = Annotated[
     bool, typer.Option("--adults-only", help="With --robot: whoever does not state an age is an adult.")
 ]
+SiteLanguage = Annotated[
+    str | None,
+    typer.Option(
+        metavar="LANGUAGE",
+        help="The language of the place, by code or name: spoken where a person stated none that the robot "
+        "has words in. English without it.",
+    ),
+]
+OwnWordings = Annotated[
+    list[str],
+    typer.Option(metavar="FILE", help="Wordings of yours, before those that ship; may be repeated."),
+]
+Unreviewed = Annotated[
+    bool,
+    typer.Option(
+        "--unreviewed-wordings",
+        help="With --robot: say wordings that nobody who speaks the language has reviewed, too. Without it "
+        "the robot says the name and a plain greeting in the language of the place instead.",
+    ),
+]
 AsShadow = Annotated[
     bool,
     typer.Option("--shadow", help="Sense, plan and explain, but command nothing: others drive the robot."),
@@ -87,6 +107,9 @@ def run(
     learn: Learn = False,
     robot: RobotName = None,
     adults_only: AdultsOnly = False,
+    unreviewed_wordings: Unreviewed = False,
+    site_language: SiteLanguage = None,
+    wordings: OwnWordings = [],  # noqa: B006  (Typer copies it)
     shadow: AsShadow = False,
     operator: WithOperator = False,
     max_speed: MaxSpeed = None,
@@ -110,6 +133,7 @@ def run(
     from comity.commands.progress import watching
     from comity.live.start import as_seen, for_adults, slowed
     from comity.output.run_folder import place_for
+    from comity.parameters.speaking import at_site
     from comity.preparation import prepare
     from comity.recording import record
     from comity.report.episodes.run import reached_text, summary
@@ -123,11 +147,18 @@ def run(
             expected="--pseudonyms", got="--with without it", remedy="Add --pseudonyms, or leave --with out."
         )
     file = for_adults(slowed(load_scenario(scenario), max_speed), adults_only=adults_only)
+    if site_language is not None or wordings:
+        file = at_site(file, language=site_language, wordings=wordings)
     place_for(
         out, FOLDER if pseudonyms else file.scenario.name
     )  # before the planning: a folder that cannot be used costs no wait
     with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
-        needs = {"--adults-only": adults_only, "--shadow": shadow, "--operator": operator}
+        needs = {
+            "--adults-only": adults_only,
+            "--unreviewed-wordings": unreviewed_wordings,
+            "--shadow": shadow,
+            "--operator": operator,
+        }
         base = _robot(robot, needs=needs, shadow=shadow)
         if base is not None:
             file = as_seen(file, base)
@@ -146,6 +177,7 @@ def run(
                 robot=base,
                 operator=_operator() if operator else None,
                 called=f"{robot} (shadow: nothing was commanded)" if shadow else robot,
+                unreviewed_wordings=unreviewed_wordings,
             )
     seen = observed(recorded.episode, day(at)) if learn else {}
     kept = keep(seen)

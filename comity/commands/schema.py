@@ -19,6 +19,7 @@ class Kind(StrEnum):
     MAP = "map"
     PROFILE = "profile"
     RULEBOOK = "rulebook"
+    WORDINGS = "wordings"
     BINDING = "binding"
     RUN = "run"
     PLAN = "plan"
@@ -55,6 +56,7 @@ def schema(
     from comity.scenario import Scenario
     from comity.specification.binding_file import BindingFile
     from comity.testing.reporting.answers import TestsAnswer
+    from comity_executor.speech.wordings_file import WordingsFile
     from comity_fis import rulebook_schema
     from comity_sim2d.maps.file import MapFile
 
@@ -65,6 +67,7 @@ def schema(
         Kind.SCENARIO: Scenario,
         Kind.MAP: MapFile,
         Kind.PROFILE: Profile,
+        Kind.WORDINGS: WordingsFile,
         Kind.BINDING: BindingFile,
         Kind.RUN: answers.RunAnswer,
         Kind.PLAN: answers.PlanAnswer,

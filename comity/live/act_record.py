@@ -43,6 +43,8 @@ class ActRecord:
             rate=act.manner.rate if spoken else None,
             amplitude=None if spoken or act.thing is not None else act.manner.amplitude,
             thing=act.thing,
+            latin=None if act.latin == act.text else act.latin,
+            utterance=act.utterance,
         )
         self._acts.append(_Act(goal, event))
         return f"act {len(self._acts)}"

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from comity.live.act_record import ActRecord
 from comity.live.goals_on_map import GoalsOnMap
 from comity.live.known_world import KnownWorld
-from comity_executor import without_names
 from comity_executor.robots.stop_button import is_false
 from comity_sim2d import Wish
 
@@ -178,8 +176,8 @@ class RobotOnMap:
         """Begin an act; what it is called here. Nobody is named of whom it is not sure who they are."""
         if self._held:
             raise RuntimeError(self._held)  # it is tried again once the operator lets it
-        if act.text is not None and self.uncertain:
-            act = replace(act, text=without_names(act.text, self.uncertain))
+        if self.uncertain:
+            act = act.without(self.uncertain)
         return self._record.begin(act, self._base.perform(act), self.now_s())
 
     def performance(self, act: GoalId) -> GoalStatus:

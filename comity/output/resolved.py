@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from comity.output.run_folder import SCENARIO, TABLES
+from comity.parameters.speaking import wordings_files
 from comity.parameters.used import used_of
 from comity.people.profile import Declared
 from comity.scenario import Limits, MapPlace, Person, RobotStart, Scenario
@@ -37,6 +38,9 @@ def resolved_yaml(prepared: Prepared) -> str:
     content: dict[str, Any] = scenario.model_dump(
         mode="json", by_alias=True, exclude_none=True, exclude={"expect", "matrix", "markers"}
     )
+    content["wordings"] = [deepcopy(one.data) for one in wordings_files(prepared.file)]
+    if not content["wordings"]:
+        del content["wordings"]
     if prepared.day is not None:
         content["at"] = prepared.day.isoformat()
     content["rulebook"] = _with_kept_tables(prepared)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import learnt_with, situation_of
 from comity.parameters.in_run import infer_in_run
+from comity.parameters.speaking import require_words, speaker_of
 from comity.parameters.values import refuse_unknown
 from comity.people.profile import Declared, Profile, ProfileGiven, day_for, declared_by, load_profile
 from comity.system.library import looks_like_a_file, require_file
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
     from comity.people.fact import Fact
     from comity.scenario import Person, ScenarioFile
+    from comity_executor import Speaker
     from comity_fis import Inference, Learnt, Rulebook
     from comity_fis.validation.yaml_file import YamlFile
 
@@ -38,6 +40,8 @@ class Cast:
     """By person."""
     learnt: Mapping[str, Mapping[str, Learnt]]
     """By person and parameter, of those with whom something was learnt."""
+    speaker: Speaker
+    """What the robot says, and how it addresses them."""
 
     def values(self) -> dict[str, Inference]:
         """Everybody's, by person.
@@ -58,7 +62,12 @@ class Cast:
         try:
             refuse_unknown(person.situation, book, f"the situation of {name}")
             return infer_in_run(
-                declared, book, situation=situation_of(person), at=self.day, learnt=self.learnt.get(name)
+                declared,
+                book,
+                situation=situation_of(person),
+                at=self.day,
+                learnt=self.learnt.get(name),
+                site=self.speaker.site,
             )
         except InputError as error:
             raise error.at(self.file.where("people", name)) from None
@@ -95,7 +104,12 @@ def cast_of(
     day = day_for(at or file.scenario.at, *(each.profile for each in declared.values()))
     if learnt is None:
         learnt = learnt_with(file, tuple(profiles or ()), declared, book, day)
-    return Cast(file, book_file, book, where, day, declared, learnt)
+    speaker = speaker_of(file, {name: each.profile for name, each in declared.items()})
+    try:
+        require_words(book, speaker)
+    except InputError as error:
+        raise error.at(where) from None
+    return Cast(file, book_file, book, where, day, declared, learnt, speaker)
 
 
 def rulebook_of(file: ScenarioFile, other: str | None = None) -> YamlFile:

@@ -25,6 +25,7 @@ def infer_in_run(
     situation: Facts,
     at: date | None,
     learnt: Mapping[str, Learnt] | None,
+    site: str | None = None,
 ) -> Inference:
     """The same values as `infer_for` gives; inputs and notes tell nothing that no rule reads.
 
@@ -33,7 +34,9 @@ def infer_in_run(
     """
     cases_of(declared, rulebook, situation=situation, at=at)
     used = used_of(declared, rulebook, at)
-    values = noting_unread(infer_for(used, rulebook, situation=situation, at=at, learnt=learnt), rulebook)
+    values = noting_unread(
+        infer_for(used, rulebook, situation=situation, at=at, learnt=learnt, site=site), rulebook
+    )
     profile = declared.profile
     unread = notes_for_a_run({"culture": profile.culture, **profile.facts(at)}, rulebook)
     return replace(values, notes=(*values.notes, *unread))

@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from comity.parameters.perception import is_read
-from comity.parameters.used import used_facts
+from comity.parameters.used import ADDRESS, reads_languages, used_facts
 
 if TYPE_CHECKING:
     from comity_fis import Rulebook
@@ -46,10 +46,10 @@ def notes_for_a_run(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str
 def unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> list[str]:
     """The names of the facts that are disclosed and that no rule which is on reads.
 
-    That a person does not hear or see is read without rules.
+    That a person does not hear or see, and how they want to be addressed, is read without rules.
     """
-    read = used_facts(rulebook)
-    read |= {"languages"} if "language" in read else set()
+    read = {*used_facts(rulebook), ADDRESS}
+    read |= {"languages"} if reads_languages(rulebook) else set()
     return [
         name
         for name, fact in told.items()

@@ -7,9 +7,13 @@ from datetime import date
 from typing import TYPE_CHECKING, Any
 
 from comity.parameters.consent import CONSENT
+from comity.parameters.language import LANGUAGE
 from comity.parameters.perception import is_read
 from comity.people.profile import Profile
 from comity_fis import Interval
+
+ADDRESS = "form_of_address"
+"""The fact that no rule reads, and the robot's words do."""
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared
@@ -21,6 +25,11 @@ def used_facts(rulebook: Rulebook) -> frozenset[str]:
     read = rulebook.program.about.keys() & rulebook.variables.keys()
     derivations = (rulebook.variables[name].derived_from for name in read)
     return frozenset({*read, *(one.fact for one in derivations if one), CONSENT})
+
+
+def reads_languages(rulebook: Rulebook) -> bool:
+    """Whether the languages that a person stated make a difference to a rule or to what the robot speaks."""
+    return "language" in used_facts(rulebook) or LANGUAGE in rulebook.parameters
 
 
 def used_of(declared: Declared, rulebook: Rulebook, day: date | None) -> Declared:
@@ -38,7 +47,9 @@ def _used(profile: Profile, rulebook: Rulebook, day: date | None) -> dict[str, A
     used = used_facts(rulebook)
     told = profile.facts(day)
     facts = {name: fact for name, fact in told.items() if name in used or is_read(name, fact)}
-    if "language" in used and (languages := profile.facts(day).get("languages")):
+    if profile.form_of_address is not None:  # the robot says it
+        facts[ADDRESS] = profile.form_of_address
+    if reads_languages(rulebook) and (languages := told.get("languages")):
         facts["languages"] = languages
     if isinstance(
         facts.get("age"), Interval

@@ -16,9 +16,10 @@ from comity.parameters.consent import (
     refuse_contact_without_touch,
     resting,
 )
+from comity.parameters.language import in_a_stated_language, stated_languages
 from comity.parameters.own_words import own_words
 from comity.parameters.perception import perceiving
-from comity.parameters.standing import Standing, standing
+from comity.parameters.standing import Standing, reads_culture, standing
 from comity.parameters.unread_facts import notes_of_unread_facts
 from comity.parameters.wishes import decided_here
 from comity.people.adulthood import NOTE, is_under_age
@@ -48,6 +49,7 @@ def infer_for(
     mode: str = "exact",
     at: date | None = None,
     learnt: Mapping[str, Learnt] | None = None,
+    site: str | None = None,
 ) -> Inference:
     """One person's parameters in one situation.
 
@@ -60,12 +62,37 @@ def infer_for(
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
         at: The day on which the facts are taken; needed where some depend on it.
         learnt: What meetings with the person taught, by parameter.
+        site: The language that is spoken where the robot is, by its ISO 639-3 code; None where it is nowhere.
 
     Raises:
         InputError: for a fact outside its variable's domain, a setting that cannot be granted, or a day that
             is missing; with the line of the profile where it is the profile's.
     """
-    cases = cases_of(declared, rulebook, situation=situation, at=at)
+    told = situation or {}
+    inference = _by_culture(declared, rulebook, told, mode=mode, at=at, learnt=learnt)
+    if is_under_age(declared.profile, at, told.get("age")):
+        inference = replace(inference, notes=(*inference.notes, NOTE))
+    stated = stated_languages(declared.profile, at, told)
+
+    def without_culture() -> Inference:
+        nothing = {**told, **_no_culture(rulebook)}
+        return _by_culture(declared, rulebook, nothing, mode=mode, at=at, learnt=learnt)
+
+    inference = in_a_stated_language(inference, stated, site, without_culture)
+    return perceiving(inference, declared.profile, at, told)
+
+
+def _by_culture(
+    declared: Declared,
+    rulebook: Rulebook,
+    told: Facts,
+    *,
+    mode: str,
+    at: date | None,
+    learnt: Mapping[str, Learnt] | None,
+) -> Inference:
+    """What the rules and wishes give in each of the person's cultures, combined by weight."""
+    cases = cases_of(declared, rulebook, situation=told, at=at)
     parts = [
         Part(
             case.name,
@@ -78,11 +105,12 @@ def infer_for(
         )
         for case in cases
     ]
-    inference = parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
-    told = situation or {}
-    if is_under_age(declared.profile, at, told.get("age")):
-        inference = replace(inference, notes=(*inference.notes, NOTE))
-    return perceiving(inference, declared.profile, at, told)
+    return parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
+
+
+def _no_culture(rulebook: Rulebook) -> Facts:
+    """That nothing is known of a person's culture, nor of what follows from it."""
+    return {"culture": None} | {variable.name: None for variable in reads_culture(rulebook)}
 
 
 @dataclass(frozen=True, slots=True)

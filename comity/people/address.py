@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from comity.people.fact import Word
+from comity_fis.validation.one_line import one_line
+
+Said = Annotated[Word, AfterValidator(one_line)]
 
 
 class FormOfAddress(BaseModel):
@@ -14,12 +17,12 @@ class FormOfAddress(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    name: Word = Field(description="The name that they are called by: Anna, Okafor, Sato Yuki.")
-    title: Word | None = Field(default=None, description="Before or after the name: Dr, Frau, san.")
+    name: Said = Field(description="The name that they are called by: Anna, Okafor, Sato Yuki.")
+    title: Said | None = Field(default=None, description="Before or after the name: Dr, Frau, san.")
     order: Literal["title name", "name title"] = Field(
         default="title name", description="Which of the two is said first."
     )
-    pronunciation: Word | None = Field(
+    pronunciation: Said | None = Field(
         default=None, description="How the name is spoken: in IPA, or in letters of any other kind."
     )
 

@@ -19,7 +19,7 @@ from pydantic import (
     model_validator,
 )
 
-from comity.people.address import FormOfAddress
+from comity.people.address import FormOfAddress, Said
 from comity.people.consents import lapse
 from comity.people.culture import Belonging, Cultures, belongings
 from comity.people.dated import OLDEST, UNKNOWN, Day, age_on, held, in_order, is_dated, undated
@@ -127,7 +127,7 @@ class Profile(BaseModel):
     mobility: Word | tuple[WordSince, ...] | None = Field(
         default=None, description="In the person's own words: wheelchair, walking frame."
     )
-    form_of_address: FormOfAddress | Word | None = Field(
+    form_of_address: FormOfAddress | Said | None = Field(
         default=None,
         description="How the person wants to be addressed: a name, or name, title, order and pronunciation.",
     )

@@ -37,6 +37,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "end": max(history.end_s, frames.time_s[-1].item() if len(frames) else 0.0),
         "account": account.model_dump(
             mode="json",
+            by_alias=True,
             include={
                 "status",
                 "outcome",

@@ -106,6 +106,7 @@ def _acts(run: SavedRun) -> list[ActEvent]:
             rate=act.rate,
             amplitude=act.amplitude,
             thing=act.thing,
+            latin=act.latin,
         )
         for person, act in listed or told
     ]

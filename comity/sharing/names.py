@@ -42,8 +42,8 @@ NUMBERED = re.compile(r"[0-9.]+( [a-z/]+)?|passer-by [0-9]+")
 """`3 s`, `0.8 m`, and people without a name of their own."""
 PLACED = frozenset({"arguments", "origin"})
 """Names of which each has its place: one that is left out leaves an empty word."""
-EMPTIED = frozenset({"parts", "unmet", "notes"})
-"""Fields that say where somebody is from, or what stands in their way, in words."""
+EMPTIED = frozenset({"parts", "unmet", "notes", "wordings"})
+"""Fields that say where somebody is from, what they speak, or what stands in their way, in words."""
 KEPT_CAUSES = frozenset({"step", "parameter", "reading", "condition"})
 """Causes that are told without their words; a rule, a variable and a source name culture and gender."""
 

@@ -33,8 +33,12 @@ from comity_executor.robots.noticed import Noticed
 from comity_executor.robots.robot import Reading, Robot, Words
 from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.robots.senses import ReadingSeries, ReadingsFile
+from comity_executor.speech.address import Address
 from comity_executor.speech.manner import Manner, manner_of
-from comity_executor.speech.wording import farewell_text, greeting_text, offer_text, without_names
+from comity_executor.speech.phrasebook import Language, Phrasebook, read_wordings
+from comity_executor.speech.speaker import Speaker
+from comity_executor.speech.utterance import Utterance
+from comity_executor.speech.wording import Wording
 from comity_executor.subtree import VisitSubtree
 from comity_executor.tracing.blackboard_file import BlackboardFile, read_blackboard
 from comity_executor.tracing.coverage import LeafCoverage, leaf_coverage
@@ -57,6 +61,7 @@ __all__ = [
     "STATES",
     "ActGoal",
     "ActStatus",
+    "Address",
     "BlackboardFile",
     "Capabilities",
     "CapabilityValues",
@@ -75,6 +80,7 @@ __all__ = [
     "Heartbeat",
     "History",
     "Intervention",
+    "Language",
     "LeafCoverage",
     "Limits",
     "Localisation",
@@ -92,6 +98,7 @@ __all__ = [
     "Noticed",
     "Overrun",
     "PersonTrack",
+    "Phrasebook",
     "Planner",
     "Reading",
     "ReadingSeries",
@@ -102,35 +109,35 @@ __all__ = [
     "RobotError",
     "ScriptedRobot",
     "Shared",
+    "Speaker",
     "Switch",
     "TraceEvent",
     "TraceFile",
     "Tree",
+    "Utterance",
     "Visit",
     "VisitSubtree",
     "Watchdog",
     "WatchdogError",
     "Why",
+    "Wording",
     "Words",
     "Write",
     "btcpp_xml",
     "build_tree",
     "check_robot",
-    "farewell_text",
     "first_divergence",
-    "greeting_text",
     "is_called",
     "leaf_coverage",
     "leaves_of",
     "manner_of",
     "node_names",
-    "offer_text",
     "read_blackboard",
     "read_nodes",
     "read_trace",
+    "read_wordings",
     "switches",
     "trace_lines",
     "trace_sha256",
     "tree_text",
-    "without_names",
 ]

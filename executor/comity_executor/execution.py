@@ -35,6 +35,7 @@ from comity_executor.robots.rest import Rest
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
 from comity_executor.robots.status import has_stopped
+from comity_executor.speech.speaker import SPEAKER, Speaker
 from comity_executor.tracing import trace as _trace
 from comity_executor.tracing.intervention import Intervention, held
 from comity_executor.tracing.recorder import Recorder
@@ -66,6 +67,7 @@ class Execution:
             what makes one from the name of its node, `juggle(johanna)`, and the person.
         emergency: Says why the robot must stand still, in place of the robot's own call: in real time the
             `read` of a `Heartbeat`.
+        speaker: What the robot says, and how it addresses people.
 
     Raises:
         RobotError: The robot lacks a call, or says what it may not (see `check_robot`).
@@ -84,6 +86,7 @@ class Execution:
         unserved: Mapping[str, str] = NOBODY,
         acts: Mapping[str, MakeAct] = NO_ACTS,
         emergency: Callable[[], object] | None = None,
+        speaker: Speaker = SPEAKER,
     ) -> None:
         require_robot(robot, dict.fromkeys(step.person for step in plan.steps))
         self._robot = robot
@@ -91,6 +94,7 @@ class Execution:
         self._planner = planner
         self._values = values
         self._acts = dict(acts)
+        self._speaker = speaker
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
         self._actions: list[Action] = []
@@ -460,6 +464,7 @@ class Execution:
             memory=self._memory,
             acts=self._acts,
             unserved=unserved,
+            speaker=self._speaker,
         )
         nodes = tuple(_node.preorder(tree.root))
         self._behaviours += nodes

@@ -141,8 +141,8 @@ def test_words_follow_directness_formality_style_and_language(meet):
         "explicit": "Hello, Johanna. What can I do for you?",
         "implicit": "Hello, Johanna. I am here, should anything be needed.",
         "informal": "Hi, Johanna.",
-        "rhetorical": "Marhaban, Johanna. Tasharraftu bi-liqaikum.",
-        "to a close person": "Marhaban, Johanna.",
+        "rhetorical": "مرحبًا، Johanna. تشرّفت بلقائكم.",
+        "to a close person": "مرحبًا، Johanna.",
         "plain": "Hello, Johanna.",
         "formal": "Good day, Johanna.",
     }

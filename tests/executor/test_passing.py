@@ -9,8 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_executor import Execution, Limits
-from comity_executor.speech.passing_words import REQUESTS, passing_text
-from comity_executor.speech.wording import PHRASES
 from comity_fis import load_rulebook
 
 ASKED = "ask_to_pass bob: Excuse me, may I pass?"
@@ -121,24 +119,6 @@ def test_the_manner_and_the_words_suit_the_one_who_is_asked(episode) -> None:
     visits.run(for_s=6.0)
     assert visits.hall.manners["ask_to_pass", "bob"].volume == 0.2
     assert any(call.startswith("ask_to_pass bob: Entschuldigung, Bob") for call in visits.hall.calls)
-
-
-def test_every_language_of_the_greetings_can_ask_and_every_text_names_the_person() -> None:
-    assert REQUESTS.keys() == PHRASES.keys()
-    book = load_rulebook("evidence")
-    texts = set()
-    for language in REQUESTS:
-        for formality in (0.1, 0.5, 0.9):
-            for directness in (0.2, 0.8):
-                wishes = {
-                    "greeting_language": language,
-                    "formality": formality,
-                    "verbal_directness": directness,
-                }
-                texts.add(passing_text("van_dyke", book.infer({}, settings=wishes)))
-    assert len(texts) == 4 * len(REQUESTS)
-    assert all("Van Dyke" in text for text in texts)
-    assert passing_text("passer-by 1", None) == "Excuse me, may I pass?"
 
 
 def test_things_in_the_way_are_not_spoken_to(episode) -> None:

@@ -1,6 +1,7 @@
 // What the robot says and does, in a bubble beside it for as long as it lasts.
 
 import { el } from "./dom.js";
+import { said } from "./wordings.js";
 import { plain } from "./words.js";
 
 const EDGE_PX = 4;
@@ -14,9 +15,9 @@ export class Bubble {
   /** Tell what is done now: acts as in the account of the run, the same ones without drawing them again. */
   tell(acts) {
     this.element.hidden = acts.length === 0;
-    const told = acts.map((act) => `${act.act} ${act.start_s}`).join("|");
-    if (told !== this.told) this.element.replaceChildren(...acts.map(said));
-    this.told = told;
+    const shown = acts.map((act) => `${act.act} ${act.start_s}`).join("|");
+    if (shown !== this.shown) this.element.replaceChildren(...acts.flatMap(told).filter(Boolean));
+    this.shown = shown;
   }
 
   /**
@@ -39,7 +40,7 @@ export class Bubble {
   }
 }
 
-function said(act) {
-  if (act.text !== null) return el("p", { class: "said" }, `“${act.text}”`);
+function told(act) {
+  if (act.text !== null) return said(act);
   return el("p", { class: "gesture" }, el("span", { "aria-hidden": "true" }, "✦"), plain(act.act));
 }

@@ -6,6 +6,7 @@ import { el, say } from "./dom.js";
 import { countUntil } from "./order.js";
 import { revises } from "./plans.js";
 import { SIGNS, did, reading } from "./status.js";
+import { wordings } from "./wordings.js";
 import { seconds } from "./words.js";
 
 const AROUND = 16; // events on each side of the cursor
@@ -123,13 +124,18 @@ export class Why {
   }
 
   /** What is said from an event on. */
-  words({ t, node, status }) {
-    if (node.kind !== "action" || status !== "running") return "";
-    const act = this.episode.acts.find(
+  words(event) {
+    const act = this.said(event);
+    return act ? `: “${act.text}”${act.latin ? ` (${act.latin})` : ""}` : "";
+  }
+
+  /** The act of speech that begins with an event, if one does. */
+  said({ t, node, status }) {
+    if (node.kind !== "action" || status !== "running") return undefined;
+    return this.episode.acts.find(
       ({ act: kind, text, person, start_s: start }) =>
         text !== null && person === node.person && node.name.startsWith(`${kind}(`) && Math.abs(start - t) < 0.001,
     );
-    return act ? `: “${act.text}”` : "";
   }
 
   card(event) {
@@ -138,6 +144,7 @@ export class Why {
     return el(
       "div",
       { class: "card" },
+      wordings(this.said(event)),
       grounds.length > 0 && el("p", { class: "faint" }, "Because"),
       grounds.length > 0 &&
         el(

@@ -31,6 +31,8 @@ from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
 from comity.report.text import number, table, words
 from comity.report.values.inference import because
+from comity.report.values.wordings import unreviewed_text, wording_answers
+from comity_executor import Utterance
 from comity_executor.memory.meeting import NO_GESTURE
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
@@ -203,7 +205,18 @@ def _facts(event: ActEvent) -> dict[str, Any]:
         "amplitude": event.amplitude,
         "thing": event.thing,
         "stopped": event.stopped,
+        "latin": event.latin,
+        **_words(event),
     }
+
+
+def _words(event: ActEvent) -> dict[str, Any]:
+    """What an utterance is made of, where it is made of wordings."""
+    said = event.utterance
+    if not isinstance(said, Utterance):
+        return {}
+    spoken = said.spoken if said.spoken != event.text else None
+    return {"spoken": spoken, "wordings": wording_answers(said.wordings)}
 
 
 def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
@@ -401,12 +414,13 @@ def _done(answer: RunAnswer) -> Iterator[RenderableType]:
         yield "\nWhat was said and done"
         acts.sort(key=lambda pair: pair[1].start_s)
         yield table([(person, f"{act.start_s:.1f} s", *_told(act)) for person, act in acts])
+        yield from filter(None, [unreviewed_text(one for _, act in acts for one in act.wordings)])
 
 
 def _told(act: ActAnswer) -> tuple[str, str]:
     if act.text is not None:
         return (
-            f"“{act.text}”",
+            " ".join(filter(None, (f"“{act.text}”", act.latin and f"({act.latin})"))),
             f"volume {act.volume:.2f}, rate {act.rate:.2f}, {act.end_s - act.start_s:.1f} s",
         )
     if act.thing is not None:

@@ -9,12 +9,14 @@ from comity.answers import ExplainAnswer
 from comity.report.text import number, table, words
 from comity.report.values.explanation import explain_text
 from comity.report.values.explanation_answer import explain_answer
+from comity.report.values.wordings import wording_answers, wordings_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from rich.console import RenderableType
 
+    from comity_executor import Wording
     from comity_fis import Explanation, Inference, ParameterValue
 
 
@@ -26,6 +28,8 @@ class Explained:
     value: ParameterValue
     parts: tuple[tuple[str, float, Explanation], ...]
     """What each culture is called, its share, and the account; one without a name where there is one."""
+    wordings: tuple[Wording, ...] = ()
+    """Of a parameter of the words: what the robot says to such a person."""
 
     @property
     def alone(self) -> Explanation | None:
@@ -35,7 +39,7 @@ class Explained:
 
 def explained_answer(explained: Explained) -> ExplainAnswer:
     """The answer of `comity explain --json`."""
-    notes = {"notes": explained.inference.notes}
+    notes = {"notes": explained.inference.notes, "wordings": wording_answers(explained.wordings)}
     if explained.alone:
         return explain_answer(explained.alone).model_copy(update=notes)
     inference, value = explained.inference, explained.value
@@ -60,6 +64,11 @@ def explained_answer(explained: Explained) -> ExplainAnswer:
 def explained_text(explained: Explained) -> Iterator[RenderableType]:
     """The value and how it came about; with several cultures, then each by itself."""
     yield from (f"Note: {note}" for note in explained.inference.notes)
+    yield from _explained(explained)
+    yield from wordings_text(wording_answers(explained.wordings))
+
+
+def _explained(explained: Explained) -> Iterator[RenderableType]:
     if explained.alone:
         yield from explain_text(explained.alone)
         return

@@ -57,7 +57,7 @@ class Hearing:
     def _judge(self, trial: Trial, person: str, of_whom: str) -> Iterator[Finding]:
         spoken_to = _spoken_to(trial, person)
         said = _said_to(trial, person)
-        if any(holds(act.text or "", self.words) and not act.stopped for act in said):
+        if any(_has(act, self.words) and not act.stopped for act in said):
             return
         counted = Counter(_quoted(act) for act in said)
         heard = " ".join(
@@ -81,7 +81,7 @@ class NeverHears(Hearing):
     EXAMPLE: ClassVar[str] = "anna never hears 'tea'"
 
     def _judge(self, trial: Trial, person: str, of_whom: str) -> Iterator[Finding]:
-        said = [act for act in _said_to(trial, person) if holds(act.text or "", self.words)]
+        said = [act for act in _said_to(trial, person) if _has(act, self.words)]
         if not said:
             return
         spoken_to = _spoken_to(trial, person)
@@ -126,5 +126,11 @@ def _why_silent(trial: Trial, person: str, spoken_to: str) -> Iterator[str]:
     yield from causes.of_step(trial, "Greet", spoken_to)
 
 
+def _has(act: ActEvent, words: str) -> bool:
+    """Whether an utterance has words in it, in its own script or in Latin letters."""
+    return any(holds(text, words) for text in (act.text, act.latin) if text)
+
+
 def _quoted(act: ActEvent) -> str:
-    return f"“{act.text}”{' (broken off)' if act.stopped else ''}"
+    latin = f" ({act.latin})" if act.latin else ""
+    return f"“{act.text}”{latin}{' (broken off)' if act.stopped else ''}"

@@ -5,9 +5,10 @@ from __future__ import annotations
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.memory.meeting import UTTER, Meeting
 from comity_executor.nodes.cause import Account
-from comity_executor.robots.goals import ActGoal
+from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
-from comity_executor.speech.wording import ABOUT_WORDS, greeting_text
+from comity_executor.speech.speaker import ABOUT_WORDS
+from comity_executor.speech.utterance import Utterance
 
 
 class Act(BodyAct):
@@ -22,15 +23,17 @@ class Act(BodyAct):
         super().__init__(meeting.person, meeting, act, meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "values"), writes=("performed", "performed_s"))
 
-    def text(self) -> str | None:
-        """Only an utterance has a text."""
+    def words(self) -> Utterance | None:
+        """Only an utterance has words."""
         meeting = self._meeting
-        return greeting_text(meeting.greet.people, meeting.values) if self._act == UTTER else None
+        return meeting.speaker.greeting(meeting.greet.people, meeting.values) if self._act == UTTER else None
 
     def goal(self) -> ActGoal:
         """In the manner that suits the person."""
-        meeting = self._meeting
-        return ActGoal(self._act, meeting.person, self.text(), manner=meeting.manner)
+        meeting, words = self._meeting, self.words()
+        if words is None:
+            return ActGoal(self._act, meeting.person, manner=meeting.manner)
+        return speech(self._act, meeting.person, words, manner=meeting.manner)
 
     def remember(self) -> None:
         """In the memory of the visit."""

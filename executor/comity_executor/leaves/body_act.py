@@ -14,6 +14,7 @@ from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.goals import ActGoal
+from comity_executor.speech.utterance import Utterance
 
 
 class BodyAct(Action):
@@ -38,11 +39,17 @@ class BodyAct(Action):
         """Which act, what is said in it, and how."""
         manner = self._meeting.manner
         how: Ports = {"volume": manner.volume, "rate": manner.rate, "amplitude": manner.amplitude}
-        return {"act": self._act, "person": self._meeting.person, "text": self.text() or "", **how}
+        return {"act": self._act, "person": self._meeting.person, "text": self.text, **how}
+
+    @property
+    def text(self) -> str:
+        """What is said, in the script of its language; empty where nothing is."""
+        words = self.words()
+        return words.text if isinstance(words, Utterance) else words or ""
 
     @abstractmethod
-    def text(self) -> str | None:
-        """What is said; None where nothing is."""
+    def words(self) -> Utterance | str | None:
+        """What is said, by our wordings or in words of the plan's own; None where nothing is."""
 
     @abstractmethod
     def goal(self) -> ActGoal:

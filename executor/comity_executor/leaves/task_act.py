@@ -10,11 +10,12 @@ from comity_executor.memory.task import SAY, Task
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import HAND_OVER
-from comity_executor.robots.goals import ActGoal
+from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.robots.noticed import noticed
 from comity_executor.robots.robot import Reading
 from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
-from comity_executor.speech.wording import ABOUT_WORDS
+from comity_executor.speech.speaker import ABOUT_WORDS
+from comity_executor.speech.utterance import Utterance
 
 
 class TaskAct(BodyAct):
@@ -28,17 +29,18 @@ class TaskAct(BodyAct):
     @property
     def ports(self) -> Ports:
         """The act, and what is handed over in it."""
-        return {**super().ports, **self._task.ports, "text": self.text() or ""}
+        return {**super().ports, **self._task.ports, "text": self.text}
 
-    def text(self) -> str | None:
-        """Only an utterance has a text."""
-        return self._task.text if self._act == UTTER else None
+    def words(self) -> Utterance | str | None:
+        """Only an utterance has words."""
+        return self._task.words if self._act == UTTER else None
 
     def goal(self) -> ActGoal:
         """An object goes from hand to hand."""
-        task = self._task
-        thing = task.thing if self._act == HAND_OVER else None
-        return ActGoal(self._act, task.person, self.text(), thing, task.meeting.manner)
+        task, words, manner = self._task, self.words(), self._task.meeting.manner
+        if words is not None:
+            return speech(self._act, task.person, words, manner=manner)
+        return ActGoal(self._act, task.person, None, task.thing if self._act == HAND_OVER else None, manner)
 
     def begin(self) -> None:
         """Start the act; what is being handed over is on its way from the robot's hands."""

@@ -21,6 +21,7 @@ from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.manner import Manner, manner_of
+from comity_executor.speech.speaker import SPEAKER, Speaker
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.moved_curve import MovedCurve
 from comity_fis.inference.value import Inference
@@ -52,6 +53,8 @@ class Meeting:
     shared: SharedMemory
     custom: Mapping[str, MakeAct]
     """Acts that are behaviours of the user's own, by name."""
+    speaker: Speaker = SPEAKER
+    """What is said, and how people are addressed."""
 
     def seen_by(
         self, leaf: Behaviour, *, reads: Collection[str] = (), writes: Collection[str] = ()

@@ -15,7 +15,7 @@ from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.leaf import Ports
 from comity_executor.robots.carrier import HAND_OVER, Carrier
 from comity_executor.robots.status import known_performance
-from comity_executor.speech.wording import farewell_text, offer_text
+from comity_executor.speech.utterance import Utterance
 
 FETCH, RETURN = "Fetch", "Return_to_user"
 SAY, OFFER, WAIT, LEAVE = "Say", "Offer", "Wait", "Take_leave"
@@ -118,14 +118,21 @@ class Task:
         return ()
 
     @property
-    def text(self) -> str:
-        """What is said."""
+    def words(self) -> Utterance | str:
+        """What is said, by our wordings or in words of the scenario's own."""
+        speaker, values = self.meeting.speaker, self.meeting.values
         match self.step.action:
             case "Offer":
-                return offer_text(self.person, self.thing, self.meeting.values)
+                return speaker.handing_over(self.person, self.thing, values)
             case "Take_leave":
-                return farewell_text(self.person, self.meeting.values)
+                return speaker.farewell(self.person, values)
         return str(self.step.parameters["text"])
+
+    @property
+    def latin(self) -> str:
+        """What is said in Latin letters, whose number says how long it takes."""
+        words = self.words
+        return words.latin if isinstance(words, Utterance) else words
 
     @property
     def ports(self) -> Ports:

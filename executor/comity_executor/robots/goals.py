@@ -7,12 +7,14 @@ of a goal names it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from math import inf
 from typing import Literal, Protocol, get_args
 
+from comity_executor.speech.address import without_names
 from comity_executor.speech.manner import NORMAL, Manner
+from comity_executor.speech.utterance import Utterance
 
 GoalId = int | str
 """What a robot calls a goal or an act: a number, or the text of a UUID. It is never given twice."""
@@ -104,9 +106,51 @@ class ActGoal:
     to: str
     """Towards which person; of `pick_up`, at which place."""
     text: str | None = None
+    """What is said, in the script of its language."""
     thing: str | None = None
     manner: Manner = NORMAL
     """How loud and how fast to speak, how large to gesture."""
+    utterance: Utterance | None = None
+    """The wordings that `text` is made of, with their facts; None for a gesture or a plan's own text."""
+
+    @property
+    def language(self) -> str | None:
+        """The language of the text by its BCP 47 tag; None where it is not known."""
+        return self.utterance.language if self.utterance else None
+
+    @property
+    def latin(self) -> str | None:
+        """The text in Latin letters."""
+        return self.utterance.latin if self.utterance else self.text
+
+    @property
+    def spoken(self) -> str | None:
+        """The text for a synthesiser: with the pronunciation that a person stated in place of their name."""
+        return self.utterance.spoken if self.utterance else self.text
+
+    def without(self, people: Collection[str]) -> ActGoal:
+        """The same where some people are not to be named."""
+        if self.utterance is None:
+            return self if self.text is None else replace(self, text=without_names(self.text, people))
+        utterance = self.utterance.without(people)
+        return replace(self, text=utterance.text, utterance=utterance)
+
+
+def speech(
+    act: str, to: str, words: Utterance | str, *, thing: str | None = None, manner: Manner = NORMAL
+) -> ActGoal:
+    """An act of speech.
+
+    Args:
+        act: `utter` or `ask_to_pass`.
+        to: Towards whom.
+        words: What is said; a text where the plan has one of its own.
+        thing: What is handed over with it.
+        manner: How.
+    """
+    if isinstance(words, str):
+        return ActGoal(act, to, words, thing, manner)
+    return ActGoal(act, to, words.text, thing, manner, words)
 
 
 class GoalStatus(Protocol):

@@ -1,205 +1,124 @@
-"""What the robot says: the words follow formality, directness, style and language.
-
-The texts are our own and no speaker has reviewed them. Arabic and Japanese are written in Latin letters, so
-that every terminal and font shows them. No text mentions or presumes a religion, a gender or a title.
-None puts a formal pronoun beside what may be a first name, and none welcomes: that is for the host to do.
-"""
+"""One wording with its facts: language, script, Latin form, register, occasion, and who reviewed it."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import date
+from typing import Literal, get_args
 
-from comity_fis.errors import InputError, closest
-from comity_fis.inference.value import Inference
+from comity_executor.speech.script import LATIN, read_script, read_tag, require_script
+from comity_fis.errors import WrongValueError
+from comity_fis.validation.one_line import one_line
 
-ABOUT_WORDS = ("greeting_language", "formality", "rhetorical_style", "verbal_directness")
-"""The parameters that choose among wordings, in the order in which a text follows them."""
+Use = Literal[
+    "greet",
+    "honour",
+    "offer_help",
+    "hint_at_help",
+    "hand_over",
+    "take_leave",
+    "ask_to_pass",
+    "hint_at_passing",
+]
+"""What a wording is said for.
 
-INFORMAL, FORMAL = 0.3, 0.7
-"""Of formality: below the one, above the other; where the terms of the rulebook `evidence` cross."""
-RHETORICAL = 0.5
-IMPLICIT, EXPLICIT = 0.45, 0.55
-"""Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
-
-
-@dataclass(frozen=True, slots=True)
-class Wordings:
-    """The same in three degrees of formality."""
-
-    informal: str
-    neutral: str
-    formal: str
+`honour`: after a greeting, where the style is rhetorical. `offer_help`, `hint_at_help`: after a greeting,
+where the directness is high or low. `hand_over`: with something that is handed over. `ask_to_pass`: to a
+person who blocks the path, and `hint_at_passing` where the directness is low.
+"""
+NAMES_NOBODY: tuple[Use, ...] = ("honour", "offer_help", "hint_at_help")
+"""These follow words that have named the person."""
+Register = Literal["plain", "informal", "neutral", "formal"]
+"""How formal it is. `plain` is the plainest word for it with the name: what a robot says that has nothing
+reviewed to say."""
+Occasion = Literal["first_meeting"]
+NAME, THING = "{name}", "{thing}"
+_BLANK = re.compile(r"\{[^}]*\}?|\}")
+_COMMAS = ",،、"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Phrases:
-    """What the robot says before people in one language."""
-
-    salutation: Wordings
-    rhetorical: str
-    """At a first meeting only."""
-    implicit: str
-    explicit: str
-    offer: str
-    """May name the thing, which is called as in the scenario: in English words."""
-    farewell: Wordings
-    joined: str
-    """Between the last two names, where several people are greeted at once."""
-
-
-PHRASES: Mapping[str, Phrases] = {
-    "eng": Phrases(
-        salutation=Wordings("Hi, {name}.", "Hello, {name}.", "Good day, {name}."),
-        rhetorical="It is an honour to meet you.",
-        implicit="I am here, should anything be needed.",
-        explicit="What can I do for you?",
-        offer="{name}, I have brought you {thing}.",
-        farewell=Wordings("Bye, {name}.", "Goodbye, {name}.", "Goodbye, {name}, and thank you."),
-        joined=" and ",
-    ),
-    "deu": Phrases(
-        salutation=Wordings("Hallo, {name}.", "Guten Tag, {name}.", "Guten Tag, {name}."),
-        rhetorical="Es ist mir eine Ehre.",
-        implicit="Ich bin da, falls etwas gebraucht wird.",
-        explicit="Was kann ich tun?",
-        offer="Bitte schön, {name}.",
-        farewell=Wordings(
-            "Tschüss, {name}.", "Auf Wiedersehen, {name}.", "Auf Wiedersehen, {name}, und vielen Dank."
-        ),
-        joined=" und ",
-    ),
-    "swe": Phrases(
-        salutation=Wordings("Tjena, {name}.", "Hej, {name}.", "God dag, {name}."),
-        rhetorical="Det är en ära.",
-        implicit="Jag finns här, om något behövs.",
-        explicit="Vad kan jag göra?",
-        offer="Varsågod, {name}.",
-        farewell=Wordings("Hej då, {name}.", "Hej då, {name}.", "På återseende, {name}, och tack."),
-        joined=" och ",
-    ),
-    "ara": Phrases(
-        salutation=Wordings("Marhaba, {name}.", "Marhaban, {name}.", "Marhaban, {name}."),
-        rhetorical="Tasharraftu bi-liqaikum.",
-        implicit="Ana huna.",
-        explicit="Kayfa usaidukum?",
-        offer="Tafaddalu, {name}.",
-        farewell=Wordings("Ila al-liqa, {name}.", "Ila al-liqa, {name}.", "Ila al-liqa, {name}, wa shukran."),
-        joined=" wa ",
-    ),
-    "jpn": Phrases(
-        salutation=Wordings("Konnichiwa, {name}-san.", "Konnichiwa, {name}-san.", "Konnichiwa, {name}-sama."),
-        rhetorical="Oai dekite kouei desu.",
-        implicit="Koko ni orimasu.",
-        explicit="Nani o shimashou ka?",
-        offer="Douzo, {name}-san.",
-        farewell=Wordings(
-            "Mata ne, {name}-san.", "Dewa mata, {name}-san.", "Shitsurei shimasu, {name}-sama."
-        ),
-        joined="-san to ",
-    ),
-}
-"""By ISO 639-3 code."""
-
-OWN_LANGUAGE = "eng"
-
-
-def greeting_text(people: Sequence[str], values: Inference) -> str:
-    """What the robot says to one person or a company; where a rulebook says nothing of the words, just hello.
-
-    Args:
-        people: Whom it greets.
-        values: The parameters of the one it stands before.
+class Wording:
+    """What the robot says for one purpose, in one language and register.
 
     Raises:
-        InputError: where a rulebook means something else by one of these parameters.
+        WrongValueError: its facts contradict one another, or are none.
     """
-    phrases = PHRASES[spoken_language(values)]
-    *others, last = map(name_of, people)
-    names = phrases.joined.join(filter(None, (", ".join(others), last)))
-    parts = (
-        by_formality(phrases.salutation, values).format(name=names),
-        _style(phrases, values),
-        _offer(phrases, values),
-    )
-    return " ".join(filter(None, parts))
+
+    language: str
+    """By its BCP 47 tag."""
+    script: str
+    """By its ISO 15924 code: every letter of `text` belongs to it."""
+    use: Use
+    register: Register
+    text: str
+    """As it is written in its script, with `{name}` where the person is named."""
+    latin: str | None = None
+    """The same in Latin letters; None where `text` is."""
+    occasion: Occasion | None = None
+    """When alone it is said; None for any meeting."""
+    reviewed_by: str | None = None
+    """Who speaks the language and has read it; None where nobody has."""
+    reviewed_on: date | None = None
+    """The day on which they did."""
+
+    def __post_init__(self) -> None:
+        read_tag(self.language)
+        read_script(self.script)
+        for words, script, what in ((self.text, self.script, "`text`"), (self.latin, LATIN, "`latin`")):
+            if words is not None:
+                one_line(words)
+                require_script(_BLANK.sub("", words), script, what)
+                self._require_blanks(words)
+        self._require(self.use in get_args(Use), f"`use` as one of {', '.join(get_args(Use))}", self.use)
+        if (self.script == LATIN) != (self.latin is None):
+            there = "no `latin`" if self.script == LATIN else "`latin`, the same in Latin letters"
+            raise WrongValueError(
+                expected=f"{there} beside a text in the script {self.script}",
+                got=repr(self.latin or "none"),
+                remedy="Remove it." if self.script == LATIN else "Add it: terminals and pictures show it.",
+            )
+        if (self.reviewed_by is None) != (self.reviewed_on is None):
+            raise WrongValueError(
+                expected="`reviewed_by` and `reviewed_on`, or neither",
+                got="a review without a " + ("name" if self.reviewed_by is None else "date"),
+                remedy="Write who reviewed it and on which day.",
+            )
+
+    @property
+    def is_reviewed(self) -> bool:
+        """Whether somebody who speaks the language has read it."""
+        return self.reviewed_by is not None
+
+    @property
+    def needs_no_review(self) -> bool:
+        """Whether a real robot says it in any case."""
+        return self.is_reviewed or self.register == "plain"
+
+    @property
+    def key(self) -> tuple[Use, Register, Occasion | None]:
+        """What there is one of in a language."""
+        return self.use, self.register, self.occasion
+
+    def _require_blanks(self, words: str) -> None:
+        blanks, names = _BLANK.findall(words), self.use not in NAMES_NOBODY
+        allowed = {*([NAME] if names else []), *([THING] if self.use == "hand_over" else [])}
+        holds = allowed.issuperset(blanks) and blanks.count(NAME) == names and blanks.count(THING) <= 1
+        expected = f"{NAME} once" if names else "no blank to fill in"
+        self._require(holds, f"{expected} in a wording to {self.use.replace('_', ' ')}", words)
+
+    @staticmethod
+    def _require(holds: bool, expected: str, got: str) -> None:
+        if not holds:
+            raise WrongValueError(
+                expected=expected, got=repr(got), remedy=f"Write for example {'Hello, {name}.'!r}."
+            )
 
 
-def offer_text(person: str, thing: str, values: Inference) -> str:
-    """What the robot says when it hands something over; the thing is called as in the scenario."""
-    return PHRASES[spoken_language(values)].offer.format(name=name_of(person), thing=thing)
-
-
-def farewell_text(person: str, values: Inference) -> str:
-    """What the robot says when it leaves, as formal as its greeting was."""
-    return by_formality(PHRASES[spoken_language(values)].farewell, values).format(name=name_of(person))
-
-
-def name_of(person: str) -> str:
-    """How somebody is called: with the capitals that their name has, or else with one for each word."""
-    name = person.replace("_", " ")
-    return name.title() if name.islower() else name
-
-
-def without_names(text: str, people: Iterable[str]) -> str:
-    """The same words to somebody of whom it is not sure who they are.
-
-    Args:
-        text: One of ours.
-        people: Whose names are not to be said, with whatever joins or follows them.
-    """
-    names = "|".join(re.escape(name_of(person)) for person in sorted(people, key=len, reverse=True))
-    joins = "|".join(re.escape(phrases.joined) for phrases in PHRASES.values())
-    name = rf"(?:{names})(?:-san|-sama)?"
-    return re.sub(rf",? {name}(?:(?:, |{joins}){name})*", "", text)
-
-
-def by_formality(wordings: Wordings, values: Inference) -> str:
-    """The wording that is as formal as suits; the neutral one where a rulebook says nothing of formality."""
-    formality = number_of(values, "formality")
-    if formality is None or INFORMAL <= formality <= FORMAL:
-        return wordings.neutral
-    return wordings.informal if formality < INFORMAL else wordings.formal
-
-
-def _style(phrases: Phrases, values: Inference) -> str:
-    """The rhetorical sentence, which suits a first meeting alone: with a stranger, where that is known."""
-    style = number_of(values, "rhetorical_style")
-    first = values.inputs.get("familiarity") == "stranger"
-    return phrases.rhetorical if first and style is not None and style > RHETORICAL else ""
-
-
-def _offer(phrases: Phrases, values: Inference) -> str:
-    directness = number_of(values, "verbal_directness")
-    if directness is None or IMPLICIT <= directness <= EXPLICIT:
-        return ""
-    return phrases.implicit if directness < IMPLICIT else phrases.explicit
-
-
-def spoken_language(values: Inference) -> str:
-    """The language in which somebody is spoken to, as a code of `PHRASES`."""
-    if "greeting_language" not in values.parameters:
-        return OWN_LANGUAGE
-    language = str(values["greeting_language"].value)
-    if language not in PHRASES:
-        raise InputError(
-            expected=f"greeting_language as one that the robot speaks ({', '.join(PHRASES)})",
-            got=repr(language),
-            remedy=closest(language, PHRASES),
-        )
-    return language
-
-
-def number_of(values: Inference, parameter: str) -> float | None:
-    """A parameter of the words; None where the rulebook has none of the name."""
-    if parameter not in values.parameters:
-        return None
-    value = values[parameter].value
-    if isinstance(value, str):
-        raise InputError(
-            expected=f"{parameter} as a number",
-            got=repr(value),
-            remedy="The robot's words follow it; give the rulebook's another name, or this meaning.",
-        )
-    return value
+def unnamed(template: str) -> str:
+    """A template without its name, and without the comma that sets it off."""
+    if template.startswith(NAME):
+        rest = template.removeprefix(NAME).lstrip(f"{_COMMAS} ")
+        return rest[:1].upper() + rest[1:] if rest.strip(".。") else ""
+    return re.sub(rf"[{_COMMAS}]?\s*{re.escape(NAME)}", "", template)

@@ -29,10 +29,9 @@ from comity_executor.memory.shared import Asked
 from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.leaf import Action, Condition, Ports
-from comity_executor.robots.goals import ActGoal
+from comity_executor.robots.goals import speech
 from comity_executor.robots.status import known_motion
 from comity_executor.speech.manner import NORMAL, manner_of
-from comity_executor.speech.passing_words import passing_text
 from comity_fis.inference.value import Inference
 
 ASK = "ask_to_pass"
@@ -196,11 +195,11 @@ class AskToPass(Action):
         if who is None:
             return False
         values = self._values.get(who)
-        asked, text = Asked(now_s, who, self._way.label), passing_text(who, values)
+        asked, words = Asked(now_s, who, self._way.label), meeting.speaker.request_to_pass(who, values)
         manner = manner_of(values) if values else NORMAL
-        self._performing.begin(ActGoal(ASK, who, text, manner=manner))
+        self._performing.begin(speech(ASK, who, words, manner=manner))
         self._asked.append(asked)
-        self._texts.append(text)
+        self._texts.append(words.latin)
         meeting.asking.note(asked)
         return True
 

@@ -78,7 +78,7 @@ def _act(task: Task, act: str) -> Behaviour:
 
 def _done(task: Task, act: str) -> Behaviour:
     limits, rate = task.meeting.limits, min(1.0, task.meeting.manner.rate)
-    normal_s = SECONDS_PER_CHARACTER * len(task.text) if act == UTTER else 0.0
+    normal_s = SECONDS_PER_CHARACTER * len(task.latin) if act == UTTER else 0.0
     patience_s = max(limits.act_timeout_s, normal_s) / rate  # slow speech takes its time
     timeout = ActTimeout(
         f"Timeout {patience_s:g} s({act}, {task.label})",

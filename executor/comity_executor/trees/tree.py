@@ -72,6 +72,7 @@ from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 from comity_executor.robots.carrier import HAND_OVER
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
+from comity_executor.speech.speaker import SPEAKER, Speaker
 from comity_executor.trees.fetching import brought, taken
 from comity_executor.trees.passing import passing, way_to
 from comity_executor.trees.task_tree import block
@@ -143,6 +144,7 @@ def build_tree(
     memory: Memory | None = None,
     acts: Mapping[str, MakeAct] = NO_ACTS,
     unserved: Mapping[str, str] = MappingProxyType({}),
+    speaker: Speaker = SPEAKER,
 ) -> Tree:
     """Build the tree of a plan.
 
@@ -157,6 +159,7 @@ def build_tree(
         memory: What is remembered of the plans before; a new one is the tree's own.
         acts: Behaviours of the user's own in place of the robot's acts, by the act's name.
         unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
+        speaker: What the robot says, and how it addresses people.
 
     Raises:
         ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
@@ -178,7 +181,7 @@ def build_tree(
         visit.reach = next(step for step in steps if step.action == REACH)
         visit.greet = greet = _greeting(steps, visit)
         visit.values = own
-        meeting = Meeting(person, robot, senses, limits, visit, shared, acts)
+        meeting = Meeting(person, robot, senses, limits, visit, shared, acts, speaker)
         _ = meeting.wanted  # a step without its numbers is refused here
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)

@@ -96,20 +96,24 @@ class ActEvent:
     """Of a gesture, in [0, 1]."""
     thing: str | None = None
     """What is picked up or handed over."""
+    latin: str | None = None
+    """The text in Latin letters, where it is written in others."""
+    utterance: object = None
+    """What the text is made of, for the program that told the robot to say it."""
 
     def __post_init__(self) -> None:
         require_text("act", "act", self.act)
         require_text(self.act, "person", self.person)
         require_numbers(self.act, t_start=self.t_start, t_end=self.t_end)
         require_numbers(self.act, volume=self.volume, rate=self.rate, amplitude=self.amplitude)
-        texts = {"text": (self.text, str | None), "thing": (self.thing, str | None)}
+        texts = {name: (getattr(self, name), str | None) for name in ("text", "thing", "latin")}
         require_kinds(self.act, stopped=(self.stopped, TRUTH), **texts)
 
     @property
     def words(self) -> str:
         """What a reader sees: the utterance in quotation marks, or the gesture as a verb, and how."""
         if is_spoken(self.act, self.text):
-            said = f"“{self.text}”" if self.text else "speaks"
+            said = f"“{self.latin or self.text}”" if self.text else "speaks"
             return f"{said}{_adverb(self.volume, ' softly', ' loudly')}"
         done = VERBS.get(self.act, self.act.replace("_", " "))
         if self.thing is not None:
@@ -146,6 +150,16 @@ class ActGoal(Protocol):
         """How."""
         ...
 
+    @property
+    def latin(self) -> str | None:
+        """What is said in Latin letters: how long it takes follows from their number."""
+        ...
+
+    @property
+    def utterance(self) -> object:
+        """What the text is made of; it is put on record as it is."""
+        ...
+
 
 class ActStatus(NamedTuple):
     """How an act goes."""
@@ -169,16 +183,17 @@ class Acts:
         """All acts in the order they began."""
         return tuple(self._events)
 
-    def start(
-        self, act: str, person: str, text: str | None, manner: Manner = NORMAL, *, thing: str | None = None
-    ) -> str:
+    def start(self, goal: ActGoal) -> str:
         """Begin an act, in place of the same one towards that person where it runs; what it is called."""
-        require_kinds("act", act=(act, str), text=(text, str | None), manner=(manner, Manner))
+        act, person, text, manner, thing = goal.act, goal.to, goal.text, goal.manner, goal.thing
+        latin = None if goal.latin == text else goal.latin
+        texts = {name: (getattr(goal, name), str | None) for name in ("text", "latin")}
+        require_kinds("act", act=(act, str), manner=(manner, Manner), **texts)
         now = self._clock.now_s
         spoken = is_spoken(act, text)
         event = ActEvent(
             t_start=now,
-            t_end=now + duration_s(act, text, manner.rate),
+            t_end=now + duration_s(act, latin or text, manner.rate),
             act=act,
             person=person,
             text=text,
@@ -186,6 +201,8 @@ class Acts:
             rate=manner.rate if spoken else None,
             amplitude=None if spoken or thing is not None else manner.amplitude,
             thing=thing,
+            latin=latin,
+            utterance=goal.utterance,
         )
         for i, other in enumerate(self._events):
             if (other.act, other.person) == (act, person):

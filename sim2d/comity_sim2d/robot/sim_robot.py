@@ -377,7 +377,7 @@ class SimRobot:
             self._require(act.to)
         if act.act in (PICK_UP, HAND_OVER):
             require_kinds("act", thing=(act.thing, str))
-        begun = self._acts.start(act.act, act.to, act.text, act.manner, thing=act.thing)
+        begun = self._acts.start(act)
         if self._faults.of(VOICE):
             self._acts.fall_silent()
         return begun

@@ -1,0 +1,164 @@
+"""What the robot says, by language, formality, directness and style, with people addressed as they asked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+from comity_executor.speech.address import Address
+from comity_executor.speech.phrasebook import DEFAULT_LANGUAGE, SHIPPED, Phrasebook
+from comity_executor.speech.utterance import Called, Utterance
+from comity_executor.speech.wording import Register, Use, Wording
+from comity_fis.errors import InputError, closest
+from comity_fis.inference.value import Inference
+
+GREETING_LANGUAGE = "greeting_language"
+ABOUT_WORDS = (GREETING_LANGUAGE, "formality", "rhetorical_style", "verbal_directness")
+"""The parameters that choose among wordings, in the order in which the words follow them."""
+
+INFORMAL = 0.3
+FORMAL = 0.7
+"""Of formality: below the one, above the other; where the terms of the rulebook `evidence` cross."""
+RHETORICAL = 0.5
+"""Of the style, above which something is said besides at a first meeting."""
+IMPLICIT = 0.45
+EXPLICIT = 0.55
+"""Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
+NO_ADDRESSES: Mapping[str, Address] = MappingProxyType({})
+
+
+@dataclass(frozen=True, kw_only=True)
+class Speaker:
+    """How one robot speaks at one site.
+
+    A person is spoken to in the language that their parameter `greeting_language` has, or in the site's where
+    nothing gave that or the rulebook has no such parameter.
+    """
+
+    phrasebook: Phrasebook = SHIPPED
+    site: str = DEFAULT_LANGUAGE
+    """The language of the site, by its code in the phrasebook."""
+    addresses: Mapping[str, Address] = field(default_factory=lambda: NO_ADDRESSES)
+    """How people asked to be addressed, by person."""
+    reviewed_only: bool = False
+    """Whether wordings that nobody has reviewed are left unsaid: then the robot says the name and the
+    plainest word for it in the language of the site."""
+
+    def greeting(self, people: Sequence[str], values: Inference) -> Utterance:
+        """What the robot says to one person or a company; without parameters of the words, just hello.
+
+        Args:
+            people: Whom it greets.
+            values: The parameters of the one it stands before.
+
+        Raises:
+            InputError: a rulebook means something else by one of these parameters.
+        """
+        besides = (*_style(values), *_help(values))
+        return self._said("greet", people, values, besides=besides)
+
+    def handing_over(self, person: str, thing: str, values: Inference) -> Utterance:
+        """What the robot says with something that it hands over; the thing is called as in the scenario."""
+        return replace(self._said("hand_over", (person,), values), thing=thing)
+
+    def farewell(self, person: str, values: Inference) -> Utterance:
+        """What the robot says when it leaves, as formal as its greeting was."""
+        return self._said("take_leave", (person,), values)
+
+    def request_to_pass(self, person: str, values: Inference | None) -> Utterance:
+        """What the robot says to a person who blocks its path.
+
+        Args:
+            person: Who it is.
+            values: Their parameters; None where nothing is known of them: then no name is said.
+
+        Raises:
+            InputError: a rulebook means something else by one of these parameters.
+        """
+        directness = number_of(values, "verbal_directness") if values else None
+        hinted = directness is not None and directness < IMPLICIT
+        people = (person,) if values else ()
+        return self._said("hint_at_passing" if hinted else "ask_to_pass", people, values)
+
+    def language_of(self, values: Inference | None) -> str:
+        """The language in which a person is spoken to, by its code in the phrasebook.
+
+        Raises:
+            InputError: the parameter `greeting_language` is none that the robot has words in.
+        """
+        if values is None or GREETING_LANGUAGE not in values.parameters:
+            return self.site
+        said = values[GREETING_LANGUAGE]
+        if str(said.value) not in self.phrasebook:
+            raise InputError(
+                expected=f"greeting_language as one that the robot speaks ({', '.join(self.phrasebook)})",
+                got=repr(said.value),
+                remedy=closest(str(said.value), self.phrasebook.codes),
+            )
+        return self.site if said.origin == "neutral" else str(said.value)
+
+    def wordings_of(self, values: Inference, person: str = "") -> tuple[Wording, ...]:
+        """All wordings that may be said to a person with such parameters, each once."""
+        said = (
+            self.greeting((person,), values),
+            self.handing_over(person, "", values),
+            self.farewell(person, values),
+            self.request_to_pass(person, values),
+        )
+        return tuple(dict.fromkeys(one for utterance in said for one in utterance.wordings))
+
+    def _said(
+        self, use: Use, people: Sequence[str], values: Inference | None, *, besides: Sequence[Use] = ()
+    ) -> Utterance:
+        language, register = self.phrasebook[self.language_of(values)], _register(values)
+        first_meeting = values is not None and values.inputs.get("familiarity") == "stranger"
+        found = [language.find(one, register, first_meeting=first_meeting) for one in (use, *besides)]
+        said = [one for one in found if one and (one.is_reviewed or not self.reviewed_only)]
+        if not said or said[0] is not found[0]:
+            language, register = self.phrasebook[self.site], "plain"
+            said = [language.plain(use)]
+        called = tuple(Called(person, self.addresses.get(person)) for person in people)
+        return Utterance(tuple(said), called, language.name_form(register), language.joined)
+
+
+def number_of(values: Inference, parameter: str) -> float | None:
+    """A parameter of the words; None where the rulebook has none of the name.
+
+    Raises:
+        InputError: it is no number.
+    """
+    if parameter not in values.parameters:
+        return None
+    value = values[parameter].value
+    if isinstance(value, str):
+        raise InputError(
+            expected=f"{parameter} as a number",
+            got=repr(value),
+            remedy="The robot's words follow it; give the rulebook's another name, or this meaning.",
+        )
+    return value
+
+
+def _register(values: Inference | None) -> Register:
+    """The one that is as formal as suits; the neutral one where a rulebook says nothing of formality."""
+    formality = number_of(values, "formality") if values else None
+    if formality is None or INFORMAL <= formality <= FORMAL:
+        return "neutral"
+    return "informal" if formality < INFORMAL else "formal"
+
+
+def _style(values: Inference) -> tuple[Use, ...]:
+    style = number_of(values, "rhetorical_style")
+    return ("honour",) if style is not None and style > RHETORICAL else ()
+
+
+def _help(values: Inference) -> tuple[Use, ...]:
+    directness = number_of(values, "verbal_directness")
+    if directness is None or IMPLICIT <= directness <= EXPLICIT:
+        return ()
+    return ("hint_at_help",) if directness < IMPLICIT else ("offer_help",)
+
+
+SPEAKER = Speaker()
+"""One with the wordings that ship, at a site where English is spoken."""
