@@ -14,6 +14,7 @@ from comity.people.profile import Profile
 from comity.scenario import Scenario
 from comity.specification.binding_file import BindingFile
 from comity.system.library import shipped
+from comity_executor.speech.wordings_file import WordingsFile
 from comity_fis import InputError
 from comity_fis.rulebook.models import RulebookModel
 from comity_fis.validation.yaml_file import parse_yaml, read_yaml
@@ -95,6 +96,7 @@ FILES = {
     Kind.RULEBOOK: RulebookModel,
     Kind.BINDING: BindingFile,
     Kind.LEARNT: LearntFile,
+    Kind.WORDINGS: WordingsFile,
 }
 
 

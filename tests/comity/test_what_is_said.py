@@ -279,3 +279,13 @@ def test_an_episode_keeps_what_was_said_with_its_facts_when_it_is_pickled(meet):
     episode = pickle.loads(pickle.dumps(meet(ARABIC)))
     (act,) = [act for act in episode.acts if act.person == "host" and act.text]
     assert act.utterance.wordings[0].language == "ar"
+
+
+def test_a_run_that_is_passed_on_tells_neither_how_a_person_is_called_nor_what_was_said(meet, comity, here):
+    meet({**ARABIC, **OKAFOR}, out="run")
+    assert comity("share", "run", "--out", "shared").code == 0
+    told = "".join(path.read_text("utf-8") for path in (here / "shared").glob("*.*") if path.suffix != ".png")
+    whole = "".join(path.read_text("utf-8") for path in (here / "run").glob("*.*") if path.suffix != ".png")
+    for secret in ("Okafor", "KAH", "مرحب", "Marhaban", "form_of_address"):
+        assert secret in whole
+        assert secret not in told.replace("form_of_address: {", "")

@@ -74,6 +74,26 @@ class Normal:
 NORMAL = Normal()
 
 
+@runtime_checkable
+class Spoken(Protocol):
+    """What an utterance is made of; the executor's have this form."""
+
+    @property
+    def text(self) -> str:
+        """As it is written in the script of its language."""
+        ...
+
+    @property
+    def latin(self) -> str:
+        """The same in Latin letters."""
+        ...
+
+    @property
+    def spoken(self) -> str:
+        """The same for a synthesiser."""
+        ...
+
+
 @dataclass(frozen=True, slots=True)
 class ActEvent:
     """One utterance or gesture."""
@@ -98,7 +118,7 @@ class ActEvent:
     """What is picked up or handed over."""
     latin: str | None = None
     """The text in Latin letters, where it is written in others."""
-    utterance: object = None
+    utterance: Spoken | None = None
     """What the text is made of, for the program that told the robot to say it."""
 
     def __post_init__(self) -> None:
@@ -107,7 +127,8 @@ class ActEvent:
         require_numbers(self.act, t_start=self.t_start, t_end=self.t_end)
         require_numbers(self.act, volume=self.volume, rate=self.rate, amplitude=self.amplitude)
         texts = {name: (getattr(self, name), str | None) for name in ("text", "thing", "latin")}
-        require_kinds(self.act, stopped=(self.stopped, TRUTH), **texts)
+        made_of = (self.utterance, Spoken | None)
+        require_kinds(self.act, stopped=(self.stopped, TRUTH), utterance=made_of, **texts)
 
     @property
     def words(self) -> str:
@@ -156,7 +177,7 @@ class ActGoal(Protocol):
         ...
 
     @property
-    def utterance(self) -> object:
+    def utterance(self) -> Spoken | None:
         """What the text is made of; it is put on record as it is."""
         ...
 
