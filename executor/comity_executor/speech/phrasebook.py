@@ -147,7 +147,9 @@ def read_wordings(file: YamlFile) -> Language:
 def _merged(known: list[Language]) -> Language:
     """One language from several files: a later wording of the same use, register and occasion wins."""
     wordings = {one.key: one for language in known for one in language.wordings}
-    names = {register: form for language in known for register, form in language.names.items()}
+    names: dict[Register, Spelling] = {}
+    for language in known:
+        names |= language.names
     joined = next((one.joined for one in reversed(known) if one.joined != AND), AND)
     last = known[-1]
     return Language(last.code, last.tag, tuple(wordings.values()), names, joined)
