@@ -27,15 +27,16 @@ class GroupPriorAnswer(Answer):
 
     people: int
     mean: float = Field(description="Of its people's means, in the parameter's unit, less the situation.")
-    value: float = Field(description="What to expect of somebody new, drawn towards everybody's.")
+    value: float = Field(description="What to expect of a new person, drawn towards everybody's.")
     standard_error: float = Field(description="Of the mean.")
+    thin: bool = Field(description="Whether too few people are behind it: it gets no rule then.")
 
 
 class PriorAnswer(Answer):
     """What to expect of people, partially pooled. All in the parameter's unit."""
 
     before: float = Field(description="The neutral value that stood.")
-    everybody: float = Field(description="Of somebody whose culture is unknown, or was not asked.")
+    everybody: float = Field(description="Of a person whose culture is unknown, or was not asked.")
     groups: Mapping[str, GroupPriorAnswer] = Field(description="By culture.")
     between_groups: float = Field(description="Standard deviation.")
     between_people: float = Field(description="The same, of people of one culture.")

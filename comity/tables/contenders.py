@@ -12,7 +12,7 @@ import numpy as np
 from comity.tables.basis import Basis
 from comity.tables.examples import Example, Inputs
 from comity.tables.proposal import cells_of, prior_of, with_cells, with_prior
-from comity_fis import NominalVariable, OrdinalVariable, Rulebook, Source
+from comity_fis import InputError, NominalVariable, OrdinalVariable, Rulebook, Source
 from comity_fis.inference.column import Floats
 
 Predictor = Callable[[Example, float | None], float | None]
@@ -114,8 +114,16 @@ def _learning_nothing(predictor: Predictor) -> Learner:
 
 
 def _known(book: Rulebook, inputs: Inputs) -> Inputs:
-    """What another rulebook can be told of the same person."""
-    return {name: value for name, value in inputs.items() if name in book.facts}
+    """What another rulebook can be told of the same person: its variables may hold other values."""
+    return {name: value for name, value in inputs.items() if name in book.facts and _takes(book, name, value)}
+
+
+def _takes(book: Rulebook, name: str, value: object) -> bool:
+    try:
+        book.checked_inputs({name: value})
+    except InputError:
+        return False
+    return True
 
 
 def _column(rulebook: Rulebook, name: str, rows: Sequence[Example]) -> Callable[[Sequence[Example]], Floats]:

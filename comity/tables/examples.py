@@ -28,7 +28,7 @@ class Example:
 
     line: int
     person: tuple[str, str]
-    """Study and name; a row that names nobody is somebody by itself."""
+    """Study and name; a row that names no participant is a person by itself."""
     study: str
     group: str | None
     """The culture; None where it is not known."""

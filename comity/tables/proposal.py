@@ -74,7 +74,7 @@ def with_cells(rulebook: Rulebook, name: str, cells: Iterable[Cell], source: Sou
 
 
 def with_prior(rulebook: Rulebook, name: str, prior: PooledPrior, source: Source) -> Rulebook:
-    """The rulebook with a rule for each culture that rows told of, and everybody's value as the neutral one.
+    """The rulebook with a rule for each culture of enough people, and everybody's value as the neutral one.
 
     Rules that gave the parameter its value are off. A term is called what it gives: `0.74 m`.
     """
@@ -83,6 +83,8 @@ def with_prior(rulebook: Rulebook, name: str, prior: PooledPrior, source: Source
     terms: dict[str, Trapezoid] = {}
     rules: list[Rule] = []
     for group, found in prior.groups.items():
+        if found.is_thin:
+            continue
         value = _within(parameter, parameter.neutral + found.offset)
         term = _called(value, parameter)
         terms[term] = _around(value, parameter)
@@ -99,13 +101,13 @@ def with_prior(rulebook: Rulebook, name: str, prior: PooledPrior, source: Source
         reasons={
             **parameter.reasons,
             "terms": f"{parameter.reasons['terms']} Terms that are called by a number: {why}.",
-            "neutral": f"{why}: what to expect of somebody of whom no culture is known.",
+            "neutral": f"{why}: what to expect of a person whose culture is not known.",
             "spread": f"{why}: between people of one culture.",
         },
     )
     variables = dict(rulebook.variables)
     if isinstance(culture := variables.get(GROUP), NominalVariable):
-        variables[GROUP] = culture.naming(prior.groups)
+        variables[GROUP] = culture.naming(group for group, found in prior.groups.items() if not found.is_thin)
     with_terms = replace(rulebook, variables=variables, parameters={**rulebook.parameters, name: learnt})
     return with_value_rules(with_terms, name, rules, source.key)
 

@@ -17,6 +17,7 @@ from comity.report.difference import bare, counted, difference, share, shown_uni
 from comity.report.text import number, table, words, words_of
 from comity.tables.contenders import ASK, CONSTANT, INDIVIDUAL, LINE
 from comity.tables.leaving_out import LEAST_UNITS
+from comity_fis.learning.pooling import LEAST_PEOPLE
 from comity_fis.learning.rule_table import LEAST_SUPPORT
 from comity_fis.rules.rule import Is
 
@@ -104,6 +105,7 @@ def _prior_answer(lesson: Lesson, prior: PooledPrior) -> PriorAnswer:
                 mean=neutral + one.mean,
                 value=neutral + one.offset,
                 standard_error=one.standard_error,
+                thin=one.is_thin,
             )
             for group, one in prior.groups.items()
         },
@@ -210,6 +212,8 @@ def _prior(lesson: Lesson, prior: PooledPrior) -> Iterator[RenderableType]:
     of_groups = f", {difference(prior.between_groups, unit, sign=False)} between cultures"
     of_groups = of_groups if len(groups) > 1 else ""
     yield f"  {number(neutral, unit)} stood before. Standard deviations: {of_people}{of_groups}."
+    if thin := [name for name, one in groups if one.is_thin]:
+        yield f"  Fewer than {LEAST_PEOPLE} people, so no rule of their own: {', '.join(thin[:SHOWN])}."
     if prior.within_person is None:
         yield "  Nobody answered twice: what one answer is worth is not known."
     else:

@@ -22,6 +22,8 @@ Floats = NDArray[np.float64]
 
 DECLARED_PEOPLE = 4
 """As many people the declared standard deviation counts for, beside the people measured (our choice)."""
+LEAST_PEOPLE = 3
+"""Below it a group is too thin to be told of by itself: that would tell what one person said (our choice)."""
 STEPS = 60
 """Of the grid over each standard deviation, closer together near 0."""
 
@@ -44,9 +46,14 @@ class GroupPrior:
     mean: float
     """Of its people's means."""
     offset: float
-    """What to expect of somebody new of this group."""
+    """What to expect of a new person of this group."""
     standard_error: float
     """Of `mean`."""
+
+    @property
+    def is_thin(self) -> bool:
+        """Whether what is said of it would be said of one person or two."""
+        return self.people < LEAST_PEOPLE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +61,7 @@ class PooledPrior:
     """What to expect of people, all in one unit, as offsets from what stood before."""
 
     everybody: float
-    """Of somebody whose group is unknown, or was not asked."""
+    """Of a person whose group is unknown, or was not asked."""
     groups: Mapping[str, GroupPrior]
     between_groups: float
     """Standard deviation."""
@@ -65,12 +72,12 @@ class PooledPrior:
     people: int
 
     def expected(self, group: str | None) -> float:
-        """Of somebody new."""
+        """Of a new person."""
         found = None if group is None else self.groups.get(group)
         return self.everybody if found is None else found.offset
 
     def known(self, group: str | None, answers: Iterable[float]) -> float:
-        """Of one person who gave these answers, as offsets; nobody gave two: as of somebody new."""
+        """Of one person who gave these answers, as offsets; as of a new person where nobody gave two."""
         given = list(answers)
         expected = self.expected(group)
         if not given or self.within_person is None:
