@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from typing import Any
 
+    from comity.adaptation.observing import StoredProfile
     from comity.episode import Episode
     from comity.people.profile import ProfileGiven
     from comity_domain import PlanningFailed
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
     __version__: str
 
-__all__ = ["ComityError", "InputError", "PlanningFailed", "infer", "run"]
+__all__ = ["ComityError", "InputError", "PlanningFailed", "infer", "profile", "run"]
 
 _LAZY = {
     "ComityError": "comity_fis.errors",
@@ -28,6 +29,7 @@ _LAZY = {
     "Plan": "comity_domain",
     "PlanningFailed": "comity_domain.errors",
     "Rulebook": "comity_fis",
+    "StoredProfile": "comity.adaptation.observing",
 }
 """What the functions here return and raise, by name, with the module that is loaded when it is asked for."""
 
@@ -160,6 +162,21 @@ def infer(
     learnt = learnt_here(person, book, facts, day)
     inference = infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)
     return noting_unread(inference, book)
+
+
+def profile(name: str, *, rulebook: str = "bruno2017") -> StoredProfile:
+    """Somebody who is kept on this machine: `comity.profile("amal").observe("stepped_back", 0.8)`.
+
+    Args:
+        name: Under which they are kept.
+        rulebook: It says what culture and situation alone give; a shipped name or a file.
+
+    Raises:
+        InputError: if nobody of that name is kept.
+    """
+    from comity.adaptation.observing import StoredProfile
+
+    return StoredProfile(name, rulebook)
 
 
 def _day(at: date | str | None) -> date | None:

@@ -78,7 +78,7 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
         if value == "unknown":
             inside.pop(name, None)
         else:
-            inside[name] = judges.in_their_case(name, _metres(value)) if section == "settings" else value
+            inside[name] = judges.in_their_case(name, metres(value)) if section == "settings" else value
         if section and not inside:
             del new[section]
     return {key: new[key] for key in Profile.model_fields if key in new}
@@ -250,7 +250,7 @@ def _value(text: str, key: str) -> Any:
         ) from None
 
 
-def _metres(value: Any) -> Any:
+def metres(value: Any) -> Any:
     """`90 cm` and `0.9 m` as metres; anything else as it came."""
     found = re.fullmatch(r"([0-9.]+) ?(m|cm)", value) if isinstance(value, str) else None
     return round(float(found[1]) * METRES[found[2]], 6) if found else value

@@ -60,7 +60,14 @@ from comity.answers.plan import (
     WhyAnswer,
     WithoutAnswer,
 )
-from comity.answers.profile import LifeAnswer, ProfileAnswer, YearAnswer, YearValueAnswer
+from comity.answers.profile import (
+    LifeAnswer,
+    ObservationAnswer,
+    ObserveAnswer,
+    ProfileAnswer,
+    YearAnswer,
+    YearValueAnswer,
+)
 from comity.answers.run import (
     ActAnswer,
     ActTowardsAnswer,
@@ -141,6 +148,8 @@ __all__ = [
     "MetricsAnswer",
     "MixedFactAnswer",
     "NextInsteadAnswer",
+    "ObservationAnswer",
+    "ObserveAnswer",
     "OffRuleAnswer",
     "OtherwiseAnswer",
     "Outcome",

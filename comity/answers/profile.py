@@ -10,7 +10,9 @@ from pydantic import Field
 
 from comity.answers.base import Answer
 from comity.answers.inference import Inputs, ShownValueAnswer
+from comity.answers.run import SettledAnswer
 from comity_fis.inference.value import Origin
+from comity_fis.learning.signals import Signal
 
 
 class ProfileAnswer(Answer):
@@ -29,6 +31,28 @@ class ProfileAnswer(Answer):
     inputs: Inputs
     notes: tuple[str, ...]
     parameters: Mapping[str, ShownValueAnswer]
+
+
+class ObservationAnswer(Answer):
+    """One thing that was seen or heard at a meeting."""
+
+    name: str
+    day: date
+    situation: Mapping[str, str | float]
+    signal: Signal
+    how: Literal["said", "seen"] = Field(description="Whether the person put it in words.")
+    distance_m: float = Field(description="Where the robot stood, between the bodies.")
+    model_m: float = Field(description="What culture and situation alone gave then.")
+
+
+class ObserveAnswer(Answer):
+    """`comity profile observe --json`."""
+
+    observed: tuple[ObservationAnswer, ...] = Field(description="What was written down.")
+    undone: tuple[ObservationAnswer, ...] = Field(description="What was taken back.")
+    values: Mapping[str, SettledAnswer] = Field(
+        description="By person: how near the robot comes from now on, in the situation of the last of these."
+    )
 
 
 class YearValueAnswer(Answer):

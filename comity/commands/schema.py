@@ -34,6 +34,7 @@ class Kind(StrEnum):
     LEARNT = "learnt"
     PROFILE_SHOW = "profile-show"
     PROFILE_ASK = "profile-ask"
+    PROFILE_OBSERVE = "profile-observe"
     LIFE = "life"
     EVALUATE = "evaluate"
     LEARN = "learn"
@@ -83,6 +84,7 @@ def schema(
         Kind.LEARNT: LearntFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
         Kind.PROFILE_ASK: answers.AskAnswer,
+        Kind.PROFILE_OBSERVE: answers.ObserveAnswer,
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.LEARN: LearnAnswer,

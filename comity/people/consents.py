@@ -84,7 +84,7 @@ class ConsentFile(BaseModel):
 
     def holding(self, day: date) -> frozenset[Scope]:
         """What is in force; without `remember` nothing is."""
-        scopes = frozenset(one.scope for one in self.consents if one.holds(day))
+        scopes: frozenset[Scope] = frozenset(one.scope for one in self.consents if one.holds(day))
         return scopes if "remember" in scopes else frozenset()
 
 

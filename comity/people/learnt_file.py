@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from datetime import date
 from itertools import groupby
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from comity.people.dated import Day
 from comity.people.fact import Fact, Number, Word
 from comity_fis import Learnt
-from comity_fis.learning.signals import AWAY, SAID, SIGNALS, Signal
+from comity_fis.learning.signals import AWAY, SAID, SIGNALS, WORDS, Signal
 
 if TYPE_CHECKING:
     from comity_fis.learning.comfort import Comfort
@@ -48,6 +48,16 @@ class Observation(_Dated):
         description="True where a simulated person showed it: of `comity visits --keep`, or of a scenario "
         "that states their `comfort`.",
     )
+    entry: Annotated[int, Field(strict=True, ge=1)] | None = Field(
+        default=None,
+        description="Number of the `comity profile observe` that wrote it down, so that it can be undone; "
+        "none where a run saw it.",
+    )
+
+    @property
+    def how(self) -> Literal["said", "seen"]:
+        """Whether the person put it in words, or somebody saw it."""
+        return "said" if self.signal in WORDS else "seen"
 
     def added_to(self, known: Comfort) -> Comfort:
         """What is known of the person's comfort interval with this."""
@@ -63,6 +73,11 @@ class Stated(_Dated):
     """What a person said who was asked how near they like the robot, and wanted it weighed like the rest."""
 
     likes_m: _Metres = Field(description="The distance that they named, between the bodies.")
+
+    @property
+    def how(self) -> Literal["said", "seen"]:
+        """They put it in words."""
+        return "said"
 
     def added_to(self, known: Comfort) -> Comfort:
         """What is known of the person's comfort interval with this."""
@@ -100,6 +115,27 @@ class LearntFile(BaseModel):
     def also(self, seen: Iterable[Learning]) -> LearntFile:
         """The same with further observations."""
         return self.model_copy(update={PARAMETER: (*self.conversational_distance, *seen)})
+
+    def with_entry(self, seen: Iterable[Observation]) -> LearntFile:
+        """The same with what somebody wrote down at once, under the next number."""
+        number = 1 + max((one.entry or 0 for one in self._shown), default=0)
+        return self.also(one.model_copy(update={"entry": number}) for one in seen)
+
+    @property
+    def last_entry(self) -> tuple[Observation, ...]:
+        """What was written down last; empty where nothing was."""
+        number = max((one.entry or 0 for one in self._shown), default=0)
+        return tuple(one for one in self._shown if number and one.entry == number)
+
+    def without_last_entry(self) -> LearntFile:
+        """The same without what was written down last."""
+        last = self.last_entry
+        left = tuple(one for one in self.conversational_distance if one not in last)
+        return self.model_copy(update={PARAMETER: left})
+
+    @property
+    def _shown(self) -> Iterator[Observation]:
+        return (one for one in self.conversational_distance if isinstance(one, Observation))
 
     def without_answers(self, situation: Mapping[str, object], day: date | None = None) -> LearntFile:
         """The same without what the person said in a situation: on one day, or ever where it is None."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from comity.people.consents import is_covered, lapse, require_consent
-from comity.people.learnt_file import Learning, LearntFile, Stated
+from comity.people.learnt_file import Learning, LearntFile, Observation, Stated
 from comity.people.store import Store, advising
 from comity_fis import InputError, Where
 
@@ -54,6 +54,35 @@ def remember(name: str, seen: Iterable[Learning]) -> bool:
     return is_covered(name, "learn") and _change(name, lambda known: known.also(seen))
 
 
+def write_down(name: str, seen: Iterable[Observation]) -> None:
+    """Add what somebody saw and heard of a person, all at once, so that it can be undone at once.
+
+    Raises:
+        InputError: if the person did not agree to it, or the store cannot be read or written.
+    """
+    require_consent(name, "learn")
+    _change(name, lambda known: known.with_entry(seen))
+
+
+def undo(name: str) -> tuple[Observation, ...]:
+    """Forget what was written down last of a person.
+
+    Returns:
+        What that was; empty where nothing is left to undo.
+
+    Raises:
+        InputError: if the store cannot be read or written.
+    """
+    undone: list[Observation] = []
+
+    def without(known: LearntFile) -> LearntFile:
+        undone.extend(one.model_copy(update={"entry": None}) for one in known.last_entry)
+        return known.without_last_entry()
+
+    _change(name, without)
+    return tuple(undone)
+
+
 def remember_answer(name: str, stated: Stated) -> bool:
     """Add what a person said; on one day the newer answer takes the place of the older.
 
@@ -83,7 +112,7 @@ def forget_answers(name: str, situation: Mapping[str, object]) -> bool:
 def _change(name: str, change: Callable[[LearntFile], LearntFile]) -> bool:
     def changed(file: YamlFile | None) -> Mapping[str, object] | None:
         known = change(_checked(name, file) if file else LearntFile(person=name))
-        return known.model_dump(mode="json") if known.conversational_distance else None
+        return known.model_dump(mode="json", exclude_none=True) if known.conversational_distance else None
 
     return Store().change_learnt(name, changed)
 

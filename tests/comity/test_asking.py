@@ -102,7 +102,7 @@ def test_an_observation_is_dated_kept_in_its_situation_shown_exported_and_delete
     ]
     assert distances[0] == pytest.approx(0.847, abs=0.001)
     assert distances[1] == pytest.approx(1.2, abs=0.01)
-    assert "seated  said on 2026-01-01 to like 1.20 m best" in comity("profile", "show", "amal").out
+    assert "seated, said  said on 2026-01-01 to like 1.20 m best" in comity("profile", "show", "amal").out
     assert "likes_m: 1.2" in comity("profile", "export", "amal").out
     assert comity("profile", "export", "amal", "--json").json["learnt"] == document
     assert comity("profile", "reset", "amal", "distance").code == 0

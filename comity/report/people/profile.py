@@ -104,12 +104,15 @@ def _consents(shown: Shown) -> Iterator[tuple[str, str]]:
 
 
 def _learnt(learnt: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """What a person showed and said, once for every situation that it happened in."""
+    """What a person showed, and what they said, for every situation that it happened in."""
     everything = LearntFile.model_validate(learnt).conversational_distance
     situations = {str(dict(one.situation)): one.situation for one in everything}
     for situation in situations.values():
-        seen = [one for one in everything if one.situation == situation]
-        yield ", ".join(str(fact) for fact in situation.values()) or "anywhere", in_words(seen)
+        here = [one for one in everything if one.situation == situation]
+        where = ", ".join(str(fact) for fact in situation.values()) or "anywhere"
+        for how in ("seen", "said"):
+            if told := [one for one in here if one.how == how]:
+                yield f"{where}, {how}", in_words(told)
 
 
 def _declared(shown: Shown) -> Iterator[tuple[str, str]]:

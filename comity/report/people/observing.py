@@ -1,0 +1,71 @@
+"""What was written down of people, and how near the robot comes from now on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from comity.answers import ObservationAnswer, ObserveAnswer, SettledAnswer
+from comity.report.text import number, words
+from comity_fis.learning.signals import SAID
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from rich.console import RenderableType
+
+    from comity.people.learnt_file import Observation
+    from comity_fis import ParameterValue
+
+Named = tuple[str, "Observation"]
+
+
+def observe_answer(
+    observed: Iterable[Named], undone: Iterable[Named], values: Mapping[str, ParameterValue]
+) -> ObserveAnswer:
+    """The answer of `comity profile observe --json`.
+
+    Args:
+        observed: What was written down, each with whom it is about.
+        undone: What was taken back.
+        values: By person, from now on.
+    """
+    return ObserveAnswer(
+        observed=tuple(_row(name, seen) for name, seen in observed),
+        undone=tuple(_row(name, seen) for name, seen in undone),
+        values={name: _settled(value) for name, value in values.items()},
+    )
+
+
+def observe_text(answer: ObserveAnswer) -> Iterator[RenderableType]:
+    """A line for each observation, said and seen apart, and then each person's distance."""
+    for row in answer.observed:
+        yield f"{row.how.capitalize():5} {_line(row)}"
+    for row in answer.undone:
+        yield f"Undone: {row.how}, {_line(row)}"
+    for name, value in answer.values.items():
+        yield f"{name} is met at {number(value.value, 'm', digits=2)} from now on:"
+        for part in value.contributions:
+            yield f"  {part.origin}  {number(part.value, 'm', digits=2)}  {words(part.text)}"
+
+
+def _line(row: ObservationAnswer) -> str:
+    situation = ", ".join(str(fact) for fact in row.situation.values())
+    return f"{row.name} {SAID[row.signal]} at {row.distance_m:.2f} m ({situation}; {row.day})"
+
+
+def _row(name: str, seen: Observation) -> ObservationAnswer:
+    return ObservationAnswer(
+        name=name,
+        day=seen.day,
+        situation=seen.situation,
+        signal=seen.signal,
+        how=seen.how,
+        distance_m=seen.distance_m,
+        model_m=seen.model_m,
+    )
+
+
+def _settled(value: ParameterValue) -> SettledAnswer:
+    answer = value.as_json()
+    return SettledAnswer.model_validate({key: answer[key] for key in SettledAnswer.model_fields})
