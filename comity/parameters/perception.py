@@ -1,7 +1,8 @@
 """What a person hears and sees: what a greeting can be for them, and where the robot comes from.
 
 Who does not hear is approached within view, and never greeted in words alone; who does not see is never
-greeted by a gesture alone. That is this project's own choice, tried on nobody.
+greeted by a gesture alone, and is told when the robot comes, stops and leaves. That is this project's own
+choice, tried on nobody.
 """
 
 from __future__ import annotations
@@ -28,7 +29,9 @@ DIRECTION = "approach_direction"
 WITHIN_DEG = 60.0
 """Within so much of where a person faces they see the robot come (our choice)."""
 NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached within view"
-NOTE_OF_BLIND = "does not see: never greeted by a gesture alone"
+NOTE_OF_BLIND = (
+    "does not see: never greeted by a gesture alone, and told in words when the robot comes, stops and leaves"
+)
 NOTE_OF_DEAFBLIND = "neither hears nor sees: no act that is shipped reaches them; let a person go instead"
 
 
@@ -46,6 +49,16 @@ def hears(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHI
 def sees(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING) -> bool:
     """Whether a person sees, as far as they said; the arguments are those of `hears`."""
     return _word(told.get("sight", profile.sight), day) not in NOT_SEEING
+
+
+def lacks_hearing(values: Inference) -> bool:
+    """Whether a person does not hear, as their values say: what they said on the way is in them."""
+    return not {NOTE_OF_DEAF, NOTE_OF_DEAFBLIND}.isdisjoint(values.notes)
+
+
+def lacks_sight(values: Inference) -> bool:
+    """The same of sight."""
+    return not {NOTE_OF_BLIND, NOTE_OF_DEAFBLIND}.isdisjoint(values.notes)
 
 
 def is_read(name: str, fact: object) -> bool:

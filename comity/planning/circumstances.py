@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from comity.parameters.consent import asked_for_no_touch, wishes_at_rest
-from comity.parameters.perception import hears, sees
+from comity.parameters.perception import hears, lacks_hearing, lacks_sight, sees
 from comity_domain import Circumstances
 from comity_fis import Choice
 
@@ -46,8 +46,8 @@ def circumstances(
         withheld=_withheld(values, rulebook),
         wants_no_touch=asked_for_no_touch(values),
         at_rest=wishes_at_rest(values),
-        hears=hears(profile, day, person.situation),
-        sees=sees(profile, day, person.situation),
+        hears=hears(profile, day, person.situation) and not lacks_hearing(values),
+        sees=sees(profile, day, person.situation) and not lacks_sight(values),
     )
 
 

@@ -17,6 +17,7 @@ from comity_domain.explanation.around import options_around
 from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.search import cheapest
 from comity_domain.labelling.skipping import SKIP, left_out, skip_steps
+from comity_domain.plans.actions import ANNOUNCED, REACH, RETURN
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.survey import measured, unmeasured
@@ -77,10 +78,17 @@ def _kept(plan: Plan, request: VisitRequest) -> tuple[tuple[Visit, ...], Options
     """The visits of an old plan with the options of now; None where somebody of it is not to be visited."""
     visits = visits_of(plan)
     names = {visit.spot.place for visit in visits}
-    if not names <= {visitee.name for visitee in request.visitees}:
+    if not names <= {visitee.name for visitee in request.visitees} or not _is_announced(plan, request):
         return None
     request = measured(request, unmeasured(request, path(visits, options(request))))
     return visits, options(request)
+
+
+def _is_announced(plan: Plan, request: VisitRequest) -> bool:
+    """Whether a plan tells of the robot's coming those who do not see now, and nobody else."""
+    told = {visitee.name: not visitee.now.sees for visitee in request.visitees}
+    comings = (step for step in plan.steps if step.action in (REACH, RETURN))
+    return all((ANNOUNCED in step.parameters) == told.get(step.person, False) for step in comings)
 
 
 def same_choices(plan: Plan, other: Plan) -> bool:
@@ -88,9 +96,11 @@ def same_choices(plan: Plan, other: Plan) -> bool:
     return _choices(plan.steps) == _choices(other.steps)
 
 
-def _choices(steps: Sequence[PlanStep]) -> list[tuple[tuple[str, ...], object]]:
-    """What is discrete about steps: their arguments, and whether there are words beside a handing over."""
-    return [(step.arguments, step.parameters.get("modality")) for step in steps]
+def _choices(steps: Sequence[PlanStep]) -> list[tuple[tuple[str, ...], object, object]]:
+    """What is discrete about steps: arguments, and whether words go with a handing over, or the coming."""
+    return [
+        (step.arguments, step.parameters.get("modality"), step.parameters.get(ANNOUNCED)) for step in steps
+    ]
 
 
 def _stops(plan: Plan) -> Iterator[Stop]:

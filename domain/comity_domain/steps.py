@@ -19,7 +19,18 @@ from comity_domain.explanation.reason import (
     why_this_return,
     why_this_side,
 )
-from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN, SAY, WAIT
+from comity_domain.plans.actions import (
+    FETCH,
+    GREET,
+    GREET_TOGETHER,
+    LEAVE,
+    OFFER,
+    REACH,
+    RETURN,
+    SAY,
+    TOLD,
+    WAIT,
+)
 from comity_domain.plans.plan import PlanStep, Why
 from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
 from comity_domain.problem.request import START, Spot, location
@@ -137,7 +148,8 @@ class _Steps:
         )
 
     def _reach(self, start: Spot, spot: Spot, action: str, why: Why) -> PlanStep:
-        values = self.choices.people[spot.place].values
+        person = self.choices.people[spot.place]
+        values = person.values
         return PlanStep(
             action,
             (*self.robot_and_person, spot.side),
@@ -147,6 +159,7 @@ class _Steps:
                 "approach_direction": values["approach_direction"].number,
                 "approach_bearing": self.choices.side(spot).bearing_deg,
                 "approach_speed": values["approach_speed"].number,
+                **(TOLD if person.is_told else {}),
             },
             cost=self.choices.legs[start, spot],
             why=why,

@@ -117,7 +117,8 @@ def _against_each(
 def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str | None:
     speaks, shows = greeting.modality != GESTURAL, greeting.gesture != NO_GESTURE
     unnoticed = now.against_modality(speaks=speaks, shows=shows)
-    reasons = [reason for reason in (now.against_gesture(greeting.gesture), silent, unnoticed) if reason]
+    everything = (now.against_gesture(greeting.gesture), silent, unnoticed, now.against_coming())
+    reasons = [reason for reason in everything if reason]
     return ", and ".join(reasons) or None
 
 

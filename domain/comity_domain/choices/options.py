@@ -11,7 +11,16 @@ from comity_domain.choices.earshot import drowned
 from comity_domain.choices.greeting import Greeting, greetings, ruled_out
 from comity_domain.choices.side import Side, sides
 from comity_domain.problem.agenda import Agenda, offers, seconds_of, takes_leave
-from comity_domain.problem.request import GREETING_S, START, Spot, Visitee, VisitRequest, Way, location
+from comity_domain.problem.request import (
+    ANNOUNCING_S,
+    GREETING_S,
+    START,
+    Spot,
+    Visitee,
+    VisitRequest,
+    Way,
+    location,
+)
 from comity_fis.inference.value import Inference
 
 Priced = Mapping[Greeting, int]
@@ -50,6 +59,8 @@ class PersonOptions:
     """The robot holds what is offered first."""
     at_rest: Mapping[str, str] = field(default_factory=dict)
     """What they asked for and cannot have now, with why, in words; by parameter."""
+    is_told: bool = False
+    """They do not see: words tell them that the robot comes, has stopped and leaves."""
 
     def spots(self) -> Iterator[Spot]:
         """Where the robot may stand."""
@@ -70,7 +81,9 @@ class PersonOptions:
     @property
     def greeting_s(self) -> float:
         """What the greeting takes, as deadlines reckon it."""
-        return 0.0 if self.greeted else GREETING_S
+        if self.greeted:
+            return 0.0
+        return GREETING_S + (ANNOUNCING_S if self.is_told else 0.0)
 
     @property
     def agenda_s(self) -> float:
@@ -161,8 +174,8 @@ def options(request: VisitRequest) -> Options:
 
 
 def _busy(people: Mapping[str, PersonOptions]) -> list[str]:
-    """Those who are not merely greeted, and so are greeted alone."""
-    return [name for name, person in people.items() if person.agenda]
+    """Those who are not merely greeted, or are told of the robot's coming, and so are greeted alone."""
+    return [name for name, person in people.items() if person.agenda or person.is_told]
 
 
 def _with_legs(chosen: Options, spots: list[Spot], request: VisitRequest) -> Options:
@@ -203,6 +216,7 @@ def _person(visitee: Visitee, request: VisitRequest, reached: Collection[Spot]) 
         greeted=visitee.greeted,
         in_hand=visitee.in_hand,
         at_rest=visitee.now.at_rest,
+        is_told=not visitee.now.sees,
     )
 
 

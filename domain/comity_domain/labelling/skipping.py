@@ -138,6 +138,7 @@ def _anybody(visitee: Visitee) -> PersonOptions:
         by_s=visitee.by_s,
         skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
         agenda=visitee.agenda,
+        is_told=not visitee.now.sees,
         bringing={ANY_GREETING: 0} if offers(visitee.agenda) else None,
         greeted=visitee.greeted,
         in_hand=visitee.in_hand,

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from comity_domain.choices.greeting import greetings, ruled_out
 from comity_domain.choices.side import sides
-from comity_domain.plans.actions import GREET, GREET_TOGETHER, LEAVE, REACH, RETURN
+from comity_domain.plans.actions import ANNOUNCED, GREET, GREET_TOGETHER, LEAVE, REACH, RETURN
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import Visitee
 
@@ -41,6 +41,8 @@ def without(plan: Plan, people: Collection[str]) -> Plan:
 def _against(step: PlanStep, visitee: Visitee) -> str | None:
     if step.action in (REACH, RETURN):
         side = step.arguments[2]
+        if not visitee.now.sees and ANNOUNCED not in step.parameters:
+            return f"{visitee.name} does not see, and is to be told that the robot comes"
         return None if side in sides(visitee.values) else f"{visitee.name} does not accept the {side}"
     if step.action not in (GREET, GREET_TOGETHER, LEAVE):
         return None

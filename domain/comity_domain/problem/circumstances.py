@@ -16,6 +16,9 @@ NEAREST_M = 0.30
 
 HANDS_OF_PERSON = frozenset({"handshake"})
 """Gestures that need a hand of the person, too (our choice)."""
+SPOKEN_TO_M = 1.5
+"""Who does not see is spoken to before the robot is nearer than this, between the bodies (our choice: the
+zone in which it also slows down)."""
 FREE_OF_HANDS = frozenset({"nod", "none"})
 """All that a robot with something in its hands can do: a bow would tip a tray (our choice).
 
@@ -44,7 +47,7 @@ class Circumstances:
     hears: bool = True
     """Who does not is never greeted in words alone."""
     sees: bool = True
-    """Who does not is never greeted by a gesture alone."""
+    """Who does not is never greeted by a gesture alone; words say that the robot comes, stops, leaves."""
     presumes_consent: bool = False
     """As if all that is required were so: only to ask what consent would change, never to act."""
 
@@ -71,6 +74,11 @@ class Circumstances:
         if not (self.hears or self.sees):
             return "they neither hear nor see, and no act that is shipped reaches them"
         return "they do not hear" if not self.hears else "they do not see"
+
+    def against_coming(self) -> str | None:
+        """Why the robot may not come near: who does not see cannot be told that it comes; None: it may."""
+        drowned = None if self.sees else self.against_words(SPOKEN_TO_M)
+        return drowned and f"they do not see, and could not be told that the robot comes: {drowned}"
 
     def against_words(self, distance_m: float) -> str | None:
         """Why words are useless at this distance between the bodies; None where they are heard."""

@@ -150,6 +150,10 @@ class Weights:
 GREETING_S = 4.0
 """What a greeting takes in the reckoning of deadlines: a gesture takes 1.5 s, an utterance rarely 4 s."""
 
+ANNOUNCING_S = 6.0
+"""What it takes longer before a person who does not see: they are told that the robot comes, and has stopped
+(our choice: two short sentences)."""
+
 
 @dataclass(frozen=True, slots=True)
 class VisitRequest:

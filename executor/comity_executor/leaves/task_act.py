@@ -25,6 +25,8 @@ class TaskAct(BodyAct):
         super().__init__(task.label, task.meeting, act, task.grounds)
         self._task = task.seen_by(self, writes=("performed", "handing_over", "done_s"), of_visit=("values",))
         self._meeting = self._task.meeting
+        self._tells = task.tells_leaving and act == UTTER
+        self._shared = task.meeting.shared.seen_by(self, writes=("announced",) if self._tells else ())
 
     @property
     def ports(self) -> Ports:
@@ -50,6 +52,8 @@ class TaskAct(BodyAct):
 
     def remember(self) -> None:
         """In the memory of the task, which is over with its last act."""
+        if self._tells:
+            self._shared.announced = None
         self._task.note_done(self._act)
 
     def explain(self) -> Account | None:

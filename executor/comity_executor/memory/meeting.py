@@ -55,6 +55,8 @@ class Meeting:
     """Acts that are behaviours of the user's own, by name."""
     speaker: Speaker = SPEAKER
     """What is said, and how people are addressed."""
+    tells_leaving: bool = False
+    """Whether somebody may have to be told that the robot leaves them."""
 
     def seen_by(
         self, leaf: Behaviour, *, reads: Collection[str] = (), writes: Collection[str] = ()

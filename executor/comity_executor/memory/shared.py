@@ -45,6 +45,10 @@ class SharedMemory(Board):
     """Why the plan does not hold any more; None while it does."""
     base = Entry[BaseHolder | None](None)
     """The leaf that commands the base; None while it is at rest."""
+    announced = Entry[str | None](None)
+    """Who does not see, was told that the robot comes, and not yet that it leaves; None: nobody."""
+    stopped_s = Entry[float | None](None)
+    """The time of the docking of which such a person was told [s]."""
     asked = Entry[tuple[Asked, ...]](())
     """Requests for passage, in order."""
     in_vain = Entry[frozenset[str]](frozenset())

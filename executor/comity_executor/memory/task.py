@@ -8,6 +8,7 @@ from math import inf
 
 from py_trees.behaviour import Behaviour
 
+from comity_domain.plans.actions import ANNOUNCED
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.meeting import UTTER, Meeting, acts_of
 from comity_executor.memory.visit import TaskMemory, VisitMemory
@@ -37,6 +38,8 @@ class Task:
     """The robot, where it can carry things."""
     fetched_before: bool = False
     """Whether the robot fetches it before it comes."""
+    tells_leaving: bool = False
+    """Whether its words tell a person who does not see that the robot leaves."""
 
     def seen_by(
         self,
@@ -125,7 +128,7 @@ class Task:
             case "Offer":
                 return speaker.handing_over(self.person, self.thing, values)
             case "Take_leave":
-                return speaker.farewell(self.person, values)
+                return speaker.farewell(self.person, values, leaving=self.tells_leaving)
         return str(self.step.parameters["text"])
 
     @property
@@ -181,7 +184,8 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
         elif step.action in EFFECTS:
             brings = fetch if step.action == OFFER else None
             fetched_before = brings is not None and brings is first
-            task = Task(step, here, brings, next(memories), hands, fetched_before)
+            tells_leaving = step.action == LEAVE and ANNOUNCED in here.reach.parameters
+            task = Task(step, here, brings, next(memories), hands, fetched_before, tells_leaving)
             _check(task)
             tasks.append(task)
             fetch = None if brings else fetch

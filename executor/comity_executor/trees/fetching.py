@@ -32,6 +32,7 @@ from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.nodes.retry import Retry
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
+from comity_executor.trees.announcing import leave_told
 from comity_executor.trees.passing import Passage, passing
 from comity_fis.inference.value import Inference
 
@@ -52,7 +53,9 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
         policy=ParallelPolicy.SuccessOnOne(),  # Mind_way never succeeds by itself: Go_to decides
         children=[passing(_way_there(task), values), GoTo(task)],
     )
-    fetch = Sequence(f"Fetch({task.label})", memory=True, children=[way, PickUp(task)])
+    leave = [leave_told(task.meeting, task.label, task.fetch_grounds, values, goes_to=None)]
+    before = leave if task.meeting.tells_leaving else []
+    fetch = Sequence(f"Fetch({task.label})", memory=True, children=[*before, way, PickUp(task)])
     timeout = SimulatedTimeout(
         f"Timeout {FETCH_TIMEOUT_S:g} s(Fetch, {task.label})",
         fetch,

@@ -26,7 +26,8 @@ what is still to be done.
        '- <> all_greeted?
 
 Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` takes the place of `greeted?`
-and Achieve(u) is a sequence of such blocks, the greeting's first.
+and Achieve(u) is a sequence of such blocks, the greeting's first. A person who does not see is told that the
+robot comes, has stopped and leaves, see `announcing`.
 
 One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at
 Achieve failed, Give_up remembers why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
@@ -46,8 +47,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 
+from comity_domain.plans.actions import ANNOUNCED
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.act import Act
+from comity_executor.leaves.announce import is_announced
 from comity_executor.leaves.attend import AttendTo
 from comity_executor.leaves.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.leaves.custom_act import CustomAct
@@ -73,6 +76,7 @@ from comity_executor.robots.carrier import HAND_OVER
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.speaker import SPEAKER, Speaker
+from comity_executor.trees.announcing import coming_told, leave_told, stop_told
 from comity_executor.trees.fetching import brought, taken
 from comity_executor.trees.passing import passing, way_to
 from comity_executor.trees.task_tree import block
@@ -173,6 +177,7 @@ def build_tree(
     memory = memory or Memory(senses.now_s)
     shared = memory.shared
     shared.outdated = None
+    tells_leaving = shared.announced is not None or any(ANNOUNCED in step.parameters for step in plan.steps)
     meetings: list[Meeting] = []
     returns: list[Meeting] = []
     branches = []
@@ -181,7 +186,7 @@ def build_tree(
         visit.reach = next(step for step in steps if step.action == REACH)
         visit.greet = greet = _greeting(steps, visit)
         visit.values = own
-        meeting = Meeting(person, robot, senses, limits, visit, shared, acts, speaker)
+        meeting = Meeting(person, robot, senses, limits, visit, shared, acts, speaker, tells_leaving)
         _ = meeting.wanted  # a step without its numbers is refused here
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
@@ -283,14 +288,21 @@ def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
         clock=meeting.senses.now_s,
         grounds=grounds,
     )
-    return Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+    docked = Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+    return stop_told(meeting, docked) if is_announced(meeting) else docked
 
 
 def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+    reach: Behaviour = _reach_user(meeting)
+    if is_announced(meeting):
+        reach = coming_told(meeting, reach)
+    if meeting.tells_leaving:
+        leave = leave_told(meeting, meeting.person, meeting.reach_grounds, values, goes_to=meeting.person)
+        reach = Sequence(f"Leave_and_reach({meeting.person})", memory=False, children=[leave, reach])
     return Parallel(
         f"Approach({meeting.person})",
         policy=ParallelPolicy.SuccessOnOne(),  # Pass never succeeds by itself: Reach_user decides
-        children=[passing(way_to(meeting), values), _reach_user(meeting)],
+        children=[passing(way_to(meeting), values), reach],
     )
 
 

@@ -1,0 +1,119 @@
+"""The part of a visit's tree before a person who does not see: words for what they cannot watch.
+
+    Announced(u) ->
+    |- coming_told(u) ?             said before the robot is nearer than 1.5 m
+    |  |- <> coming_told?(u)
+    |  '- Tell_coming(u) ->(memory)    Come_near, Timeout > Say_coming
+    '- Reach_user ->(memory)
+
+    Docked_and_told(u) ->
+    |- docked(u) ?                  as before anybody
+    '- stop_told(u) ?
+       |- <> stop_told?(u)
+       '- Tell_stopped(u) =>           Keep_distance, Timeout > Say_stopped
+
+Whoever the robot goes to next, or whatever it fetches, comes after
+
+    leave_told(v) ?
+    |- <> leave_told?(v)
+    |- Timeout > Say_leaving(v)
+    '- Leave_untold(v)              SUCCESS: a robot without a voice does not stand there for ever
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import ParallelPolicy
+from py_trees.composites import Parallel, Selector, Sequence
+
+from comity_executor.leaves.announce import (
+    Announcement,
+    ComeNear,
+    IsComingTold,
+    IsLeaveTold,
+    IsStopTold,
+    LeaveUntold,
+    SayComing,
+    SayLeaving,
+    SayStopped,
+)
+from comity_executor.leaves.keep_distance import KeepDistance
+from comity_executor.memory.meeting import Meeting
+from comity_executor.nodes.act_timeout import ActTimeout
+from comity_executor.nodes.cause import Grounds
+from comity_fis.inference.value import Inference
+
+
+def coming_told(meeting: Meeting, reach: Behaviour) -> Behaviour:
+    """The way to a person, after they were told that the robot comes.
+
+    Args:
+        meeting: Who it is.
+        reach: Going to them.
+    """
+    person = meeting.person
+    tell = Sequence(
+        f"Tell_coming({person})",
+        memory=True,
+        children=[ComeNear(meeting), _in_time(meeting, SayComing(meeting))],
+    )
+    told = Selector(f"coming_told({person})", memory=False, children=[IsComingTold(meeting), tell])
+    return Sequence(f"Announced({person})", memory=False, children=[told, reach])
+
+
+def stop_told(meeting: Meeting, docked: Behaviour) -> Behaviour:
+    """Being docked, and the person knows.
+
+    Args:
+        meeting: Who it is.
+        docked: The precondition of being docked.
+    """
+    person = meeting.person
+    tell = Parallel(
+        f"Tell_stopped({person})",
+        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself
+        children=[KeepDistance(meeting), _in_time(meeting, SayStopped(meeting))],
+    )
+    told = Selector(f"stop_told({person})", memory=False, children=[IsStopTold(meeting), tell])
+    return Sequence(f"Docked_and_told({person})", memory=False, children=[docked, told])
+
+
+def leave_told(
+    meeting: Meeting, label: str, grounds: Grounds, values: Mapping[str, Inference], *, goes_to: str | None
+) -> Behaviour:
+    """Before the robot goes: whoever does not see and is left is told so.
+
+    Args:
+        meeting: Whose branch it is in.
+        label: What the nodes have in brackets.
+        grounds: The step for which the robot leaves.
+        values: Everyone's parameters, by name.
+        goes_to: The person whom it goes to; None: it goes to a place.
+    """
+    limits = meeting.limits
+    say = ActTimeout(
+        f"Timeout {limits.act_timeout_s:g} s(Say_leaving, {label})",
+        SayLeaving(meeting, label, grounds, values),
+        duration_s=limits.act_timeout_s,
+        pause_s=limits.act_pause_s,
+        clock=meeting.senses.now_s,
+        grounds=grounds,
+    )
+    asked = IsLeaveTold(meeting, label, grounds, goes_to=goes_to)
+    children = [asked, say, LeaveUntold(meeting, label, grounds)]
+    return Selector(f"leave_told({label})", memory=False, children=children)
+
+
+def _in_time(meeting: Meeting, act: Announcement) -> Behaviour:
+    limits = meeting.limits
+    patience_s = limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
+    return ActTimeout(
+        f"Timeout {patience_s:g} s({act.verb}, {meeting.person})",
+        act,
+        duration_s=patience_s,
+        pause_s=limits.act_pause_s,
+        clock=meeting.senses.now_s,
+        grounds=meeting.reach_grounds,
+    )
