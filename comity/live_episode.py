@@ -141,6 +141,7 @@ class LiveEpisode:
             self._guard,
             self._schedule,
             self._execution,
+            prepared=prepared,
             tolerance_m=self._world.robot.capabilities.tolerance_m,
         )
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.parameters.consent import in_this_meeting
 from comity.parameters.values import Facts, infer_for, refuse_unknown
 from comity.people.profile import Declared, Profile, day_for, load_profile
 from comity.specification.binding_file import BindingFile, BoundPerson
@@ -141,7 +142,9 @@ class _Written:
         self, declared: Declared, rulebook: Rulebook, situation: Facts | None = None
     ) -> Inference:
         day = day_for(self.others.at or self.binding.at, declared.profile)
-        return infer_for(declared, rulebook, situation=situation, at=day)
+        told, stored = in_this_meeting(situation or {}, declared.profile, day)
+        values = infer_for(declared, rulebook, situation=told, at=day)
+        return replace(values, notes=(*values.notes, *stored)) if stored else values
 
     def _load(self, profile: str, *place: str) -> Declared:
         return load_profile(profile, beside=self.file.path.parent, where=self.file.where(place))

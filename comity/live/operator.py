@@ -2,7 +2,8 @@
 
 Words are given in any thread and carried out between two ticks, in their order; each is told in the trace
 with what came of it. None passes the safety floor, the robot's speed limit, or what a person asked for or has
-shown, and none counts as a person's consent.
+shown. Consent to touch is the person's alone: `consents` passes on that they gave it, in this meeting, and
+no other word counts as that.
 """
 
 from __future__ import annotations
@@ -18,11 +19,15 @@ from comity_fis import InputError
 if TYPE_CHECKING:
     from comity_domain import Plan
 
-Order = Literal["approve", "skip", "nearer", "farther", "mark", "stop", "resume"]
+Order = Literal["approve", "skip", "nearer", "farther", "consents", "withdraws", "mark", "stop", "resume"]
 ORDERS: tuple[str, ...] = get_args(Order)
+OF_PEOPLE = ("skip", "nearer", "farther", "consents", "withdraws")
 NUDGE_M = 0.10
 """Where no length is given (our choice)."""
-USAGE = "approve | skip PERSON | nearer PERSON [M] | farther PERSON [M] | mark TEXT | stop | resume"
+USAGE = (
+    "approve | skip PERSON | nearer PERSON [M] | farther PERSON [M] | consents PERSON | withdraws PERSON | "
+    "mark TEXT | stop | resume"
+)
 STOPPED = "the operator stopped the robot"
 UNAPPROVED = "the plan waits for the operator's approval"
 
@@ -50,7 +55,7 @@ def word_of(line: str) -> Word:
     if found in ("nearer", "farther") and len(words := about.split()) == 2:
         about = words[0]
         metres = _metres(words[1], line)
-    needs = found in ("skip", "nearer", "farther", "mark")
+    needs = found in (*OF_PEOPLE, "mark")
     if found is None or needs != bool(about):
         raise InputError(expected=USAGE, got=repr(line.strip()), remedy="Write one of these in a line.")
     return Word(found, about, metres)
@@ -102,6 +107,14 @@ class Operator:
     def farther(self, person: str, metres: float = NUDGE_M) -> None:
         """Stay farther from a person, unless they asked for their distance."""
         self.say(Word("farther", person, metres))
+
+    def consents(self, person: str) -> None:
+        """Pass on that a person consents to touch in this meeting: they were asked, and said so."""
+        self.say(Word("consents", person))
+
+    def withdraws(self, person: str) -> None:
+        """Pass on that a person does not consent to touch, or no longer."""
+        self.say(Word("withdraws", person))
 
     def mark(self, text: str) -> None:
         """Put an event on record."""

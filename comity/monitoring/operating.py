@@ -5,14 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.live.operator import STOPPED, UNAPPROVED, Operator, Word
+from comity.live.operator import OF_PEOPLE, STOPPED, UNAPPROVED, Operator, Word
+from comity.monitoring.consenting import consenting
 from comity.monitoring.nudging import nudged
 from comity.schedule import Disturbance
 from comity_executor import Revision
+from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.monitoring.guarding import Guarding
     from comity.monitoring.replanning import WorldPlanner
+    from comity.preparation import Prepared
     from comity.schedule import Schedule
     from comity_executor import Course, Execution, NoRevision, Planner
 
@@ -28,6 +31,7 @@ class Operating:
         guard: Is told of distances.
         schedule: Keeps the record.
         execution: Is stopped, and goes on.
+        prepared: The scenario.
         tolerance_m: How exactly the robot stops.
     """
 
@@ -39,9 +43,11 @@ class Operating:
         schedule: Schedule,
         execution: Execution,
         *,
+        prepared: Prepared,
         tolerance_m: float,
     ) -> None:
         self._operator = operator
+        self._prepared = prepared
         self._planner = planner
         self._guard = guard
         self._schedule = schedule
@@ -53,7 +59,7 @@ class Operating:
     def carry_out(self, now_s: float) -> None:
         """Do what was said since the last tick."""
         for word in self._operator.words():
-            text = self._done(word)
+            text = self._done(word, now_s)
             self._schedule.record(Disturbance(now_s, now_s, "operator", word.about, text))
         if self._has_to_resume and not self._operator.holds():
             # What the operator held is read as released in the next tick; no stop of the robot is waited for.
@@ -62,9 +68,9 @@ class Operating:
         if self._operator.has_left and self._operator.holds() == UNAPPROVED:
             self._execution.stop(LEFT)
 
-    def _done(self, word: Word) -> str:
+    def _done(self, word: Word, now_s: float) -> str:
         """What came of a word, in words."""
-        if word.order in ("skip", "nearer", "farther") and word.about not in self._execution.values:
+        if word.order in OF_PEOPLE and word.about not in self._execution.values:
             return f"{word.order} {word.about}: refused, nobody is called so"
         match word.order:
             case "approve" | "resume":
@@ -77,7 +83,19 @@ class Operating:
             case "skip":
                 self._planner.skip(word.about, f"the operator skipped {word.about}")
                 return f"the operator skipped {word.about}"
-        return self._nudge(word)
+        return self._nudge(word) if word.order in ("nearer", "farther") else self._touch(word, now_s)
+
+    def _touch(self, word: Word, now_s: float) -> str:
+        given = word.order == "consents"
+        does = "consents" if given else "does not consent"
+        told = f"the operator says that {word.about} {does} to touch in this meeting"
+        try:
+            own = self._guard.own(word.about)
+            values = consenting(self._prepared, own, word.about, given=given, t=now_s)
+        except InputError as error:
+            return f"{told}: refused, {error}"
+        self._guard.tell(word.about, values, told)
+        return told
 
     def _nudge(self, word: Word) -> str:
         by_m = word.metres if word.order == "farther" else -word.metres

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import learnt_with, situation_of
+from comity.parameters.consent import refuse_unguarded_contact
 from comity.parameters.in_run import infer_in_run
 from comity.parameters.speaking import require_words, speaker_of
 from comity.parameters.values import refuse_unknown
@@ -98,6 +99,7 @@ def cast_of(
     book_file = rulebook_of(file, rulebook)
     try:
         book = load_rulebook(book_file)
+        refuse_unguarded_contact(book)
     except InputError as error:
         raise error.at(where) from None
     declared = _declared(file, profiles or {})

@@ -1,15 +1,24 @@
-"""Contact needs consent: what `touch: none` rules out, and wishes for contact that rest without it."""
+"""Contact needs consent: what `touch: none` rules out, and wishes for contact that rest without it.
+
+In a meeting, consent is what the person says there. What their profile says was said on another day and to
+somebody else: it is shown by `infer` and `explain`, and moves no hand.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from comity.people.dated import UNKNOWN
 from comity_fis import Choice, InputError, NominalParameter
 from comity_fis.rules.rule import literals
 
 if TYPE_CHECKING:
-    from comity_fis import Inference, Rulebook
+    from datetime import date
+
+    from comity.people.fact import Fact
+    from comity.people.profile import Profile
+    from comity_fis import Inference, Interval, Rulebook
     from comity_fis.rulebook.rulebook import Inputs
     from comity_fis.variables.parameter import Category
 
@@ -21,6 +30,62 @@ TOUCH, NO_TOUCH = "touch", "none"
 NO_TOUCH_NOTE = (
     "touch none: it was asked for, so that consent to touch counts as withheld, whatever was said."
 )
+
+
+STORED_NOTE = (
+    "touch consent: given in the profile, and not in this meeting, where only `situation: {touch_consent: "
+    "given}`, or an operator's `consents`, counts."
+)
+TOUCHING = frozenset(
+    {
+        "cheek_kiss",
+        "elbow_bump",
+        "embrace",
+        "fist_bump",
+        "hand_kiss",
+        "handshake",
+        "high_five",
+        "hug",
+        "kiss",
+        "pat",
+        "shake_hands",
+        "touch",
+    }
+)
+"""Gestures of contact by name, as far as that is certain: a rulebook that has one requires consent for it."""
+
+
+def in_this_meeting(
+    situation: Mapping[str, Fact | Interval | None], profile: Profile, day: date | None
+) -> tuple[dict[str, Fact | Interval | None], tuple[str, ...]]:
+    """What holds here and now, without a consent to touch that the profile alone states; and a note of that.
+
+    Args:
+        situation: What is said to hold here and now, by variable.
+        profile: What the person declared.
+        day: On which dated facts are taken.
+    """
+    if CONSENT in situation or profile.facts(day).get(CONSENT) != "given":
+        return dict(situation), ()
+    return {**situation, CONSENT: UNKNOWN}, (STORED_NOTE,)
+
+
+def refuse_unguarded_contact(rulebook: Rulebook) -> None:
+    """Refuse a rulebook that lets the robot touch people who did not consent.
+
+    Raises:
+        InputError: for the first gesture of contact without the requirement.
+    """
+    gesture = rulebook.parameters.get("greeting_gesture")
+    for category in gesture.categories if isinstance(gesture, NominalParameter) else ():
+        needed = literals(category.requires) if category.requires else ()
+        if category.name in TOUCHING and not any(is_.name == CONSENT for is_ in needed):
+            raise InputError(
+                expected=f"consent to touch as a requirement of greeting_gesture {category.name}",
+                got="none",
+                remedy=f"Write `requires: {{{category.name}: touch_consent is given}}` for greeting_gesture, "
+                "with a variable touch_consent of the categories given and withheld.",
+            )
 
 
 def asks_for_no_touch(wishes: Wishes, rulebook: Rulebook) -> bool:
@@ -79,7 +144,7 @@ def note_of_rest(name: str, category: Category) -> str:
     requirement = str(category.requires).replace("_", " ")
     return (
         f"{name} {category.name}: {_RESTS}, because it requires that {requirement}, which is not known or "
-        "not so; state it in the profile once they say so."
+        "not so; state it once they say so, of a meeting in its scenario."
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from comity.parameters.consent import in_this_meeting
 from comity.parameters.unread import noting_unread
 from comity.parameters.unread_facts import notes_for_a_run
 from comity.parameters.used import used_of
@@ -29,9 +30,12 @@ def infer_in_run(
 ) -> Inference:
     """The same values as `infer_for` gives; inputs and notes tell nothing that no rule reads.
 
+    But for consent to touch, which is what is said of it in the situation: a run is a meeting.
+
     Raises:
         InputError: as `infer_for` does, also for a fact that no rule reads.
     """
+    situation, stored = in_this_meeting(situation, declared.profile, at)
     cases_of(declared, rulebook, situation=situation, at=at)
     used = used_of(declared, rulebook, at)
     values = noting_unread(
@@ -39,4 +43,4 @@ def infer_in_run(
     )
     profile = declared.profile
     unread = notes_for_a_run({"culture": profile.culture, **profile.facts(at)}, rulebook)
-    return replace(values, notes=(*values.notes, *unread))
+    return replace(values, notes=(*values.notes, *stored, *unread))

@@ -178,9 +178,12 @@ def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tu
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
-    """Refuse a fact that the rulebook cannot be told, most likely a typo; `PERSONAL` ones are accepted."""
+    """Refuse a fact that the rulebook cannot be told, most likely a typo.
+
+    `PERSONAL` facts and consent to touch are accepted by all.
+    """
     for name in facts:
-        if name not in rulebook.facts and name not in PERSONAL:
+        if name not in rulebook.facts and name not in (*PERSONAL, CONSENT):
             raise InputError(
                 expected=f"a variable of the rulebook {rulebook.name} in {place}",
                 got=repr(name),

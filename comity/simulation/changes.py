@@ -110,17 +110,42 @@ def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:
     Raises:
         InputError: for a wish that cannot be granted, or a fact that no rulebook knows; with its line.
     """
-    declared, people = dict(cast.declared), cast.file.scenario.people
-    situations: dict[str, dict[str, Fact]] = {name: situation_of(people[name]) for name in people}
     found: dict[int, ValuesChange] = {}
-    for i, change in _by_time(cast.file):
-        if change.says or change.situation:
-            name = change.person or ""
+    for i, change, declared, situation in _said(cast.file, cast.declared):
+        name = change.person or ""
+        values = _values(cast, i, name, declared, situation)
+        found[i] = ValuesChange(change.at_s, name, values, _in_words(name, change))
+    return found
+
+
+def said_by(file: ScenarioFile, declared: Declared, name: str, t: float) -> tuple[Declared, dict[str, Fact]]:
+    """What a person asked for and what holds around them at a time of the episode [s].
+
+    Args:
+        file: The scenario.
+        declared: What the person had declared at its start.
+        name: Who.
+        t: What is said then counts already.
+    """
+    now = declared, situation_of(file.scenario.people[name])
+    for _, change, asking, situation in _said(file, {name: declared}):
+        if change.at_s <= t:
+            now = asking, dict(situation)
+    return now
+
+
+def _said(
+    file: ScenarioFile, people: Mapping[str, Declared]
+) -> Iterator[tuple[int, Change, Declared, Mapping[str, Fact]]]:
+    """Every change of what some people say, by time, with what they declare and what holds from then on."""
+    declared = dict(people)
+    situations = {name: situation_of(file.scenario.people[name]) for name in people}
+    for i, change in _by_time(file):
+        if change.person in declared and (change.says or change.situation):
+            name = change.person
             declared[name] = _asking(declared[name], change.says or {})
             situations[name] |= change.situation or {}
-            values = _values(cast, i, name, declared[name], situations[name])
-            found[i] = ValuesChange(change.at_s, name, values, _in_words(name, change))
-    return found
+            yield i, change, declared[name], situations[name]
 
 
 def _by_time(file: ScenarioFile) -> list[tuple[int, Change]]:

@@ -93,9 +93,12 @@ def test_new_plans_have_a_cap_and_then_the_choices_stay(run):
     assert "the limit of new plans is reached" in texts(event)
 
 
+CONSENTING = "german_host, situation: {touch_consent: given}, at_m: [5, 5]"
+
+
 @pytest.mark.parametrize("replans", [0, 1, 4])
 def test_consent_taken_back_and_a_wish_are_kept_whether_or_not_new_plans_are_used_up(here, replans):
-    text = LOUNGE.replace("german_woman", "german_host").replace("  - greet: bob\n", "")
+    text = LOUNGE.replace("german_woman, at_m: [5, 5]", CONSENTING).replace("  - greet: bob\n", "")
     asks = "  - {at_s: 1, person: anna, says: {greeting_modality: gestural}}\n"
     changes_her_mind = "  - {at_s: 1.5, person: anna, says: {greeting_modality: both}}\n"
     withdraws = "  - {at_s: 2, person: anna, situation: {touch_consent: withheld}}\n"
@@ -116,7 +119,7 @@ WITHDRAWS = "  - {at_s: 2, person: anna, situation: {touch_consent: withheld}}\n
 @pytest.mark.parametrize("broken", ["fails for good", "fails once"])
 def test_no_never_means_yes_because_no_new_plan_is_to_be_had(here, broken: str):
     """Consent is withdrawn on the way, in the moment in which planning breaks down: nobody is touched."""
-    text = LOUNGE.replace("german_woman", "german_host") + WITHDRAWS
+    text = LOUNGE.replace("german_woman, at_m: [5, 5]", CONSENTING) + WITHDRAWS
     calls = {"fails for good": [1000] * 5, "fails once": [1]}[broken]
     fails = [f"  - {{at_s: 1.9, fault: planner fails, calls: {count}}}" for count in calls]
     (here / "lounge.scenario.yaml").write_text(text + "\n".join(["faults:", *fails]))

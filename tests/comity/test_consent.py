@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import json
+import re
 from datetime import date
+from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import comity as front_door
+import comity_fis
+from comity.parameters.consent import STORED_NOTE
 from comity.parameters.values import infer_for
 from comity.people.profile import Declared, Profile
 from comity.people.store import Store
+from comity.preparation import prepare
+from comity.scenario import load_scenario
 from comity_fis import NumericParameter, load_rulebook, shipped_rulebooks
 from comity_sim2d.base.drive import NEAR_PEOPLE_M_S
 
@@ -26,7 +32,7 @@ place: {width_m: 8, height_m: 6}
 robot: {at_m: [1, 3]}
 rulebook: BOOK
 people:
-  jonas: {profile: PROFILE, at_m: [6, 3], facing_deg: 180}
+  jonas: {profile: PROFILE, at_m: [6, 3], facing_deg: 180, situation: {SAYS}}
 goals:
   - greet: jonas
 """
@@ -44,8 +50,9 @@ def of(**facts):
     return Declared(Profile.model_validate({**FORMAL, **facts}), None)
 
 
-def in_the_room(here, profile, book="evidence", more=""):
-    text = ROOM.replace("BOOK", book).replace("PROFILE", json.dumps(profile))
+def in_the_room(here, profile, book="evidence", more="", says="touch_consent: given"):
+    """By default the person consents to touch in this meeting."""
+    text = ROOM.replace("BOOK", book).replace("PROFILE", json.dumps(profile)).replace("SAYS", says)
     (here / "room.scenario.yaml").write_text(text + more)
     return "room.scenario.yaml"
 
@@ -169,3 +176,52 @@ def test_a_wish_for_more_speed_is_refused_with_the_most_that_is_granted(comity, 
         said = comity(*words)
         assert (said.code, "0.1..0.5 m/s" in said.err) == (2, True)
     assert comity("profile", "set", "a", "speed=0.5").code == 0
+
+
+CULTURES = ("DEU", "SWE", "JPN", "Arab countries", None)
+SAID = st.sampled_from(["", "touch_consent: withheld", "touch_consent: unknown"])
+
+
+@settings(max_examples=20)
+@given(
+    stored=st.sampled_from(["given", "withheld", None]),
+    says=SAID,
+    culture=st.sampled_from(CULTURES),
+    wish=st.booleans(),
+    book=st.sampled_from([book.name for book in GUARDED]),
+)
+def test_nobody_is_touched_who_did_not_consent_in_this_meeting(tmp_path_factory, **case):
+    """Whatever is stored of them; what they asked for rests, and the plan says why."""
+    stored, says, wish = case["stored"], case["says"], case["wish"]
+    wishes = {"greeting_gesture": "handshake"} if wish else {}
+    profile = {**FORMAL, "culture": case["culture"], "touch_consent": stored, "settings": wishes}
+    folder = tmp_path_factory.mktemp("meeting")
+    path = folder / in_the_room(folder, profile, case["book"], says=says)
+    prepared = prepare(load_scenario(str(path)))
+    (greet,) = (step for step in prepared.plan.steps if step.action == "Greet_person")
+    assert greet.arguments[-1] != "handshake"
+    if wish:
+        assert "rests, because it requires that touch consent is given" in greet.why.text
+    else:
+        out = {ruled.arguments[-1]: ruled.reason for ruled in greet.why.ruled_out}
+        assert "touch consent is given" in out["handshake"]
+    notes = prepared.values["jonas"].notes
+    assert (STORED_NOTE in notes) == (stored == "given" and not says)
+
+
+def test_consent_that_is_given_on_the_way_counts_from_then_on(here):
+    """The hand is shaken, which no plan before had."""
+    gives = "changes:\n  - {at_s: 2, person: jonas, situation: {touch_consent: given}}\n"
+    stored = in_the_room(here, FORMAL, says="", more=gives)
+    episode = front_door.run(stored)
+    assert not [step for step in episode.prepared.plan.steps if "handshake" in step.arguments]
+    assert "handshake" in [act.act for act in episode.acts]
+
+
+def test_a_rulebook_that_touches_without_asking_is_refused(here, comity):
+    book = (Path(comity_fis.__file__).parent / "rulebooks" / "bruno2017.yaml").read_text(encoding="utf-8")
+    book = re.sub(r"\n +requires: \{handshake: .*", "", book)
+    (here / "grabs.yaml").write_text(book, encoding="utf-8")
+    said = comity("plan", in_the_room(here, FORMAL, "./grabs.yaml"))
+    assert said.code == 2
+    assert "requires: {handshake: touch_consent is given}" in " ".join(said.err.split())

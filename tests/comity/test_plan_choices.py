@@ -61,8 +61,12 @@ def greeting(answer, person):
     )
 
 
+HERE = {"touch_consent": "given"}
+"""Said in this meeting."""
+
+
 def test_hands_noise_and_company_decide_the_greetings(comity, written):
-    answer = comity("plan", written(), "--json").json
+    answer = comity("plan", written({"people.omar.situation": HERE}), "--json").json
     assert greeting(answer, "yumi")["arguments"][2:] == ["gestural", "nod"]
     together = greeting(answer, "anna")
     assert together["action"] == "Greet_company"
@@ -356,7 +360,6 @@ def conditions(answer, person):
 WISH = {"name": "wish", "culture": "DEU", "settings": {"greeting_modality": "verbal"}}
 TWO_WISHES = {
     **WISH,
-    "touch_consent": "given",
     "settings": {"greeting_modality": "both", "greeting_gesture": "handshake"},
 }
 
@@ -370,7 +373,7 @@ def test_what_stands_in_the_way_is_found_by_lifting_one_thing_at_a_time(comity, 
 
 RESTS = (
     "greeting gesture handshake: it was asked for and rests, because it requires that touch consent is "
-    "given, which is not known or not so; state it in the profile once they say so"
+    "given, which is not known or not so; state it once they say so, of a meeting in its scenario"
 )
 
 
@@ -382,8 +385,11 @@ def test_a_greeting_that_was_asked_for_and_rests_is_said_with_the_reason_and_the
     assert RESTS in greeting(comity("plan", name, "--json").json, "omar")["why"]["text"]
     for command in (("plan", name), ("plan", name, "--why", "Greet_person(omar)")):
         assert RESTS in " ".join(comity(*command).out.split())
-    consented = {**wish, "touch_consent": "given"}
-    answer = comity("plan", written({"people.omar.profile": consented, **hands_free}), "--json")
+    stored = {**wish, "touch_consent": "given"}
+    answer = comity("plan", written({"people.omar.profile": stored, **hands_free}), "--json").json
+    assert RESTS in greeting(answer, "omar")["why"]["text"]
+    here = {"people.omar.profile": wish, "people.omar.situation": HERE}
+    answer = comity("plan", written({**here, **hands_free}), "--json")
     assert "handshake" in greeting(answer.json, "omar")["arguments"]
     assert "rests" not in answer.out
 
@@ -396,7 +402,9 @@ def test_in_a_group_it_is_said_whose_wish_rests(comity, written):
 
 
 def test_where_one_thing_is_not_enough_the_smallest_set_is_named(comity, written):
-    said = comity("plan", written({"people.yumi.profile": TWO_WISHES}), "--json")
+    said = comity(
+        "plan", written({"people.yumi.profile": TWO_WISHES, "people.yumi.situation": HERE}), "--json"
+    )
     assert said.code == 1
     assert conditions(said.json, "yumi") == ({("noise", "noise"), ("hands", "robot")}, True)
 

@@ -206,7 +206,9 @@ def test_what_needs_consent_is_out_without_it(folder):
     content = binding()
     content["actions"]["greet"]["options"]["how"]["objects"] = {"bow": "handshake"}
     assert ("aiko", "bow") not in waiter(content).tables["greet"].rows
-    consenting = {"profile": {"name": "Aiko", "touch_consent": "given"}}
+    stored = {"profile": {"name": "Aiko", "touch_consent": "given"}}
+    assert ("aiko", "bow") not in waiter({**content, "people": {"aiko": stored}}).tables["greet"].rows
+    consenting = {"profile": "unknown", "situation": {"touch_consent": "given"}}
     assert ("aiko", "bow") in waiter({**content, "people": {"aiko": consenting}}).tables["greet"].rows
 
 

@@ -190,3 +190,29 @@ def test_what_needs_a_robot_says_so(here, comity, option):
     said = comity("run", "johanna", option)
     assert said.code == 2
     assert "--robot MODULE:CLASS" in said.err
+
+
+FORMAL = "{name: host, culture: DEU, formality: formal, touch_consent: given}"
+
+
+@pytest.mark.parametrize(
+    ("words", "shakes"),
+    [
+        ([], False),
+        ([Word("consents", "host")], True),
+        ([Word("consents", "host"), Word("withdraws", "host")], False),
+        ([Word("consents", "guest")], False),
+        ([Word("farther", "host", 0.2), Word("consents", "host")], True),
+    ],
+)
+def test_the_operator_passes_on_that_a_person_consents_to_touch(here, words, shakes):
+    """What is stored moves no hand; a nudge of the distance stays."""
+    text = SCENARIO.replace("profile: german_man", f"profile: {FORMAL}")
+    robot = gliding()
+    episode = carried_out(written(here, text), robot, Operator(), {0.5: words})
+    acts = [act.act for act in robot.told("perform") if act.to == "host"]
+    assert ("handshake" in acts) == shakes
+    assert len(told(episode)) == len(words)
+    if words[1:] and words[0].order == "farther":
+        usual = carried_out(written(here, text), gliding(), Operator(), {})
+        assert docked_m(episode, "host") == pytest.approx(docked_m(usual, "host") + 0.2, abs=0.02)
