@@ -163,6 +163,11 @@ class RobotStart(Standing):
         default=2.0, ge=0.05, le=100, description="How hard it brakes while its emergency stop is pressed."
     )
     sensor: Sensor = Sensor()
+    gesture_reach_m: Mapping[Name, Annotated[Number, Field(ge=0, le=3)]] = Field(
+        default_factory=dict,
+        description="How far beyond its body each of its gestures reaches; a gesture is out where something "
+        "stands nearer than that.",
+    )
     carrying: Name | None = Field(
         default=None, description="What it has in its hands: that rules out all gestures but a nod."
     )

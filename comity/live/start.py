@@ -14,12 +14,14 @@ from comity_fis import InputError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from comity.scenario import ScenarioFile
+    from comity.scenario import RobotStart, ScenarioFile
     from comity_executor import Localisation, MapRobot, PersonTrack
 
 PATIENCE_S = 10.0
 """So long a robot may take to know where it is and whom it sees (our choice)."""
 EVERY_S = 0.1
+FARTHEST_REACH_M = 3.0
+"""No robot's arm is longer (our choice)."""
 StandingT = TypeVar("StandingT", bound=Standing)
 
 
@@ -35,13 +37,33 @@ def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
     """
     here, tracks = _sensed(base)
     scenario = file.scenario
-    robot = _standing(scenario.robot, here.x_m, here.y_m, here.heading_rad)
+    robot = _standing(_reaching(scenario.robot, base), here.x_m, here.y_m, here.heading_rad)
     seen = {track.person: track for track in tracks if track.person in scenario.people}
     people = {
         name: _as_tracked(person, seen[name]) if name in seen else person
         for name, person in scenario.people.items()
     }
     return replace(file, scenario=scenario.model_copy(update={"robot": robot, "people": people}))
+
+
+def _reaching(robot: RobotStart, base: MapRobot) -> RobotStart:
+    """The robot with the reach of the gestures that it states; the scenario's words for others stay.
+
+    Raises:
+        InputError: It states something else than lengths.
+    """
+    stated = getattr(base, "gesture_reach_m", {})
+    try:
+        own = {str(gesture): float(reach_m) for gesture, reach_m in stated.items()}
+    except (AttributeError, TypeError, ValueError):
+        own = {"": math.nan}
+    if not all(0.0 <= reach_m <= FARTHEST_REACH_M for reach_m in own.values()):
+        raise InputError(
+            expected=f"gesture_reach_m of the robot as lengths of 0 to {FARTHEST_REACH_M:g} m by gesture",
+            got=repr(stated),
+            remedy="State how far each gesture reaches beyond the body, as in {'wave': 0.4}.",
+        )
+    return robot.model_copy(update={"gesture_reach_m": {**robot.gesture_reach_m, **own}})
 
 
 def for_adults(file: ScenarioFile, *, adults_only: bool) -> ScenarioFile:

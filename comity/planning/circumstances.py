@@ -46,6 +46,7 @@ def circumstances(
         withheld=_withheld(values, rulebook),
         wants_no_touch=asked_for_no_touch(values),
         at_rest=wishes_at_rest(values),
+        reach_m=scenario.robot.gesture_reach_m,
         hears=hears(profile, day, person.situation) and not lacks_hearing(values),
         sees=sees(profile, day, person.situation) and not lacks_sight(values),
     )

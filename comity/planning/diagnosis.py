@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import opened
+from comity.planning.elbow_room import with_elbow_room
 from comity.planning.request import spots_of, why_unserved
 from comity_domain import (
     Circumstances,
@@ -168,7 +169,8 @@ def _served(case: Case, lifted: Sequence[Condition]) -> bool:
     scene = opened(scene, (name for kind, name in others if kind == "door"))
     route_map = RouteMap(scene)
     places = places_for(scene, route_map, [visitee])
-    return why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places) is None
+    spots = spots_of(scene, route_map, visitee)
+    return why_unserved(scene, with_elbow_room(scene, visitee, spots), spots, places) is None
 
 
 def _lighter(visitee: Visitee, lifted: Container[tuple[str, str]]) -> Circumstances:

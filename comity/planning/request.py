@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import barring
 from comity.planning.companies import companies
+from comity.planning.elbow_room import with_elbow_room
 from comity.planning.lengths import Lengths
 from comity.planning.reckoning import Ways
 from comity_domain import (
@@ -74,16 +75,18 @@ def ask(
     spots: dict[Spot, XY] = {}
     unreachable: dict[str, str] = {each.name: lost[each.name] for each in visitees if each.name in lost}
     kept = places_for(scene, route_map, visitees)
+    served: list[Visitee] = []
     for visitee in visitees:
         if visitee.name in lost:
             continue
         found = spots_of(scene, route_map, visitee)
-        reason = why_unserved(scene, visitee, found, kept)
+        with_room = with_elbow_room(scene, visitee, found)
+        reason = why_unserved(scene, with_room, found, kept)
         if reason is None:
             spots.update(found)
+            served.append(with_room)
         else:
             unreachable[visitee.name] = reason if found else f"{reason}{what_bars(scene, visitee)}"
-    served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
     places = {name: pose for name, pose in kept.items() if pose is not None}
     spots.update({location(name): pose.xy for name, pose in places.items()})
     lengths = Lengths(scene, route_map, spots, _ways(scene, route_map, served, spots, places), attend_s)
@@ -91,7 +94,7 @@ def ask(
     travel, ways = lengths.travel(least=not few), lengths.ways(least=not few)
     request = VisitRequest(
         robot=scene.robot.name,
-        visitees=served,
+        visitees=tuple(served),
         travel=travel,
         companies=companies(groups, route_map, spots),
         durations_s={way: journey.seconds(attend_s) for way, journey in ways.items()},

@@ -24,6 +24,7 @@ from comity_domain.plans.rest import Progress, renumbered, rest_of
 from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.problem.parts import parts
+from comity_domain.problem.reach import REACH_M, reach_of
 from comity_domain.problem.request import (
     START,
     Company,
@@ -42,6 +43,7 @@ from comity_domain.tours.lateness import Late
 
 __all__ = [
     "QUIET_AND_FREE",
+    "REACH_M",
     "SKIP",
     "START",
     "Agenda",
@@ -93,6 +95,7 @@ __all__ = [
     "offers",
     "parts",
     "plan_pddl",
+    "reach_of",
     "rebind",
     "refuse_gesture_in_words",
     "renumbered",

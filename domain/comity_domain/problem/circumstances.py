@@ -48,6 +48,10 @@ class Circumstances:
     """Who does not is never greeted in words alone."""
     sees: bool = True
     """Who does not is never greeted by a gesture alone; words say that the robot comes, stops, leaves."""
+    reach_m: Mapping[str, float] = field(default_factory=dict)
+    """How far beyond its body the robot's gestures reach [m], as it states; of others see `reach`."""
+    hits: Mapping[str, str] = field(default_factory=dict)
+    """Gestures within whose reach something stands where the robot would greet, with what it is, in words."""
     presumes_consent: bool = False
     """As if all that is required were so: only to ask what consent would change, never to act."""
 
@@ -60,6 +64,8 @@ class Circumstances:
             reasons.append(f"the robot carries {self.robot_carries}")
         if self.person_carries and gesture in HANDS_OF_PERSON:
             reasons.append(f"the person carries {self.person_carries}")
+        if gesture in self.hits:
+            reasons.append(self.hits[gesture])
         return ", and ".join(reasons) or None
 
     def _against_withheld(self, required: str) -> str:

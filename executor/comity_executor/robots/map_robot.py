@@ -69,6 +69,8 @@ class MapRobot(Protocol):
 
     Two more calls are made where they are there: `heard(person)`, as of `Robot`, of a robot that understands
     what people say to it; and `sleep(seconds)` of one whose clock is simulated, to let time pass.
+    An attribute `gesture_reach_m` is read where it is there: how far beyond the body each gesture reaches
+    [m], by name.
     """
 
     @property

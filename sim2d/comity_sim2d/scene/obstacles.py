@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_sim2d.pose import XY
+from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene.door import Door
 from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.scene.person import Person, find_person
@@ -31,6 +31,7 @@ FREE_FROM_M = PERSON_MARGIN_M + 0.005
 KEPT = 256
 """Places and lines of which it is remembered what is in the way: the same poses are asked for again."""
 ROOM = "the room's outer wall"
+QUARTER = math.pi / 2
 FEW_LINES = 3
 """So many are made faster one by one (as measured)."""
 
@@ -125,6 +126,28 @@ class FloorPlan:
             if gap < 0.0:
                 found.append(Blocker(self._names[i], gap))
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
+
+    def ahead(self, pose: Pose, radius_m: float) -> Blocker | None:
+        """What is in the front half of a disc, the nearest first; None: nothing is.
+
+        Args:
+            pose: The disc's centre, and where its front is: all within 90 degrees of the heading.
+            radius_m: The disc's.
+        """
+        from shapely import Point, Polygon
+
+        point = Point(pose.xy)
+        corners = [
+            pose.ahead(radius_m * 2.0, turn) for turn in (-QUARTER, -QUARTER / 2, QUARTER / 2, QUARTER)
+        ]
+        front = point.buffer(radius_m).intersection(Polygon(corners))
+        shapes = [(ROOM, self._edge)]
+        for i in self._tree.query(point, predicate="dwithin", distance=radius_m + self._widest_m):
+            half_m = float(self._reach[i])
+            shapes.append((self._names[i], self._shapes[i].buffer(half_m) if half_m else self._shapes[i]))
+        found = [(name, shape.intersection(front)) for name, shape in shapes]
+        gaps = [Blocker(name, part.distance(point) - radius_m) for name, part in found if not part.is_empty]
+        return min(gaps, key=lambda blocker: blocker.gap_m, default=None)
 
     def _find_wall_between(self, start: XY, end: XY) -> str | None:
         from shapely import LineString

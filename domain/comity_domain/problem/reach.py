@@ -1,0 +1,32 @@
+"""How far beyond the robot's body its gestures reach: what stands nearer would be hit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+REACH_M: Mapping[str, float] = MappingProxyType(
+    {
+        "none": 0.0,
+        "nod": 0.0,  # the head stays above the body
+        "palms_together": 0.15,  # hands before the chest
+        "bow": 0.25,  # half an upper body of 0.5 m, bent by 30 degrees
+        "bow_and_nod": 0.25,
+        "wave": 0.30,  # a forearm, raised beside the body
+        "handshake": 0.60,  # a stretched arm
+    }
+)
+"""Before and beside a robot as large as a person that does not state its own [m] (our choice).
+None of the gestures without contact reaches a person at the safety floor of 0.30 m."""
+STRETCHED_M = 0.60
+"""The same of a gesture that is not among them: an arm could be stretched in it (our choice)."""
+
+
+def reach_of(gesture: str, stated: Mapping[str, float]) -> float:
+    """How far a gesture reaches beyond the robot's body [m].
+
+    Args:
+        gesture: Its name.
+        stated: What the robot states of its own, by gesture [m].
+    """
+    return stated.get(gesture, REACH_M.get(gesture, STRETCHED_M))

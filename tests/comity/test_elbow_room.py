@@ -1,0 +1,129 @@
+"""No gesture is planned within whose reach a wall, a thing or a body would be."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from gliding import gliding, written
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from shapely import LineString, Point, box
+
+from comity.live.start import as_seen
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+from comity_domain import reach_of
+from comity_fis import InputError
+
+ROOM = (8.0, 6.0)
+ROBOT_M, PERSON_M = 0.25, 0.20
+SCENARIO = """schema_version: 1
+name: near
+rulebook: {rulebook}
+place: {{width_m: 8, height_m: 6, furniture: [{{name: shelf, box_m: [{shelf}, {side}, 1.2, 0.4]}}]}}
+robot: {{at_m: [1, 1], gesture_reach_m: {stated}}}
+people:
+  anna:
+    at_m: [5.2, {y}]
+    facing_deg: {facing}
+    profile: {{name: anna, culture: {culture}}}
+    situation: {{touch_consent: given, formality: formal}}
+  ben: {{at_m: [{ben}, 3.9], facing_deg: 270, profile: unknown}}
+goals: [{{greet: anna}}]
+"""
+STATED = ("{}", "{wave: 0.9, bow: 0.6}", "{nod: 0.2}", "{handshake: 0.3}")
+
+
+def prepared_in(folder, **case):
+    path = folder / "near.scenario.yaml"
+    path.write_text(SCENARIO.format(**case), encoding="utf-8")
+    return prepare(load_scenario(str(path)))
+
+
+@settings(max_examples=40)
+@given(
+    y=st.floats(1.2, 3.0),
+    facing=st.integers(-180, 180),
+    shelf=st.floats(2.4, 4.2),
+    side=st.floats(1.8, 3.6),
+    ben=st.floats(3.0, 6.5),
+    culture=st.sampled_from(["DEU", "JPN", "Arab countries", "IND", "unknown"]),
+    rulebook=st.sampled_from(["bruno2017", "evidence"]),
+    stated=st.sampled_from(STATED),
+)
+def test_what_is_planned_hits_nothing(tmp_path_factory, **case):
+    """Judged by the shapes alone: before and beside the robot where the plan has it greet."""
+    try:
+        found = prepared_in(tmp_path_factory.mktemp("e"), **case)
+    except InputError:
+        return  # somebody would stand in the shelf
+    asked = found.asked
+    for greet in (step for step in found.plan.steps if step.action == "Greet_person"):
+        reach = next(step for step in found.plan.steps if step.action == "Reach_user")
+        gesture = greet.arguments[-1]
+        reach_m = reach_of(gesture, found.file.scenario.robot.gesture_reach_m)
+        away_m = ROBOT_M + PERSON_M + reach.parameters["conversational_distance"]
+        towards = math.radians(case["facing"] + reach.parameters["approach_bearing"])
+        at = (5.2 + away_m * math.cos(towards), case["y"] + away_m * math.sin(towards))
+        if reach_m == 0.0 or asked.request.visitees[0].now.hits.get(gesture):
+            continue
+        ahead = [
+            (at[0] + 2 * reach_m * math.cos(towards + turn), at[1] + 2 * reach_m * math.sin(towards + turn))
+            for turn in (math.pi * 0.75, math.pi, math.pi * 1.25)
+        ]
+        hand = LineString([at, *ahead]).convex_hull.intersection(Point(at).buffer(ROBOT_M + reach_m - 0.01))
+        shelf = box(case["shelf"], case["side"], case["shelf"] + 1.2, case["side"] + 0.4)
+        assert not hand.intersects(shelf)
+        assert box(0, 0, *ROOM).covers(hand)
+        assert not hand.intersects(Point(case["ben"], 3.9).buffer(PERSON_M - 0.01))
+    assert not set(_gestures(found.plan)) & set(_hits(asked))
+
+
+def _gestures(plan):
+    return [step.arguments[-1] for step in plan.steps if step.action == "Greet_person"]
+
+
+def _hits(asked):
+    return {gesture for visitee in asked.request.visitees for gesture in visitee.now.hits}
+
+
+USUAL = {"y": 3.0, "facing": 180, "side": 2.2, "ben": 7.5, "culture": "JPN", "rulebook": "bruno2017"}
+
+
+@pytest.mark.parametrize(
+    ("shelf", "stated", "out"),
+    [
+        (0.2, "{}", set()),
+        (3.6, "{}", {"bow", "bow_and_nod", "wave", "handshake"}),
+        (3.6, "{bow: 0.1, bow_and_nod: 0.1, wave: 0.1, handshake: 0.1}", set()),
+        (3.6, "{nod: 0.5}", {"nod", "bow", "bow_and_nod", "wave", "handshake"}),
+    ],
+)
+def test_a_robot_may_state_how_far_its_gestures_reach(here, shelf, stated, out):
+    found = prepared_in(here, **USUAL, shelf=shelf, stated=stated)
+    assert _hits(found.asked) == out
+    reasons = found.asked.request.visitees[0].now.hits.values()
+    assert all(
+        "the shelf would be 0.15 m from the robot on the front side of anna" in each for each in reasons
+    )
+
+
+def test_the_greeted_persons_own_body_counts_but_for_what_they_consented_to(here):
+    stated = "{wave: 1.5, handshake: 1.5}"
+    found = prepared_in(here, **USUAL, shelf=0.2, stated=stated)
+    hits = found.asked.request.visitees[0].now.hits
+    assert "anna would be" in hits["wave"]
+    assert "handshake" not in hits
+
+
+def test_a_robot_of_ones_own_states_its_reach_too(here):
+    text = SCENARIO.format(**USUAL, shelf=0.2, stated="{}")
+    file = load_scenario(written(here, text))
+    robot = gliding()
+    robot.people = {"anna": (5.2, 3.0, 180.0), "ben": (7.5, 3.9, 270.0)}
+    robot.gesture_reach_m = {"wave": 2.0}
+    assert "wave" in _hits(prepare(as_seen(file, robot)).asked)
+    robot.gesture_reach_m = {"wave": -1}
+    with pytest.raises(InputError, match="gesture_reach_m"):
+        as_seen(file, robot)
