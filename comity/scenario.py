@@ -35,6 +35,7 @@ from comity_fis.errors import WrongValueError
 from comity_fis.learning.signals import SIGNALS, Signal
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
+from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_reaction import RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -193,7 +194,15 @@ class Person(Standing):
     profile: Name | Profile = Field(
         default="unknown", description="A shipped profile, a file, or a profile written out."
     )
-    posture: Literal["standing", "seated"] = "standing"
+    posture: Literal["standing", "seated"] = Field(
+        default="standing", description="Who is seated may be on furniture: they sit on it."
+    )
+    radius_m: Number = Field(
+        default=PERSON_RADIUS_M,
+        ge=0.1,
+        le=2.0,
+        description="Of the disc that their body takes, with a wheelchair, a walking frame or a chair.",
+    )
     situation: Mapping[Annotated[str, AfterValidator(_but_posture)], Fact] = Field(
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )

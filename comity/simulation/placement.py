@@ -16,7 +16,6 @@ from comity.simulation.place import map_of, written_map
 from comity_fis import InputError
 from comity_sim2d import SceneError
 from comity_sim2d.scene.obstacles import FloorPlan, floor_plan_of
-from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene.spawning import MOST_DRAWS, random_spot
 
@@ -44,9 +43,9 @@ def placed(file: ScenarioFile, seed: int = 0) -> ScenarioFile:
     people = {name: stage.named(person, "people", name) for name, person in scenario.people.items()}
     stage.occupy(robot, ROBOT_RADIUS_M)
     for person in people.values():
-        stage.occupy(person, PERSON_RADIUS_M)
+        stage.occupy(person, person.radius_m)
     robot = stage.drawn(robot, ROBOT_RADIUS_M, "robot")
-    people = {name: stage.drawn(person, PERSON_RADIUS_M, "people", name) for name, person in people.items()}
+    people = {name: stage.drawn(person, person.radius_m, "people", name) for name, person in people.items()}
     settled = {"robot": robot, "people": people, "place": _with_map(file)}
     return replace(file, scenario=scenario.model_copy(update=settled))
 

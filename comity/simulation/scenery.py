@@ -52,6 +52,7 @@ def scene_of(file: ScenarioFile, values: Mapping[str, Inference], seed: int = 0)
                 Person(
                     name,
                     *_pose(person),
+                    radius_m=person.radius_m,
                     posture=person.posture,
                     personal_distance_m=own_distance_m(values[name]),
                     approach_speed_m_s=asked_speed_m_s(values[name]),

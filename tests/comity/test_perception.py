@@ -118,3 +118,18 @@ def test_that_no_act_reaches_somebody_is_said_with_what_to_do(here, comity):
     prepared = prepare(load_scenario(str(path)))
     assert "neither hear nor see" in prepared.asked.unreachable["anna"]
     assert any("let a person go instead" in note for note in prepared.values["anna"].notes)
+
+
+def test_a_robot_does_not_go_to_somebody_whom_none_of_its_acts_reaches(here, comity):
+    """The other is greeted; of the one it is said why, and the robot does not come as if it did any good."""
+    path = here / "one.scenario.yaml"
+    text = SCENARIO.format(sense="hearing: none, sight: none", culture="DEU", facing=0)
+    text = text.replace("people:", "people:\n  ben: {at_m: [2, 5], facing_deg: 270}")
+    path.write_text(text.replace("goals: [", "goals: [{greet: ben}, "), encoding="utf-8")
+    said = comity("run", "one.scenario.yaml", "--out", "run", "--no-pictures")
+    assert said.code == 1
+    told = " ".join(said.out.split())
+    assert "no act that is shipped reaches them" in told
+    assert "let a person go instead" in told
+    steps = comity("plan", "one.scenario.yaml", "--json").json["steps"]
+    assert {person for step in steps for person in step["people"]} == {"ben"}

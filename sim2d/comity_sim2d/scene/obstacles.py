@@ -97,6 +97,12 @@ class FloorPlan:
         return FloorPlan, self._made_of
 
     @cached_property
+    def bare(self) -> FloorPlan:
+        """The same without furniture: where people may sit."""
+        room, walls, _ = self._made_of
+        return _floor_plan(room, walls, ())
+
+    @cached_property
     def segments(self) -> Segments:
         """All of it as straight lines."""
         edges = [

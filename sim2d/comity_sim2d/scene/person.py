@@ -33,7 +33,7 @@ class Person:
     heading_rad: float
     radius_m: float = PERSON_RADIUS_M
     posture: str = "standing"
-    """One of `POSTURES`; a seated person's disc stands for the chair as well."""
+    """One of `POSTURES`; a seated person's disc stands for the chair as well, or is on furniture."""
     personal_distance_m: float | None = None
     """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
     approach_speed_m_s: float | None = None

@@ -9,11 +9,11 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from comity_sim2d.scene.obstacles import ROOM, FloorPlan, floor_plan
+from comity_sim2d.scene.person import Person
 from comity_sim2d.scene_error import SceneError
 
 if TYPE_CHECKING:
     from comity_sim2d.pose import XY
-    from comity_sim2d.scene.person import Person
     from comity_sim2d.scene.robot_body import RobotBody
     from comity_sim2d.scene.room import Furniture, Room, Wall
     from comity_sim2d.scene.scene import Scene
@@ -42,7 +42,8 @@ def check_scene(scene: Scene) -> None:
     plan = floor_plan(scene)
     bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
     for body in bodies:
-        _check_place(plan, body)
+        sits = isinstance(body, Person) and body.posture == "seated"
+        _check_place(plan.bare if sits else plan, body)
     _check_apart(scene)
 
 
@@ -174,8 +175,16 @@ def _check_place(plan: FloorPlan, body: Person | RobotBody) -> None:
             entity=body.name,
             expected=f"a disc of radius {body.radius_m:g} m inside the room, clear of walls and furniture",
             got=f"({body.x_m:g}, {body.y_m:g}), which {blocker.relation}",
-            remedy=f"Move {body.name}." if blocker.name == ROOM else f"Move {body.name} or {blocker.name}.",
+            remedy=_remedy(plan, body, blocker.name),
         )
+
+
+def _remedy(plan: FloorPlan, body: Person | RobotBody, blocker: str) -> str:
+    if blocker == ROOM:
+        return f"Move {body.name}."
+    may_sit = isinstance(body, Person) and plan.bare.blocker(body.pose.xy, body.radius_m) is None
+    sit = f", or let {body.name} be seated" if may_sit else ""
+    return f"Move {body.name} or {blocker}{sit}."
 
 
 def _check_apart(scene: Scene) -> None:

@@ -39,7 +39,8 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
     for _ in range(ROUNDS):
         before = list(at)
         for i, person in enumerate(people):
-            at[i] = _off_robot(off_things(at[i], person.radius_m, plan), person.radius_m, robot)
+            things = plan.bare if person.posture == "seated" else plan
+            at[i] = _off_robot(off_things(at[i], person.radius_m, things), person.radius_m, robot)
         for i, j, reach_m in near:
             if math.dist(at[i], at[j]) < reach_m:
                 at[i], at[j] = _off_one_another(at[i], at[j], reach_m)
