@@ -16,8 +16,10 @@ from comity.live_episode import LiveEpisode
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_domain.problem.circumstances import SPOKEN_TO_M
+from comity_executor import Execution
 from comity_executor.speech.announcing_words import ANNOUNCEMENTS
 from comity_executor.speech.wording import PHRASES
+from comity_sim2d import World
 
 SCENARIO = """schema_version: 1
 name: told
@@ -166,6 +168,14 @@ def test_a_real_robot_tells_too(here):
     assert coming < near[0]
     assert any(text.startswith("I have stopped") for _, text in spoken)
     assert spoken[-1][1] == ANNOUNCEMENTS["eng"].leaving
+
+
+def test_the_words_stand_in_the_tree_for_other_engines_too(here):
+    prepared = prepare(load_scenario(str(told(here))))
+    xml = Execution(prepared.plan, World(prepared.scene).robot, prepared.values).btcpp_xml()
+    for leaf in ("IsComingTold", "ComeNear", "SayComing", "SayStopped", "IsStopTold", "SayLeaving"):
+        assert f"<{leaf} name=" in xml
+    assert 'text="I have stopped in front of you."' in xml
 
 
 @pytest.mark.parametrize("language", PHRASES)

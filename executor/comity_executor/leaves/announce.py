@@ -152,7 +152,7 @@ class SayStopped(Announcement):
     """Tell the person where the robot has stopped."""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Say_stopped", meeting, reads=("docked_at", "docked_s"))
+        super().__init__("Say_stopped", meeting, reads=("reach", "docked_at", "docked_s"))
 
     def text(self) -> str:
         """As the person would see it: in front, to the left."""
