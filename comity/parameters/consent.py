@@ -76,16 +76,29 @@ def refuse_unguarded_contact(rulebook: Rulebook) -> None:
     Raises:
         InputError: for the first gesture of contact without the requirement.
     """
-    gesture = rulebook.parameters.get("greeting_gesture")
-    for category in gesture.categories if isinstance(gesture, NominalParameter) else ():
-        needed = literals(category.requires) if category.requires else ()
-        if category.name in TOUCHING and not any(is_.name == CONSENT for is_ in needed):
+    guarded = gestures_of_contact(rulebook)
+    for category in _gestures(rulebook):
+        if category.name in TOUCHING - guarded:
             raise InputError(
                 expected=f"consent to touch as a requirement of greeting_gesture {category.name}",
                 got="none",
                 remedy=f"Write `requires: {{{category.name}: touch_consent is given}}` for greeting_gesture, "
                 "with a variable touch_consent of the categories given and withheld.",
             )
+
+
+def gestures_of_contact(rulebook: Rulebook) -> frozenset[str]:
+    """The gestures of a rulebook that need consent to touch."""
+    return frozenset(
+        category.name
+        for category in _gestures(rulebook)
+        if category.requires and any(is_.name == CONSENT for is_ in literals(category.requires))
+    )
+
+
+def _gestures(rulebook: Rulebook) -> tuple[Category, ...]:
+    gesture = rulebook.parameters.get("greeting_gesture")
+    return gesture.categories if isinstance(gesture, NominalParameter) else ()
 
 
 def asks_for_no_touch(wishes: Wishes, rulebook: Rulebook) -> bool:

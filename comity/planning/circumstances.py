@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from comity.parameters.consent import asked_for_no_touch, wishes_at_rest
+from comity.parameters.consent import asked_for_no_touch, gestures_of_contact, wishes_at_rest
 from comity.parameters.perception import hears, lacks_hearing, lacks_sight, sees
 from comity_domain import Circumstances
 from comity_fis import Choice
@@ -47,6 +47,7 @@ def circumstances(
         wants_no_touch=asked_for_no_touch(values),
         at_rest=wishes_at_rest(values),
         reach_m=scenario.robot.gesture_reach_m,
+        touches=gestures_of_contact(rulebook),
         hears=hears(profile, day, person.situation) and not lacks_hearing(values),
         sees=sees(profile, day, person.situation) and not lacks_sight(values),
     )

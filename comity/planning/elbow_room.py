@@ -7,7 +7,6 @@ from dataclasses import replace
 from math import cos, hypot, sin
 from typing import TYPE_CHECKING
 
-from comity.parameters.consent import TOUCHING
 from comity_domain import Spot, Visitee, reach_of
 from comity_fis import Choice
 from comity_sim2d import Pose
@@ -36,7 +35,9 @@ def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) ->
     for gesture in sorted(_gestures(visitee)):
         reach_m = reach_of(gesture, visitee.now.reach_m)
         for spot, xy in spots.items():
-            found = min(_things(reach_m, gesture, scene, spot, xy), default=None)
+            found = min(
+                _things(reach_m, scene, spot, xy, touched=gesture in visitee.now.touches), default=None
+            )
             if found is not None and found[0] < reach_m - EXACT_M:
                 hits[gesture] = _in_words(found, spot, reach_m)
                 break
@@ -58,7 +59,9 @@ def _in_words(found: tuple[float, str], spot: Spot, reach_m: float) -> str:
     )
 
 
-def _things(reach_m: float, gesture: str, scene: Scene, spot: Spot, xy: XY) -> Iterator[tuple[float, str]]:
+def _things(
+    reach_m: float, scene: Scene, spot: Spot, xy: XY, *, touched: bool
+) -> Iterator[tuple[float, str]]:
     """What is nearest before and beside a robot that greets there, and how far from its body [m].
 
     The greeted person's own body counts, but for a gesture of contact: they consented to that.
@@ -72,5 +75,5 @@ def _things(reach_m: float, gesture: str, scene: Scene, spot: Spot, xy: XY) -> I
     for body in scene.people:
         dx, dy = body.x_m - stands.x_m, body.y_m - stands.y_m
         before_m = dx * cos(stands.heading_rad) + dy * sin(stands.heading_rad)
-        if before_m > -body.radius_m and not (body.name == spot.place and gesture in TOUCHING):
+        if before_m > -body.radius_m and not (touched and body.name == spot.place):
             yield hypot(dx, dy) - body.radius_m - robot_m, body.name

@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, box
 
 from comity.live.start import as_seen
+from comity.planning.request import spots_of
 from comity.preparation import prepare
 from comity.scenario import load_scenario
-from comity_domain import reach_of
+from comity_domain import Spot, reach_of
 from comity_fis import InputError
 
 ROOM = (8.0, 6.0)
@@ -59,14 +60,16 @@ def test_what_is_planned_hits_nothing(tmp_path_factory, **case):
     except InputError:
         return  # somebody would stand in the shelf
     asked = found.asked
+    if not asked.request.visitees:
+        return
+    (visitee,) = asked.request.visitees
+    spots = spots_of(found.scene, found.route_map, visitee)
     for greet in (step for step in found.plan.steps if step.action == "Greet_person"):
         reach = next(step for step in found.plan.steps if step.action == "Reach_user")
-        gesture = greet.arguments[-1]
-        reach_m = reach_of(gesture, found.file.scenario.robot.gesture_reach_m)
-        away_m = ROBOT_M + PERSON_M + reach.parameters["conversational_distance"]
-        towards = math.radians(case["facing"] + reach.parameters["approach_bearing"])
-        at = (5.2 + away_m * math.cos(towards), case["y"] + away_m * math.sin(towards))
-        if reach_m == 0.0 or asked.request.visitees[0].now.hits.get(gesture):
+        reach_m = reach_of(greet.arguments[-1], found.file.scenario.robot.gesture_reach_m)
+        at = spots[Spot("anna", reach.arguments[2])]
+        towards = math.atan2(at[1] - case["y"], at[0] - 5.2)
+        if reach_m == 0.0:
             continue
         ahead = [
             (at[0] + 2 * reach_m * math.cos(towards + turn), at[1] + 2 * reach_m * math.sin(towards + turn))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.parameters.consent import TOUCHING
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.acting import Done, done_for
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
 WORDS = ("words", "speech", "utterance", UTTER)
-TOUCHING = frozenset({"handshake"})
-"""Gestures in which bodies touch."""
 
 
 @dataclass(frozen=True, slots=True)

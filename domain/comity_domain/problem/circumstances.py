@@ -50,6 +50,8 @@ class Circumstances:
     """Who does not is never greeted by a gesture alone; words say that the robot comes, stops, leaves."""
     reach_m: Mapping[str, float] = field(default_factory=dict)
     """How far beyond its body the robot's gestures reach [m], as it states; of others see `reach`."""
+    touches: frozenset[str] = frozenset()
+    """Gestures of contact: those that need consent to touch."""
     hits: Mapping[str, str] = field(default_factory=dict)
     """Gestures within whose reach something stands where the robot would greet, with what it is, in words."""
     presumes_consent: bool = False
