@@ -182,3 +182,29 @@ def test_the_words_stand_in_the_tree_for_other_engines_too(here):
 def test_every_language_that_the_robot_greets_in_has_the_words(language):
     assert ANNOUNCEMENTS[language].coming.count("{name}") == 1
     assert "{where}" in ANNOUNCEMENTS[language].stopped
+
+
+MUTE = "faults:\n  - {{at_s: {at_s}, fault: speech fails, for_s: 200}}\nlimits: {{replans: 0}}\n"
+
+
+def test_a_robot_that_cannot_speak_does_not_come_near(here):
+    path = told(here, goals="  - greet: anna")
+    with path.open("a", encoding="utf-8") as file:
+        file.write(MUTE.format(at_s=0))
+    episode = comity.run(path)
+    visit = next(each for each in episode.visits if each.person == "anna")
+    assert visit.outcome == "unreached"
+    assert "utter was broken off" in visit.failure
+    assert gaps_m(episode).min() >= SPOKEN_TO_M
+
+
+def test_a_robot_that_has_lost_its_voice_leaves_all_the_same(here):
+    """And it is on record that nobody was told."""
+    path = told(here)
+    before = comity.run(path)
+    greeted_s = next(each.greeted_s for each in before.visits if each.person == "anna")
+    with path.open("a", encoding="utf-8") as file:
+        file.write(MUTE.format(at_s=round(greeted_s, 2)))
+    episode = comity.run(path)
+    (untold,) = (event for event in episode.events if event.node == "Leave_untold(ben)")
+    assert "anna does not see, and could not be told that the robot leaves" in str(untold.because)
