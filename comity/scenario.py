@@ -166,8 +166,8 @@ class RobotStart(Standing):
     sensor: Sensor = Sensor()
     gesture_reach_m: Mapping[Name, Annotated[Number, Field(ge=0, le=3)]] = Field(
         default_factory=dict,
-        description="How far beyond its body each of its gestures reaches; a gesture is out where something "
-        "stands nearer than that.",
+        description="How far beyond its body each of its gestures reaches; a gesture is out where a "
+        "wall or somebody is nearer than that.",
     )
     carrying: Name | None = Field(
         default=None, description="What it has in its hands: that rules out all gestures but a nod."

@@ -1,19 +1,21 @@
-"""Room for a gesture: nothing may be within its reach, before and beside the robot that greets."""
+"""Room for a gesture: no wall and no body may be within its reach, before or beside the robot that greets."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from math import cos, hypot, sin
+from math import dist, pi
 from typing import TYPE_CHECKING
 
-from comity_domain import Spot, Visitee, reach_of
+from comity_domain import FORWARDS, Spot, Visitee, reach_of
 from comity_fis import Choice
 from comity_sim2d import Pose
 from comity_sim2d.pose import direction_to
 from comity_sim2d.scene.obstacles import floor_plan
 
 if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
     from comity_sim2d import Scene
 
 XY = tuple[float, float]
@@ -21,7 +23,9 @@ EXACT_M = 1e-6
 
 
 def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) -> Visitee:
-    """The same person without the gestures that would hit something or somebody.
+    """The same person without the gestures that would hit a wall, a shut door or somebody.
+
+    Furniture does not count: how high it is is not known, and people greet each other across a counter.
 
     A gesture is out where that is so at any of the sides from which the plan may have the robot come: sides
     and gestures are weighed independently of each other.
@@ -31,17 +35,38 @@ def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) ->
         visitee: Whom to greet.
         spots: Where the robot may stand before them.
     """
+    reach_m = {gesture: reach_of(gesture, visitee.now.reach_m) for gesture in sorted(_gestures(visitee))}
     hits: dict[str, str] = {}
-    for gesture in sorted(_gestures(visitee)):
-        reach_m = reach_of(gesture, visitee.now.reach_m)
-        for spot, xy in spots.items():
-            found = min(
-                _things(reach_m, scene, spot, xy, touched=gesture in visitee.now.touches), default=None
-            )
-            if found is not None and found[0] < reach_m - EXACT_M:
-                hits[gesture] = _in_words(found, spot, reach_m)
-                break
+    for spot, xy in spots.items():
+        for gesture, far_m in reach_m.items() if _is_narrow(scene, xy, max(reach_m.values())) else ():
+            stands = Pose(*xy, direction_to(xy, scene.person(spot.place).xy))
+            swept = _swept(stands, scene.robot.radius_m, far_m, forwards=gesture in FORWARDS)
+            but = spot.place if gesture in visitee.now.touches else None
+            found = min(_things(swept, scene, xy, but), default=None) if far_m > 0.0 else None
+            if found is not None:
+                hits.setdefault(gesture, _in_words(found, spot, far_m))
     return replace(visitee, now=replace(visitee.now, hits=hits)) if hits else visitee
+
+
+def _is_narrow(scene: Scene, xy: XY, reach_m: float) -> bool:
+    """Whether anything is as near to a robot there as that: seldom so, and quickly told."""
+    within_m = scene.robot.radius_m + reach_m
+    is_near = any(dist(body.xy, xy) < body.radius_m + within_m for body in scene.people)
+    return is_near or floor_plan(scene).bare.blocker(xy, within_m) is not None
+
+
+def _swept(stands: Pose, robot_m: float, reach_m: float, *, forwards: bool) -> BaseGeometry:
+    """The floor that a gesture may sweep: forwards as wide as the body, else all before and beside it."""
+    from shapely import LineString, Point, Polygon
+
+    reach_m -= EXACT_M
+    if forwards:
+        return LineString([stands.xy, stands.ahead(reach_m)]).buffer(robot_m)
+    wide_m = robot_m + reach_m
+    ahead, left = (Pose(0.0, 0.0, stands.heading_rad).ahead(wide_m, turn) for turn in (0.0, pi / 2))
+    sides = [(stands.x_m + side * left[0], stands.y_m + side * left[1]) for side in (1, -1)]
+    fronts = [(x + ahead[0], y + ahead[1]) for x, y in reversed(sides)]
+    return Point(stands.xy).buffer(wide_m).intersection(Polygon([*sides, *fronts]))
 
 
 def _gestures(visitee: Visitee) -> set[str]:
@@ -59,21 +84,20 @@ def _in_words(found: tuple[float, str], spot: Spot, reach_m: float) -> str:
     )
 
 
-def _things(
-    reach_m: float, scene: Scene, spot: Spot, xy: XY, *, touched: bool
-) -> Iterator[tuple[float, str]]:
-    """What is nearest before and beside a robot that greets there, and how far from its body [m].
+def _things(swept: BaseGeometry, scene: Scene, xy: XY, but: str | None) -> Iterator[tuple[float, str]]:
+    """What a gesture would sweep, and how far each is from the robot's body [m].
 
-    The greeted person's own body counts, but for a gesture of contact: they consented to that.
+    Args:
+        swept: The floor.
+        scene: Where everybody and everything is.
+        xy: Where the robot stands.
+        but: The person whom a gesture of contact is for: they consented to it.
     """
+    from shapely import Point
+
     robot_m = scene.robot.radius_m
-    stands = Pose(*xy, direction_to(xy, scene.person(spot.place).xy))
-    plan = floor_plan(scene)
-    is_narrow = reach_m > 0.0 and plan.blocker(xy, robot_m + reach_m) is not None
-    if is_narrow and (ahead := plan.ahead(stands, robot_m + reach_m)) is not None:
-        yield ahead.gap_m + reach_m, ahead.name
+    if (thing := floor_plan(scene).bare.within(swept, xy)) is not None:
+        yield thing.gap_m - robot_m, thing.name
     for body in scene.people:
-        dx, dy = body.x_m - stands.x_m, body.y_m - stands.y_m
-        before_m = dx * cos(stands.heading_rad) + dy * sin(stands.heading_rad)
-        if before_m > -body.radius_m and not (touched and body.name == spot.place):
-            yield hypot(dx, dy) - body.radius_m - robot_m, body.name
+        if body.name != but and swept.distance(Point(body.xy)) < body.radius_m:
+            yield dist(body.xy, xy) - body.radius_m - robot_m, body.name

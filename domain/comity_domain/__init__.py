@@ -24,7 +24,7 @@ from comity_domain.plans.rest import Progress, renumbered, rest_of
 from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.problem.parts import parts
-from comity_domain.problem.reach import REACH_M, reach_of
+from comity_domain.problem.reach import FORWARDS, REACH_M, reach_of
 from comity_domain.problem.request import (
     START,
     Company,
@@ -42,6 +42,7 @@ from comity_domain.rebinding import kept_cost, kept_late, rebind, same_choices
 from comity_domain.tours.lateness import Late
 
 __all__ = [
+    "FORWARDS",
     "QUIET_AND_FREE",
     "REACH_M",
     "SKIP",

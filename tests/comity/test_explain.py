@@ -257,12 +257,17 @@ def test_a_sugeno_file_is_explained_and_drawn(comity, here):
 
 
 def test_a_fact_that_was_not_disclosed_and_outvotes_others_begins_the_reason_everywhere(comity, here):
-    (here / "p.profile.yaml").write_text("name: Ada\nculture: DEU\ntouch_consent: given\n", encoding="utf-8")
+    (here / "ada.scenario.yaml").write_text(
+        "schema_version: 1\nname: ada\nplace: {width_m: 6, height_m: 4}\nrobot: {at_m: [1, 2]}\npeople:\n"
+        "  ada: {profile: {name: Ada, culture: DEU}, situation: {touch_consent: given}, at_m: [4, 2]}\n"
+        "goals: [{greet: ada}]\n",
+        encoding="utf-8",
+    )
     outvotes = "formality not disclosed outvotes individualism is LC2 → wave"
     facts = ("--set", "culture=DEU", "--set", "touch_consent=given")
     explained = comity("explain", "greeting_gesture", *facts).out.splitlines()
     assert explained[1].strip().startswith(outvotes)
-    summary = comity("run", "johanna", "--as", "johanna=p.profile.yaml", "--out", "run").out
+    summary = comity("run", "ada.scenario.yaml", "--out", "run").out
     assert outvotes in " ".join(summary.split())
     why = comity("trace", "run", "--why", "handshake").out
     assert f"greeting_gesture handshake (culture); {outvotes}" in " ".join(why.split())

@@ -117,8 +117,8 @@ def _against_each(
 def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str | None:
     speaks, shows = greeting.modality != GESTURAL, greeting.gesture != NO_GESTURE
     unnoticed = now.against_modality(speaks=speaks, shows=shows)
-    everything = (now.against_gesture(greeting.gesture), silent, unnoticed, now.against_coming())
-    reasons = [reason for reason in everything if reason]
+    against = (now.against_gesture(greeting.gesture), silent, unnoticed, now.against_coming())
+    reasons = [reason for reason in (*against, now.hits.get(greeting.gesture)) if reason]
     return ", and ".join(reasons) or None
 
 

@@ -66,8 +66,6 @@ class Circumstances:
             reasons.append(f"the robot carries {self.robot_carries}")
         if self.person_carries and gesture in HANDS_OF_PERSON:
             reasons.append(f"the person carries {self.person_carries}")
-        if gesture in self.hits:
-            reasons.append(self.hits[gesture])
         return ", and ".join(reasons) or None
 
     def _against_withheld(self, required: str) -> str:

@@ -18,6 +18,8 @@ REACH_M: Mapping[str, float] = MappingProxyType(
 )
 """Before and beside a robot as large as a person that does not state its own [m] (our choice).
 None of the gestures without contact reaches a person at the safety floor of 0.30 m."""
+FORWARDS = frozenset({"palms_together", "bow", "bow_and_nod", "handshake"})
+"""Gestures that reach forwards alone, as wide as the body; others reach to the sides, too (our choice)."""
 STRETCHED_M = 0.60
 """The same of a gesture that is not among them: an arm could be stretched in it (our choice)."""
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_sim2d.pose import XY, Pose
+from comity_sim2d.pose import XY
 from comity_sim2d.scene.door import Door
 from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.scene.person import Person, find_person
@@ -31,7 +31,6 @@ FREE_FROM_M = PERSON_MARGIN_M + 0.005
 KEPT = 256
 """Places and lines of which it is remembered what is in the way: the same poses are asked for again."""
 ROOM = "the room's outer wall"
-QUARTER = math.pi / 2
 FEW_LINES = 3
 """So many are made faster one by one (as measured)."""
 
@@ -133,26 +132,22 @@ class FloorPlan:
                 found.append(Blocker(self._names[i], gap))
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
 
-    def ahead(self, pose: Pose, radius_m: float) -> Blocker | None:
-        """What is in the front half of a disc, the nearest first; None: nothing is.
+    def within(self, region: BaseGeometry, xy: XY) -> Blocker | None:
+        """What is in a region, the nearest to a point first, and how far it is from there; None: nothing.
 
         Args:
-            pose: The disc's centre, and where its front is: all within 90 degrees of the heading.
-            radius_m: The disc's.
+            region: Any shape.
+            xy: The point, such as the middle of a robot whose arms sweep the region.
         """
-        from shapely import Point, Polygon
+        from shapely import Point
 
-        point = Point(pose.xy)
-        corners = [
-            pose.ahead(radius_m * 2.0, turn) for turn in (-QUARTER, -QUARTER / 2, QUARTER / 2, QUARTER)
-        ]
-        front = point.buffer(radius_m).intersection(Polygon(corners))
-        shapes = [(ROOM, self._edge)]
-        for i in self._tree.query(point, predicate="dwithin", distance=radius_m + self._widest_m):
+        point = Point(xy)
+        shapes: list[tuple[str, BaseGeometry]] = [(ROOM, self._edge)]
+        for i in self._tree.query(region, predicate="dwithin", distance=self._widest_m):
             half_m = float(self._reach[i])
             shapes.append((self._names[i], self._shapes[i].buffer(half_m) if half_m else self._shapes[i]))
-        found = [(name, shape.intersection(front)) for name, shape in shapes]
-        gaps = [Blocker(name, part.distance(point) - radius_m) for name, part in found if not part.is_empty]
+        found = [(name, shape.intersection(region)) for name, shape in shapes]
+        gaps = [Blocker(name, part.distance(point)) for name, part in found if not part.is_empty]
         return min(gaps, key=lambda blocker: blocker.gap_m, default=None)
 
     def _find_wall_between(self, start: XY, end: XY) -> str | None:
