@@ -17,8 +17,7 @@ from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_domain.problem.circumstances import SPOKEN_TO_M
 from comity_executor import Execution
-from comity_executor.speech.announcing_words import ANNOUNCEMENTS
-from comity_executor.speech.wording import PHRASES
+from comity_executor.speech.phrasebook import SHIPPED
 from comity_sim2d import World
 
 SCENARIO = """schema_version: 1
@@ -46,6 +45,8 @@ USUAL = {
     "goals": "  - {greet: anna, priority: 100}\n  - greet: ben",
 }
 AWAY = "  - {greet: anna, priority: 100}\n  - {offer: tea, to: anna, from: bar}\n  - {take_leave: anna}"
+SIDES = ("in_front", "left", "right", "behind")
+FIRST = {"coming": "This is the robot", "stopped": "I have stopped", "leaving": "I am leaving now"}
 BAR = "place: {width_m: 10, height_m: 7, furniture: [{name: bar, box_m: [0.5, 6.2, 2, 0.5]}]}"
 
 
@@ -68,9 +69,7 @@ def gaps_m(episode, person="anna"):
 
 
 def said(found, what):
-    text = ANNOUNCEMENTS["eng"]
-    first = {"coming": "This is the robot", "stopped": "I have stopped", "leaving": text.leaving}[what]
-    return [each for each in found if each[2].startswith(first)]
+    return [each for each in found if each[2].startswith(FIRST[what])]
 
 
 @settings(max_examples=25)
@@ -118,7 +117,7 @@ def test_who_is_fetched_something_is_told_of_every_going_and_coming(here):
     comings = kinds.count("coming")
     assert kinds == ["coming", "stopped", "leaving"] * comings
     assert comings >= 1
-    assert found[-1][2].startswith("I am leaving now. Goodbye")  # the farewell says both
+    assert found[-1][2].startswith("I am leaving now, Anna. Goodbye")  # the farewell says both
 
 
 def test_the_trace_says_why(here, comity):
@@ -167,7 +166,7 @@ def test_a_real_robot_tells_too(here):
     near = [t for t, x, y, _ in robot.path if math.hypot(x - 5.0, y - 3.5) - 0.45 < SPOKEN_TO_M]
     assert coming < near[0]
     assert any(text.startswith("I have stopped") for _, text in spoken)
-    assert spoken[-1][1] == ANNOUNCEMENTS["eng"].leaving
+    assert spoken[-1][1] == "I am leaving now, Anna."
 
 
 def test_the_words_stand_in_the_tree_for_other_engines_too(here):
@@ -175,13 +174,16 @@ def test_the_words_stand_in_the_tree_for_other_engines_too(here):
     xml = Execution(prepared.plan, World(prepared.scene).robot, prepared.values).btcpp_xml()
     for leaf in ("IsComingTold", "ComeNear", "SayComing", "SayStopped", "IsStopTold", "SayLeaving"):
         assert f"<{leaf} name=" in xml
-    assert 'text="I have stopped in front of you."' in xml
+    assert 'text="I have stopped in front of you, Anna."' in xml
 
 
-@pytest.mark.parametrize("language", PHRASES)
-def test_every_language_that_the_robot_greets_in_has_the_words(language):
-    assert ANNOUNCEMENTS[language].coming.count("{name}") == 1
-    assert "{where}" in ANNOUNCEMENTS[language].stopped
+@pytest.mark.parametrize("code", SHIPPED)
+def test_every_language_that_the_robot_greets_in_has_the_words(code):
+    """Plain ones, too, which a real robot says that has no others reviewed."""
+    language = SHIPPED[code]
+    for use in ("announce_coming", *(f"stopped_{at}" for at in SIDES), "announce_leaving"):
+        assert language.find(use, "neutral", first_meeting=False).use == use
+        assert language.plain(use).use == use
 
 
 MUTE = "faults:\n  - {{at_s: {at_s}, fault: speech fails, for_s: 200}}\nlimits: {{replans: 0}}\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 
 from py_trees.common import Status
@@ -16,9 +17,10 @@ from comity_executor.memory.meeting import UTTER, Meeting
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.leaf import Action, Condition, Ports
-from comity_executor.robots.goals import ActGoal
-from comity_executor.speech.announcing_words import coming_text, leaving_text, stopped_text
+from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.speech.manner import ABOUT_SPEECH, manner_of
+from comity_executor.speech.speaker import ABOUT_WORDS
+from comity_executor.speech.utterance import Utterance
 from comity_fis.inference.value import Inference
 
 MARGIN_M = 0.15
@@ -121,14 +123,18 @@ class Announcement(BodyAct):
     def goal(self) -> ActGoal:
         """In the manner that suits the person."""
         meeting = self._meeting
-        return ActGoal(UTTER, meeting.person, self.text(), manner=meeting.manner)
+        return speech(UTTER, meeting.person, self.words(), manner=meeting.manner)
+
+    @abstractmethod
+    def words(self) -> Utterance:
+        """What is said."""
 
     def explain(self) -> Account | None:
         """What was said, and that the person does not see."""
         return Account(
-            f"{self.how_it_went()}: {self._meeting.person} does not see, and is told “{self.text()}”",
+            f"{self.how_it_went()}: {self._meeting.person} does not see, and is told “{self.words().latin}”",
             parameter=ANNOUNCED,
-            others=self.told(ABOUT_SPEECH),
+            others=self.told((*ABOUT_SPEECH, *ABOUT_WORDS)),
             fault=self.trouble(),
         )
 
@@ -139,9 +145,9 @@ class SayComing(Announcement):
     def __init__(self, meeting: Meeting) -> None:
         super().__init__("Say_coming", meeting)
 
-    def text(self) -> str:
+    def words(self) -> Utterance:
         """In the person's language."""
-        return coming_text(self._meeting.person, self._meeting.values)
+        return self._meeting.speaker.coming(self._meeting.person, self._meeting.values)
 
     def remember(self) -> None:
         """From now on the person is to be told, too, when the robot leaves."""
@@ -154,11 +160,12 @@ class SayStopped(Announcement):
     def __init__(self, meeting: Meeting) -> None:
         super().__init__("Say_stopped", meeting, reads=("reach", "docked_at", "docked_s"))
 
-    def text(self) -> str:
+    def words(self) -> Utterance:
         """As the person would see it: in front, to the left."""
-        docked_at = self._meeting.memory.docked_at
-        bearing_deg = self._meeting.wanted.bearing_deg if docked_at is None else docked_at.bearing_deg
-        return stopped_text(bearing_deg, self._meeting.values)
+        meeting = self._meeting
+        docked_at = meeting.memory.docked_at
+        bearing_deg = meeting.wanted.bearing_deg if docked_at is None else docked_at.bearing_deg
+        return meeting.speaker.stopped(meeting.person, bearing_deg, meeting.values)
 
     def remember(self) -> None:
         """Of this docking; the next one is told again."""
@@ -249,8 +256,9 @@ class SayLeaving(Action):
         """Speak in the manner that suits the person."""
         self._who = self._meeting.shared.announced or self._meeting.person
         values = self._values[self._who]
-        self._text = leaving_text(values)
-        self._performing.begin(ActGoal(UTTER, self._who, self._text, manner=manner_of(values)))
+        words = self._meeting.speaker.leaving(self._who, values)
+        self._text = words.latin
+        self._performing.begin(speech(UTTER, self._who, words, manner=manner_of(values)))
 
     def step(self) -> Status:
         """SUCCESS when it is said, FAILURE when it was broken off from elsewhere."""

@@ -25,6 +25,9 @@ RHETORICAL = 0.5
 IMPLICIT = 0.45
 EXPLICIT = 0.55
 """Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
+BESIDE_DEG = 30.0
+BEHIND_DEG = 150.0
+"""Up to the one the robot is in front, from the other on behind, in between left or right (our choice)."""
 NO_ADDRESSES: Mapping[str, Address] = MappingProxyType({})
 
 
@@ -62,9 +65,41 @@ class Speaker:
         """What the robot says with something that it hands over; the thing is called as in the scenario."""
         return replace(self._said("hand_over", (person,), values), thing=thing)
 
-    def farewell(self, person: str, values: Inference) -> Utterance:
-        """What the robot says when it leaves, as formal as its greeting was."""
+    def farewell(self, person: str, values: Inference, *, leaving: bool = False) -> Utterance:
+        """What the robot says when it leaves, as formal as its greeting was.
+
+        Args:
+            person: Who it is.
+            values: Their parameters.
+            leaving: Whether to say that it leaves, too, to a person who does not see it.
+        """
+        if leaving:
+            return self._said("announce_leaving", (person,), values, besides=("take_leave",))
         return self._said("take_leave", (person,), values)
+
+    def coming(self, person: str, values: Inference) -> Utterance:
+        """What the robot says to a person who does not see, before it comes near."""
+        return self._said("announce_coming", (person,), values)
+
+    def stopped(self, person: str, bearing_deg: float, values: Inference) -> Utterance:
+        """What the robot says to a person who does not see, once it stands.
+
+        Args:
+            person: Who it is.
+            bearing_deg: Where it stands as the person would see it, in (-180, 180], positive to their left.
+            values: Their parameters.
+        """
+        if abs(bearing_deg) <= BESIDE_DEG:
+            use: Use = "stopped_in_front"
+        elif abs(bearing_deg) >= BEHIND_DEG:
+            use = "stopped_behind"
+        else:
+            use = "stopped_left" if bearing_deg > 0.0 else "stopped_right"
+        return self._said(use, (person,), values)
+
+    def leaving(self, person: str, values: Inference) -> Utterance:
+        """What the robot says to a person who does not see, before it goes elsewhere."""
+        return self._said("announce_leaving", (person,), values)
 
     def request_to_pass(self, person: str, values: Inference | None) -> Utterance:
         """What the robot says to a person who blocks its path.

@@ -20,12 +20,20 @@ Use = Literal[
     "take_leave",
     "ask_to_pass",
     "hint_at_passing",
+    "announce_coming",
+    "stopped_in_front",
+    "stopped_left",
+    "stopped_right",
+    "stopped_behind",
+    "announce_leaving",
 ]
 """What a wording is said for.
 
 `honour`: after a greeting, where the style is rhetorical. `offer_help`, `hint_at_help`: after a greeting,
 where the directness is high or low. `hand_over`: with something that is handed over. `ask_to_pass`: to a
-person who blocks the path, and `hint_at_passing` where the directness is low.
+person who blocks the path, and `hint_at_passing` where the directness is low. The others tell a person who
+does not see that the robot comes, where it has stopped, and that it leaves; a real robot, too, has to say so,
+and says the `plain` ones until the others are reviewed.
 """
 NAMES_NOBODY: tuple[Use, ...] = ("honour", "offer_help", "hint_at_help")
 """These follow words that have named the person."""
