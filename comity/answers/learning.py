@@ -85,7 +85,9 @@ class LearnAnswer(Answer):
     )
     unused: tuple[str, ...] = Field(description="Headings that say nothing to this rulebook.")
     inputs: tuple[str, ...] = Field(description="Variables that rules may read.")
-    lacking_inputs: int = Field(description="Rows that no rule is learnt from: an input is not known.")
+    lacking_inputs: int = Field(
+        description="Rows that no rule is learnt from: an input is not known, or has no term."
+    )
     rules: tuple[LearntRuleAnswer, ...] = Field(description="Best supported first.")
     prior: PriorAnswer | None = Field(description="Null where no row names its participant.")
     constant: float = Field(description="The mean of all rows, in the parameter's unit.")

@@ -13,7 +13,7 @@ from comity.tables.evaluation import USUAL_RADII, Radii
 from comity.tables.examples import Examples, LeftOut, chosen_inputs, examples
 from comity.tables.leaving_out import Judgement, judged
 from comity.tables.measurements import read_measurements, table_path
-from comity.tables.proposal import cells_of, prior_of, with_cells, with_prior
+from comity.tables.proposal import cells_of, is_in_terms, prior_of, with_cells, with_prior
 from comity_fis import Rulebook, Source, load_rulebook
 from comity_fis.audit.order import equality_band
 from comity_fis.learning.pooling import PooledPrior
@@ -41,8 +41,8 @@ class Lesson:
 
     @property
     def lacking_inputs(self) -> int:
-        """Rows that no rule is learnt from, since an input is not known."""
-        return sum(any(row.inputs.get(name) is None for name in self.inputs) for row in self.examples.rows)
+        """Rows that no rule is learnt from, since an input is not known or has no term."""
+        return sum(not is_in_terms(self.rulebook, self.inputs, row) for row in self.examples.rows)
 
     @property
     def proposals(self) -> tuple[Kind, ...]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from comity.tables.basis import Basis, with_value_rules
 from comity.tables.examples import GROUP, Example
-from comity_fis import NominalVariable, NumericParameter, Rulebook, Source, Variable
+from comity_fis import NominalVariable, NumericParameter, NumericVariable, Rulebook, Source, Variable
 from comity_fis.audit.order import equality_band
 from comity_fis.inference.column import Floats, read_columns
 from comity_fis.learning.pooling import Answer, PooledPrior, pooled
@@ -30,17 +30,27 @@ NARROWEST = 0.01
 def cells_of(basis: Basis, inputs: Sequence[str], rows: Iterable[Example]) -> tuple[Cell, ...]:
     """What people say of every combination of the inputs' terms.
 
-    A person counts once in each situation, with the mean of their rows; rows that lack an input are left out.
+    A person counts once in each situation, with the mean of their rows.
     """
     said: dict[tuple[object, ...], list[float]] = defaultdict(list)
     for row in rows:
-        said[row.person, *(row.inputs.get(name) for name in inputs)].append(row.value)
-    told = {key: fsum(values) / len(values) for key, values in said.items() if None not in key}
+        if is_in_terms(basis.rulebook, inputs, row):
+            said[row.person, *(row.inputs[name] for name in inputs)].append(row.value)
+    told = {key: fsum(values) / len(values) for key, values in said.items()}
     if not told or not inputs:
         return ()
     columns = dict(zip(inputs, list(zip(*told, strict=True))[1:], strict=True))
     degrees = {name: _degrees(basis.rulebook.variables[name], column) for name, column in columns.items()}
     return rule_table(degrees, basis.parameter, np.array(list(told.values())))
+
+
+def is_in_terms(rulebook: Rulebook, inputs: Iterable[str], row: Example) -> bool:
+    """Whether each input is known and one that rules can speak of; a person's own word may have no term."""
+    return all(
+        (value := row.inputs.get(name)) is not None
+        and (isinstance(variable := rulebook.variables[name], NumericVariable) or value in variable.terms)
+        for name in inputs
+    )
 
 
 def prior_of(basis: Basis, rows: Iterable[Example]) -> PooledPrior:
@@ -90,6 +100,8 @@ def with_prior(rulebook: Rulebook, name: str, prior: PooledPrior, source: Source
         terms[term] = _around(value, parameter)
         mean = f"{parameter.neutral + found.mean:.3f} {parameter.unit}"
         note = f"{found.people} people, mean {mean}, drawn towards everybody's"
+        if parameter.neutral + found.offset not in parameter.rules:
+            note += f", and held to what rules can give, {parameter.rules} {parameter.unit}"
         rules.append(_rule(Is(GROUP, group), Is(name, term), source, note=note))
     why = f"Learnt from {source.key}, {prior.people} people"
     moved = _within(parameter, parameter.neutral + prior.everybody)

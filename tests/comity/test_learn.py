@@ -13,6 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import comity_fis
+from comity.output.learnt_rulebook import write_learnt
+from comity.report.rulebooks.learning import learn_answer, learn_text
 from comity.tables.contenders import ASK, CONSTANT, PRIOR, RULES
 from comity.tables.leaving_out import LEAST_UNITS
 from comity.tables.lesson import learn
@@ -140,6 +142,36 @@ def test_a_place_that_calls_itself_so_gets_its_own_value(ask, here):
     book = load_rulebook(here / "learnt.yaml")
     assert book.value(DISTANCE, {"culture": "Kurdish"}) == pytest.approx(0.6, abs=0.06)
     assert book.value(DISTANCE, {"culture": "DEU"}) == pytest.approx(0.95, abs=0.06)
+
+
+def test_a_prior_beyond_what_rules_can_give_is_held_to_it_and_that_is_said(ask, here):
+    far = people(60, between=0.03, value=lambda culture: 1.6 if culture == "DEU" else 0.9)
+    assert (
+        "Held to what rules can give, 0.45..1.2 m: DEU"
+        in ask(far, "--out", "learnt.yaml", "--write", "prior").out
+    )
+    book = load_rulebook(here / "learnt.yaml")
+    high = book.parameters[DISTANCE].rules.high
+    assert high - 0.01 <= book.value(DISTANCE, {"culture": "DEU"}) <= high
+    (rule,) = [rule for rule in book.rules_for(DISTANCE) if "DEU" in rule.text]
+    assert "held to what rules can give" in rule.note
+
+
+def test_people_whose_own_word_no_rule_can_speak_of_count_in_the_prior_alone(ask):
+    """`non-binary` is disclosed, and no term; whose gender or culture is empty is as unknown as can be."""
+    head, *lines = people(60).splitlines()
+    odd = [
+        line.replace(",female,", word).replace(",male,", word)
+        for word in (",non-binary,", ",,")
+        for line in lines[:9]
+    ]
+    odd += [line.replace(",DEU,", ",unknown,") for line in lines[:6]]
+    said = ask("\n".join([head, *lines, *(f"x{i}{line}" for i, line in enumerate(odd))]), "--json")
+    assert said.code == 0, said.err
+    assert said.json["lacking_inputs"] == 18 + 1
+    assert sum(rule["support"] for rule in said.json["rules"]) <= len(lines) + 5
+    only = ask("\n".join([head, *odd[:9]]), "--inputs", "gender", "--json")
+    assert (only.code, only.json["rules"]) == (1, [])
 
 
 def test_nobody_is_named_in_what_is_written(ask, here):
@@ -307,6 +339,42 @@ def test_random_bytes_are_refused_or_read(tmp_path, content):
         (tmp_path / "t.csv").write_bytes(text)
         with suppress(InputError):
             learn(str(tmp_path / "t.csv"), DISTANCE, EVIDENCE)
+
+
+CELLS = {
+    "participant": ["a", "b", "c", ""],
+    "study": ["lab", "home", ""],
+    "culture": ["DEU", "JPN", "Kurdish", "Arab countries", "KEN", "unknown", ""],
+    "gender": ["female", "m", "woman", "non-binary", ""],
+    "age": ["5", "30", "82.5", ""],
+    "familiarity": ["stranger", "close", ""],
+    "value": ["0", "0.45", "0.8", "1.2", "2.9"],
+    "unit": ["m"],
+    "measured": ["surface", "centre", ""],
+}
+
+
+@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    st.sets(st.sampled_from([*CELLS]), max_size=9),
+    st.integers(1, 14),
+    st.integers(0, 10**6),
+    st.sampled_from(["evidence", "bruno2017", "bruno2017-case1"]),
+)
+def test_any_table_in_good_order_teaches_something_or_nothing(tmp_path, left_out, rows, seed, rulebook):
+    """Whichever columns there are: an answer that can be written, or a refusal with its reason."""
+    random = np.random.default_rng(seed)
+    heads = [name for name in CELLS if name not in left_out or name in ("value", "unit")]
+    lines = [",".join(str(random.choice(CELLS[name])) for name in heads) for _ in range(rows)]
+    (tmp_path / "t.csv").write_text("\n".join([",".join(heads), *lines]))
+    with suppress(InputError):
+        lesson = learn(str(tmp_path / "t.csv"), DISTANCE, load_rulebook(rulebook))
+        assert learn_answer(lesson, None).model_dump_json()
+        assert [*learn_text(lesson)]
+        for kind in lesson.proposals:
+            write_learnt(lesson, kind, tmp_path / "o.yaml")
+            value = load_rulebook(tmp_path / "o.yaml").value(DISTANCE, {})
+            assert 0.45 <= value <= 1.2
 
 
 def test_the_answer_holds_what_individuals_are_expected_to_want(ask):

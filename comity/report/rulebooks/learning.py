@@ -156,7 +156,7 @@ def _notes(lesson: Lesson) -> Iterator[str]:
     if found.unused:
         yield f"Headings that say nothing to this rulebook: {', '.join(found.unused)}"
     if lesson.lacking_inputs:
-        yield f"Rows that lack an input, from which no rule is learnt: {lesson.lacking_inputs}."
+        yield f"Rows that teach no rule, since an input is unknown or no term: {lesson.lacking_inputs}."
     if found.studies > 1 and lesson.judgement.left_out != "study":
         yield (
             f"{found.studies} studies are taken together: what one measured otherwise looks like a "
@@ -214,6 +214,8 @@ def _prior(lesson: Lesson, prior: PooledPrior) -> Iterator[RenderableType]:
     yield f"  {number(neutral, unit)} stood before. Standard deviations: {of_people}{of_groups}."
     if thin := [name for name, one in groups if one.is_thin]:
         yield f"  Fewer than {LEAST_PEOPLE} people, so no rule of their own: {', '.join(thin[:SHOWN])}."
+    if beyond := [name for name, one in groups if neutral + one.offset not in parameter.rules]:
+        yield f"  Held to what rules can give, {parameter.rules} {unit}: {', '.join(beyond[:SHOWN])}."
     if prior.within_person is None:
         yield "  Nobody answered twice: what one answer is worth is not known."
     else:
