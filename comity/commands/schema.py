@@ -32,6 +32,7 @@ class Kind(StrEnum):
     PAPER = "paper"
     VISITS = "visits"
     LEARNT = "learnt"
+    CONSENT = "consent"
     PROFILE_SHOW = "profile-show"
     PROFILE_ASK = "profile-ask"
     PROFILE_OBSERVE = "profile-observe"
@@ -52,6 +53,7 @@ def schema(
     from comity import answers
     from comity.answers import measuring as measuring_answers
     from comity.answers.learning import LearnAnswer
+    from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
     from comity.scenario import Scenario
@@ -82,6 +84,7 @@ def schema(
         Kind.VISITS: answers.VisitsAnswer,
         Kind.DRAW: answers.DrawAnswer,
         Kind.LEARNT: LearntFile,
+        Kind.CONSENT: ConsentFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
         Kind.PROFILE_ASK: answers.AskAnswer,
         Kind.PROFILE_OBSERVE: answers.ObserveAnswer,

@@ -40,6 +40,9 @@ KEPT = frozenset({
 # fmt: on
 NUMBERED = re.compile(r"[0-9.]+( [a-z/]+)?|passer-by [0-9]+")
 """`3 s`, `0.8 m`, and people without a name of their own."""
+STEP = re.compile(r"(?:no longer |instead )?[A-Z][A-Za-z_]*\(.*\)")
+ORDER = "in the order "
+"""What stands before the people of another plan."""
 PLACED = frozenset({"arguments", "origin"})
 """Names of which each has its place: one that is left out leaves an empty word."""
 EMPTIED = frozenset({"parts", "unmet", "notes", "wordings"})
@@ -121,10 +124,17 @@ class Names:
             return None
         value = self.word(cause.value) if isinstance(cause.value, str) else cause.value
         if cause.kind == "step":
-            return Cause(cause.kind, self.node(cause.text), value)
+            return Cause(cause.kind, self._step(cause.text), value)
         name = cause.text.split(" ", 1)[0] if cause.kind == "parameter" else cause.kind
         shown = f"{value:.2f}" if isinstance(value, float) else value or ""
         return Cause(cause.kind, f"{self.word(name) or cause.kind} {shown}".strip(), value)
+
+    def _step(self, text: str) -> str:
+        """A step of a plan, or what another plan does with it."""
+        if STEP.fullmatch(text):
+            return self.node(text)
+        _, order, people = text.partition(ORDER)
+        return ORDER + ", ".join(map(self.word, people.split(", "))) if order else "step"
 
 
 def names_in(scenario: Scenario, words: Collection[str]) -> Names:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import re
+import stat
 from datetime import date, timedelta
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -154,6 +157,24 @@ def test_a_shared_run_can_be_looked_at_and_asked_like_any_other(pair, comity, he
     assert comity("replay", folder, "--gif", "a.gif").code == 0
     again = share(RunFolder(folder), here / "again")
     assert again.answer.figures == pair[2].answer.figures
+
+
+@pytest.mark.parametrize("name", ["guest-walks-off", "changes-her-mind", "walled-in", "group-at-the-window"])
+def test_what_happens_on_the_way_names_nobody_either(name, tmp_path):
+    """Another plan, another wish, somebody who cannot be served, a group."""
+    file = load_scenario(name)
+    run = record(prepare(file), out=tmp_path / "run", views=()).folder
+    shared = everything(share(run, tmp_path / "shared", views=()).folder.path)
+    told = json.dumps({file: content.decode() for file, content in shared.items() if file != "scenario.yaml"})
+    told = told.replace(name, "")
+    assert [person for person in file.scenario.people if re.search(rf"\b{person}\b", told)] == []
+
+
+def test_a_shared_run_can_be_read_by_the_user_alone(pair):
+    folder = pair[2].folder.path
+    if os.name == "posix":
+        assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+        assert {stat.S_IMODE(path.stat().st_mode) for path in folder.iterdir() if path.is_file()} == {0o600}
 
 
 def test_culture_and_gender_are_told_only_where_they_are_asked_for(pair, tmp_path):
