@@ -131,7 +131,7 @@ def run(
 def infer(
     profile: ProfileGiven | None = None,
     *,
-    rulebook: str = "bruno2017",
+    rulebook: str | None = None,
     mode: Any = "exact",
     at: date | str | None = None,
     **facts: float | str | None,
@@ -141,7 +141,8 @@ def infer(
     Args:
         profile: A shipped or stored profile's name, a file, or a profile written out, as in
             `{"culture": "SWE", "age": 70}`; None where nothing was disclosed.
-        rulebook: A shipped name or a file.
+        rulebook: A shipped name or a file; without it `evidence` for somebody who is kept on this machine,
+            else `bruno2017`.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
         at: The day on which dated facts are taken; today without it, where some fact needs it.
         **facts: Values of the rulebook's variables; they go before the profile, None takes a fact back.
@@ -152,12 +153,13 @@ def infer(
     from comity.parameters.acquaintance import learnt_here
     from comity.parameters.unread import noting_unread
     from comity.parameters.values import infer_for, refuse_unknown
+    from comity.parameters.which_rulebook import which_rulebook
     from comity.people.profile import NOBODY, day_for, declared_by
     from comity_fis import load_rulebook
 
-    book = load_rulebook(rulebook)
-    refuse_unknown(facts, book, "the facts given")
     person = NOBODY if profile is None else declared_by(profile, called="the person")
+    book = load_rulebook(rulebook or which_rulebook([person]).name)
+    refuse_unknown(facts, book, "the facts given")
     day = day_for(_day(at), person.profile)
     learnt = learnt_here(person, book, facts, day)
     inference = infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)

@@ -28,9 +28,9 @@ from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
 
 if TYPE_CHECKING:
+    from comity.parameters.which_rulebook import ChosenRulebook
     from comity.scenario import Scenario, ScenarioFile
     from comity.schedule import Happening
-    from comity_fis.validation.yaml_file import YamlFile
 
 ATTEND_S = 4.0
 """Long enough for a reaction after a moment's hesitation, sensed late (our choice)."""
@@ -41,7 +41,7 @@ class Prepared:
     """A scenario with all its questions answered; every input was valid."""
 
     file: ScenarioFile
-    rulebook_file: YamlFile
+    chosen: ChosenRulebook
     rulebook: Rulebook
     day: date | None
     """On which the facts were taken; None where none depends on it."""
@@ -167,7 +167,7 @@ def prepare(
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
     return Prepared(
         file=file,
-        rulebook_file=cast.rulebook_file,
+        chosen=cast.chosen,
         rulebook=cast.rulebook,
         day=cast.day,
         profiles={name: declared.profile for name, declared in cast.declared.items()},
@@ -252,4 +252,4 @@ def _visitee(cast: Cast, name: str, values: Inference) -> Visitee:
             agenda=agenda_of(scenario.goals, name),
         )
     except InputError as error:
-        raise error.at(cast.rules_where) from None
+        raise error.at(cast.chosen.where) from None

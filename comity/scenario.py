@@ -319,8 +319,10 @@ class Scenario(BaseModel):
     schema_version: Literal[1]
     name: Name
     about: str = ""
-    rulebook: Name | Mapping[str, Any] = Field(
-        default="bruno2017", description="A shipped rulebook, a file, or a rulebook written out."
+    rulebook: Name | Mapping[str, Any] | None = Field(
+        default=None,
+        description="A shipped rulebook, a file, or a rulebook written out. Without it `evidence` where a "
+        "real robot, or somebody who is kept on this machine, takes part; else `bruno2017`.",
     )
     at: Day | None = Field(
         default=None, description="The day on which dated facts are taken; without it the day of the run."
@@ -382,6 +384,8 @@ class ScenarioFile:
 
     file: YamlFile
     scenario: Scenario
+    real_robot: bool = False
+    """Whether a real robot is to carry it out."""
 
     def __post_init__(self) -> None:
         scenario = self.scenario

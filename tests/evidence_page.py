@@ -17,10 +17,10 @@ HEAD = """\
 {description}
 
 Of the {findings} findings in its {rules} rules, {on} are on. A rule is on if its evidence is strong
-or moderate, and off if it is weak or contested: then it is there to be read, `comity explain` names
-it, and it decides nothing. `finding` is the key of a finding in the table that the rules were
-written from; one finding may need several rules. Most sources were read as abstracts or as quoted
-elsewhere, and each says which.
+or moderate, or if it is a norm: what ought to be, which no study decides. It is off if it is weak or
+contested: then it is there to be read, `comity explain` names it, and it decides nothing. `finding` is
+the key of a finding in the table that the rules were written from; one finding may need several rules.
+Most sources were read as abstracts or as quoted elsewhere, and each says which.
 
 A grade says how well a finding is supported, and not how large the effect is: every value is a
 prior, with the spread that stands beside its parameter.

@@ -22,6 +22,7 @@ from comity_executor import (
 LEASE_S = 0.3
 SCENARIO = """schema_version: 1
 name: two
+rulebook: bruno2017
 adults_only: true
 place: {width_m: 8, height_m: 6}
 robot: {at_m: [1, 1]}

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.live_episode import LiveEpisode
 from comity.parameters.acquaintance import model_m, observation, situation_of
+from comity.parameters.which_rulebook import which_rulebook
 from comity.people.learnt_file import PARAMETER, Learning, Observation, comfort_on, learnt_on
 from comity.people.profile import load_profile
 from comity.people.remembered import remembered
@@ -82,13 +83,13 @@ class Acquaintance:
 
 
 def acquainted(
-    profile: str, rulebook: str, *, every_days: int, begin: date | None, seed: int
+    profile: str, rulebook: str | None, *, every_days: int, begin: date | None, seed: int
 ) -> tuple[Acquaintance, str | None]:
     """How somebody is going to be met, with what is remembered of them.
 
     Args:
         profile: A shipped or kept name, or a file.
-        rulebook: A shipped name or a file.
+        rulebook: A shipped name or a file; without it the right one for the person.
         every_days: Between two visits.
         begin: Of the first visit; when None, today or the day of the last
             simulated one that is kept. What is remembered of later days is left out.
@@ -100,13 +101,15 @@ def acquainted(
     Raises:
         InputError: if there is no such profile, or what is remembered was damaged.
     """
-    kept_as = load_profile(profile).kept_as
+    declared = load_profile(profile)
+    kept_as = declared.kept_as
     document = remembered(kept_as) if kept_as else None
     known = document.conversational_distance if document else ()
     simulated = (seen.day for seen in known if isinstance(seen, Observation) and seen.simulated)
     first = begin or max((date.today(), *simulated))
     until = tuple(seen for seen in known if seen.day <= first)
-    return Acquaintance(profile, rulebook, every_days, first, seed, until), kept_as
+    decides = rulebook or which_rulebook([declared]).name
+    return Acquaintance(profile, decides, every_days, first, seed, until), kept_as
 
 
 def interval_in_words(words: str) -> Comfort:

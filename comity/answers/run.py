@@ -237,6 +237,10 @@ class RunAnswer(Answer):
         default=None, description="The real robot that carried it out; null for the simulated one."
     )
     rulebook: str
+    rulebook_reason: str = Field(default="", description="Why this one decided.")
+    group_rules: Mapping[str, tuple[int, ...]] = Field(
+        default={}, description="By `gender` and `nationality`, the numbers of its rules that go by it."
+    )
     profiles: Mapping[str, str]
     at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
     seed: int

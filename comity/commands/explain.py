@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import AsJson, At, OptionalProfileName, RulebookName, Set, day, print_json
+from comity.commands.options import AsJson, At, OptionalProfileName, PersonsRulebookName, Set, day, print_json
 
 if TYPE_CHECKING:
     from comity.report.values.explained import Explained
@@ -18,7 +18,7 @@ def explain(
     profile: OptionalProfileName = None,
     *,
     set_: Set = [],  # noqa: B006  (Typer copies it)
-    rulebook: RulebookName = "bruno2017",
+    rulebook: PersonsRulebookName = None,
     at: At = None,
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw it as a PNG; a PNG that is there is replaced.")

@@ -12,6 +12,7 @@ from comity.parameters.language import LANGUAGE
 from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.unread import noting_unread
 from comity.parameters.values import Fact, cases_of, infer_for
+from comity.parameters.which_rulebook import which_rulebook
 from comity.people.dated import UNKNOWN
 from comity.people.profile import NOBODY, PERSONAL, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
@@ -87,10 +88,19 @@ def _wordings(parameter: str, inference: Inference) -> tuple[Wording, ...]:
         return ()  # a run refuses the rulebook
 
 
-def told_in_words(profile: str | None, words: Iterable[str], rulebook: str, at: date | None = None) -> Told:
-    """A profile (nothing disclosed when None) with `VARIABLE=VALUE` words, and a rulebook by name."""
-    book = load_rulebook(rulebook)
+def told_in_words(
+    profile: str | None, words: Iterable[str], rulebook: str | None, at: date | None = None
+) -> Told:
+    """A profile (nothing disclosed when None) with `VARIABLE=VALUE` words, and a rulebook.
+
+    Args:
+        profile: A shipped or stored name, or a file.
+        words: What else is known.
+        rulebook: A shipped name or a file; without it the right one for the person.
+        at: The day of the facts.
+    """
     person = load_profile(profile) if profile else NOBODY
+    book = load_rulebook(rulebook or which_rulebook([person]).name)
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
     return Told(book, person, facts, day_for(at, person.profile))
 

@@ -6,14 +6,14 @@ from typing import Annotated, Literal
 
 import typer
 
-from comity.commands.options import AsJson, At, OptionalProfileName, RulebookName, Set, day, print_json
+from comity.commands.options import AsJson, At, OptionalProfileName, PersonsRulebookName, Set, day, print_json
 
 
 def infer(
     profile: OptionalProfileName = None,
     *,
     set_: Set = [],  # noqa: B006  (Typer copies it)
-    rulebook: RulebookName = "bruno2017",
+    rulebook: PersonsRulebookName = None,
     mode: Annotated[
         Literal["exact", "matlab", "skfuzzy"], typer.Option(help="How the centre of area is computed.")
     ] = "exact",

@@ -41,6 +41,15 @@ RulebookName = Annotated[
     str,
     typer.Option("--rulebook", metavar="R", help="A shipped rulebook or a file.", autocompletion=_rulebooks),
 ]
+PersonsRulebookName = Annotated[
+    str | None,
+    typer.Option(
+        "--rulebook",
+        metavar="R",
+        help="A shipped one or a file; without it evidence for people who are kept here, else bruno2017.",
+        autocompletion=_rulebooks,
+    ),
+]
 OptionalRulebookName = Annotated[
     str | None,
     typer.Option(

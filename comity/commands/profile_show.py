@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from comity.commands.options import AsJson, At, RulebookName, day, print_json
+from comity.commands.options import AsJson, At, PersonsRulebookName, day, print_json
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared
@@ -17,7 +17,7 @@ def show(
     name: Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")],
     *,
     at: At = None,
-    rulebook: RulebookName = "bruno2017",
+    rulebook: PersonsRulebookName = None,
     years: Annotated[
         str | None, typer.Option(metavar="FROM..TO", help="A life: the parameters year by year.")
     ] = None,
@@ -39,9 +39,10 @@ def show(
         _show_life(declared, years or "", rulebook, picture, as_json)
 
 
-def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) -> None:
+def _show_day(declared: Declared, at: str | None, rulebook: str | None, as_json: bool) -> None:
     from comity.parameters.acquaintance import learnt_about, usual_situation
     from comity.parameters.values import infer_for
+    from comity.parameters.which_rulebook import which_rulebook
     from comity.people.consents import consents_of
     from comity.people.profile import day_for
     from comity.people.remembered import remembered
@@ -52,7 +53,7 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
     from comity_fis import load_rulebook
 
     on = day_for(day(at), declared.profile)
-    book = load_rulebook(rulebook)
+    book = load_rulebook(rulebook or which_rulebook([declared]).name)
     about = learnt_about(declared, book, usual_situation(declared, on), on)
     inference = infer_for(declared, book, at=on, learnt=about)
     is_shipped = declared.file is not None and declared.file.path in shipped("profile").values()
@@ -70,8 +71,11 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
         show_text(*profile_text(shown))
 
 
-def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | None, as_json: bool) -> None:
+def _show_life(
+    declared: Declared, years: str, rulebook: str | None, picture: Path | None, as_json: bool
+) -> None:
     from comity.adaptation.life import life, years_in_words
+    from comity.parameters.which_rulebook import which_rulebook
     from comity.report.drawing import MARK
     from comity.report.people.life import life_answer, life_text
     from comity.report.people.life_picture import life_picture
@@ -80,7 +84,7 @@ def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | No
     from comity.system.own_files import refuse_foreign, write_whole
     from comity_fis import load_rulebook
 
-    lived = life(declared, load_rulebook(rulebook), *years_in_words(years))
+    lived = life(declared, load_rulebook(rulebook or which_rulebook([declared]).name), *years_in_words(years))
     called = declared.profile.name
     if picture is not None:
         refuse_foreign({picture: MARK})

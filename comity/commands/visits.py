@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import AsJson, At, RulebookName, day, print_json
+from comity.commands.options import AsJson, At, PersonsRulebookName, day, print_json
 
 if TYPE_CHECKING:
     from comity.adaptation.visits import Acquaintance, Meeting
@@ -40,7 +40,7 @@ def visits(
     times: Times = 10,
     every: Every = 30,
     wants: Wants = None,
-    rulebook: RulebookName = "bruno2017",
+    rulebook: PersonsRulebookName = None,
     at: At = None,
     seed: Seed = 0,
     picture: Picture = None,
@@ -69,7 +69,12 @@ def visits(
     meetings = _met(acquaintance, comfort, times, quiet=as_json)
     remembered_as = kept_as if keep and _remembered(kept_as, meetings) else None
     answer = visits_answer(
-        acquaintance, comfort, meetings, rulebook=rulebook, remembered_as=remembered_as, today=date.today()
+        acquaintance,
+        comfort,
+        meetings,
+        rulebook=acquaintance.rulebook,
+        remembered_as=remembered_as,
+        today=date.today(),
     )
     if picture:
         _draw(answer, picture)

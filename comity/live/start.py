@@ -43,7 +43,8 @@ def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
         name: _as_tracked(person, seen[name]) if name in seen else person
         for name, person in scenario.people.items()
     }
-    return replace(file, scenario=scenario.model_copy(update={"robot": robot, "people": people}))
+    scenario = scenario.model_copy(update={"robot": robot, "people": people})
+    return replace(file, scenario=scenario, real_robot=True)
 
 
 def _reaching(robot: RobotStart, base: MapRobot) -> RobotStart:

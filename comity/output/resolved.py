@@ -63,7 +63,7 @@ def resolved_yaml(prepared: Prepared) -> str:
 
 def _with_kept_tables(prepared: Prepared) -> Any:
     """The rulebook as it was read, but that it names the copies of its tables."""
-    data = deepcopy(prepared.rulebook_file.data)
+    data = deepcopy(prepared.chosen.file.data)
     for (*way, key), (name, _) in _kept_tables(prepared.rulebook).items():
         place = data["variables"]
         for step in way:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import learnt_with, situation_of
@@ -12,9 +11,9 @@ from comity.parameters.consent import refuse_unguarded_contact
 from comity.parameters.in_run import infer_in_run
 from comity.parameters.speaking import require_words, speaker_of
 from comity.parameters.values import refuse_unknown
+from comity.parameters.which_rulebook import ChosenRulebook, chosen_rulebook
 from comity.people.profile import Declared, Profile, ProfileGiven, day_for, declared_by, load_profile
-from comity.system.library import looks_like_a_file, require_file
-from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, shipped_rulebooks
+from comity_fis import InputError, Where, closest, load_rulebook
 
 if TYPE_CHECKING:
     from datetime import date
@@ -31,10 +30,8 @@ class Cast:
     """The people of a scenario, before it is known where they stand."""
 
     file: ScenarioFile
-    rulebook_file: YamlFile
+    chosen: ChosenRulebook
     rulebook: Rulebook
-    rules_where: Where
-    """Where the rulebook is named: the scenario's line, or the command line."""
     day: date | None
     """On which the facts are taken; None where none depends on it."""
     declared: Mapping[str, Declared]
@@ -95,14 +92,13 @@ def cast_of(
     Raises:
         InputError: if a profile or the rulebook cannot be used.
     """
-    where = Where("--rulebook") if rulebook else file.where("rulebook")
-    book_file = rulebook_of(file, rulebook)
+    declared = _declared(file, profiles or {})
+    chosen = chosen_rulebook(file, declared, rulebook)
     try:
-        book = load_rulebook(book_file)
+        book = load_rulebook(chosen.file)
         refuse_unguarded_contact(book)
     except InputError as error:
-        raise error.at(where) from None
-    declared = _declared(file, profiles or {})
+        raise error.at(chosen.where) from None
     day = day_for(at or file.scenario.at, *(each.profile for each in declared.values()))
     if learnt is None:
         learnt = learnt_with(file, tuple(profiles or ()), declared, book, day)
@@ -110,28 +106,24 @@ def cast_of(
     try:
         require_words(book, speaker)
     except InputError as error:
-        raise error.at(where) from None
-    return Cast(file, book_file, book, where, day, declared, learnt, speaker)
+        raise error.at(chosen.where) from None
+    return Cast(file, chosen, book, day, declared, learnt, speaker)
 
 
-def rulebook_of(file: ScenarioFile, other: str | None = None) -> YamlFile:
-    """The file of a scenario's rulebook, or of another one, read and not yet checked.
+def rulebook_of(
+    file: ScenarioFile, other: str | None = None, profiles: Mapping[str, ProfileGiven] | None = None
+) -> YamlFile:
+    """The file of the rulebook that decides, read and not yet checked.
+
+    Args:
+        file: The scenario.
+        other: Another one than the scenario's.
+        profiles: Other profiles than the scenario's: who takes part may decide which it is.
 
     Raises:
         InputError: if there is none, or it is no YAML.
     """
-    written = other or file.scenario.rulebook
-    if not isinstance(written, str):
-        return file.file.part("rulebook")
-    where = Where("--rulebook") if other else file.where("rulebook")
-    path = Path(written) if other else file.folder / written
-    if written not in shipped_rulebooks() and looks_like_a_file(written, path):
-        require_file("rulebook", path, written, where)
-        written = str(path)
-    try:
-        return read_rulebook(written)
-    except InputError as error:
-        raise error.at(where) from None
+    return chosen_rulebook(file, _declared(file, profiles or {}), other).file
 
 
 def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[str, Declared]:

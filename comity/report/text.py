@@ -154,6 +154,17 @@ def words(name: str) -> str:
     return name.replace("_", " ")
 
 
+def spans(numbers: Iterable[int]) -> str:
+    """Ascending numbers in a row, neighbours as one span: `1-4, 9, 11-13`."""
+    rows: list[list[int]] = []
+    for one in numbers:
+        if rows and one == rows[-1][-1] + 1:
+            rows[-1].append(one)
+        else:
+            rows.append([one])
+    return ", ".join(f"{row[0]}-{row[-1]}" if len(row) > 1 else f"{row[0]}" for row in rows)
+
+
 def words_of(names: Iterable[str]) -> str:
     """Names as people say them, in a row."""
     return ", ".join(map(words, names))

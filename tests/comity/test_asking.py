@@ -95,7 +95,7 @@ def test_an_observation_is_dated_kept_in_its_situation_shown_exported_and_delete
     (kept,) = document["conversational_distance"]
     assert (kept["day"], kept["situation"], kept["likes_m"]) == ("2026-01-01", {"posture": "seated"}, 1.2)
     assert "settings" not in (amal / "profile.yaml").read_text()
-    at = ("--at", "2026-01-02", "--json")
+    at = ("--at", "2026-01-02", "--rulebook", "bruno2017", "--json")
     distances = [
         comity("infer", "amal", *words, *at).json["parameters"]["conversational_distance"]["value"]
         for words in ((), ("--set", "posture=seated"))
@@ -185,9 +185,10 @@ def test_at_the_terminal_both_are_asked(comity, amal, monkeypatch):
 
 def test_from_python_what_was_said_counts_too(comity, amal):
     asked(comity, "--answer", "1.2")
-    value = front_door.infer("amal", at="2026-01-01")["conversational_distance"]
+    value = front_door.infer("amal", rulebook="bruno2017", at="2026-01-01")["conversational_distance"]
     assert value.number == pytest.approx(1.2, abs=0.01)
-    seated = front_door.infer("amal", at="2026-01-01", posture="seated")["conversational_distance"]
+    seated = front_door.infer("amal", rulebook="bruno2017", at="2026-01-01", posture="seated")
+    seated = seated["conversational_distance"]
     assert seated.number == pytest.approx(0.847, abs=0.001)
 
 

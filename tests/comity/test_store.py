@@ -79,7 +79,9 @@ def test_nobody_else_may_read_it(comity, home):
 def test_whoever_is_kept_can_be_used_wherever_a_profile_can(comity, here, home):
     comity("profile", "set", "amal", "gender=female", "culture=SWE", "distance=1.1")
     (here / "amal.yaml").write_text("name: amal\nculture: SWE\ngender: female\n")
-    kept, file = comity("infer", "amal", "--json").json, comity("infer", "amal.yaml", "--json").json
+    kept, file = (
+        comity("infer", name, "--rulebook", "evidence", "--json").json for name in ("amal", "amal.yaml")
+    )
     assert kept["inputs"] == file["inputs"]
     assert kept["parameters"]["conversational_distance"]["value"] == 1.1
     assert comity("explain", "approach_speed", "amal").code == 0
@@ -212,7 +214,7 @@ def test_what_is_exported_is_all_of_it_and_can_be_used(comity, here, home):
     assert both["learnt"] == LEARNT
     inferred = comity("infer", "amal", "--json").json
     comity("profile", "delete", "amal", "--yes")
-    assert comity("infer", "amal.yaml", "--json").json == inferred
+    assert comity("infer", "amal.yaml", "--rulebook", inferred["rulebook"], "--json").json == inferred
 
 
 def test_an_export_replaces_nothing_that_is_not_ours(comity, here, home):
@@ -362,9 +364,9 @@ def test_a_wish_that_only_another_rulebook_can_grant_is_left_aside_with_a_note(c
     assert comity("profile", "set", "amal", "culture=SWE", "volume=0.3").code == 0
     (here / "amal.yaml").write_text("name: amal\nculture: SWE\nsettings: {voice_volume: 0.3}\n")
     for name in ("amal", "amal.yaml"):
-        answer = comity("infer", name, "--json").json
+        answer = comity("infer", name, "--rulebook", "bruno2017", "--json").json
         assert [note for note in answer["notes"] if "voice_volume 0.3" in note]
-        assert "voice_volume 0.3" in comity("infer", name).out
+        assert "voice_volume 0.3" in comity("infer", name, "--rulebook", "bruno2017").out
         assert comity("explain", "approach_speed", name).code == 0
         heard = comity("infer", name, "--rulebook", "evidence", "--json").json
         assert heard["parameters"]["voice_volume"]["value"] == 0.3

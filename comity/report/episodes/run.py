@@ -21,6 +21,7 @@ from comity.answers import (
 )
 from comity.episode import fingerprint
 from comity.monitoring.lateness import deadline_s, late_s
+from comity.parameters.group_rules import group_rules
 from comity.parameters.unread import notes_of_unread
 from comity.report.episodes.attempts import repeated
 from comity.report.episodes.facing import facing_error_deg
@@ -29,7 +30,7 @@ from comity.report.episodes.revisions import disturbance_answers, door_answers, 
 from comity.report.episodes.trace import disturbance_text
 from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
-from comity.report.text import number, table, words
+from comity.report.text import number, spans, table, words
 from comity.report.values.inference import because
 from comity.report.values.wordings import unreviewed_text, wording_answers
 from comity_executor import Utterance
@@ -63,6 +64,8 @@ def account_before(
         scenario=prepared.file.scenario.name,
         robot=robot,
         rulebook=prepared.rulebook.name,
+        rulebook_reason=prepared.chosen.why,
+        group_rules=group_rules(prepared.rulebook),
         profiles={person: profile.name for person, profile in prepared.profiles.items()},
         seed=seed,
         episode=str(folder.path),
@@ -274,8 +277,12 @@ def reached_text(answer: RunAnswer) -> Iterator[RenderableType]:
     """How it ended, and the people in the order of the visits, with times and what was reached."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
     late = sum(bool(visit.late_s) for visit in answer.visits)
+    yield f"\nRulebook {answer.rulebook}: {answer.rulebook_reason}"
+    if answer.group_rules:
+        used = (f"{group} in rules {spans(rules)}" for group, rules in answer.group_rules.items())
+        yield f"  {', '.join(used)}"
     yield (
-        f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
+        f"{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
         f"{f'({late} late) ' if late else ''}in {answer.simulated_s:.1f} "
         + ("simulated seconds" if answer.robot is None else f"seconds with {answer.robot}")
         + (f", facts as of {answer.at}" if answer.at else "")

@@ -39,7 +39,7 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
         InputError: if anything that the case names cannot be used.
     """
     cast = _cast(case)
-    data, rulebook = case.file.file.data, rulebook_of(case.file, case.rulebook).data
+    data, rulebook = case.file.file.data, rulebook_of(case.file, case.rulebook, case.profiles).data
     map_name = _map_name(case)
     yield "scenario", _without(data, (*_ABOUT_TESTS, "rulebook"))
     map_data = written_map(case.file, map_name)[0].data if map_name else None
@@ -60,7 +60,11 @@ def sources_of(case: Case) -> Iterator[tuple[str, Source]]:
     Raises:
         InputError: if anything that the case names cannot be used.
     """
-    file, rulebook, map_name = case.file.file, rulebook_of(case.file, case.rulebook), _map_name(case)
+    file, rulebook, map_name = (
+        case.file.file,
+        rulebook_of(case.file, case.rulebook, case.profiles),
+        _map_name(case),
+    )
     yield "scenario", source_of(file, _without(_as_played(case), _HEADS), _ABOUT)
     if map_name:
         found = written_map(case.file, map_name)[0]
@@ -99,7 +103,7 @@ def is_written_out(case: Case, person: str) -> bool:
 
 def rules_of(case: Case) -> tuple[str, ...]:
     """The rules in their order."""
-    return tuple(map(_rule, rulebook_of(case.file, case.rulebook).data.get("rules") or ()))
+    return tuple(map(_rule, rulebook_of(case.file, case.rulebook, case.profiles).data.get("rules") or ()))
 
 
 def _cast(case: Case) -> Cast:

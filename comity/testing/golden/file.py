@@ -156,7 +156,7 @@ def _read_by(case: Case) -> Iterator[tuple[str, str]]:
             for person, part in content.items():
                 yield learnt_with(person), digest_of(part)
         elif name == "rulebook":
-            yield name, digest_of(rulebook_of(case.file, case.rulebook).data)
+            yield name, digest_of(rulebook_of(case.file, case.rulebook, case.profiles).data)
         elif name.split()[0] in _FILES and content is not None:
             yield name, digest_of(content)
 

@@ -30,7 +30,7 @@ def cited(case: Case | Across, reasons: Iterable[str]) -> str:
         reasons: The lines of a failure.
     """
     one = case.cases[0] if isinstance(case, Across) else case
-    file = rulebook_of(one.file, one.rulebook)
+    file = rulebook_of(one.file, one.rulebook, one.profiles)
     if is_fis(file.path):  # was turned into YAML, and has other lines
         return ""
     rules = [str(rule["rule"]) for rule in file.data.get("rules") or ()]

@@ -10,8 +10,9 @@ from typing import Literal
 from comity_fis.errors import WrongValueError
 from comity_fis.rules.hedge import HEDGES
 
-Evidence = Literal["strong", "moderate", "weak", "contested", "design", "learnt"]
-"""How well a rule is supported; `design`: not at all, it is our choice; `learnt`: by a table of examples."""
+Evidence = Literal["strong", "moderate", "weak", "contested", "norm", "design", "learnt"]
+"""How well a rule is supported; `norm`: it says what ought to be, which no study decides; `design`: not at
+all, it is our choice; `learnt`: by a table of examples."""
 
 KEYWORDS = frozenset({"if", "then", "and", "or", "not", "is"})
 RESERVED = KEYWORDS | HEDGES.keys() | {"more"}
