@@ -289,3 +289,12 @@ def test_a_run_that_is_passed_on_tells_neither_how_a_person_is_called_nor_what_w
     for secret in ("Okafor", "KAH", "مرحب", "Marhaban", "form_of_address"):
         assert secret in whole
         assert secret not in told.replace("form_of_address: {", "")
+
+
+def test_an_expectation_takes_words_in_their_script_or_in_latin_letters(comity, here):
+    scenario = yaml.safe_load(SCENARIO) | {"rulebook": "evidence"}
+    scenario["people"]["host"]["profile"] = {"schema_version": 1, "name": "p", **ARABIC}
+    scenario["expect"] = ["host hears 'مرحبًا'", "host hears 'Marhaban, Host'", "host never hears 'Hello'"]
+    (here / "said.scenario.yaml").write_text(yaml.safe_dump(scenario, allow_unicode=True), encoding="utf-8")
+    said = comity("test", "said.scenario.yaml")
+    assert said.code == 0, said.out

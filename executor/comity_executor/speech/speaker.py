@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 
 from comity_executor.speech.address import Address
 from comity_executor.speech.phrasebook import DEFAULT_LANGUAGE, SHIPPED, Phrasebook
@@ -28,7 +27,6 @@ EXPLICIT = 0.55
 BESIDE_DEG = 30.0
 BEHIND_DEG = 150.0
 """Up to the one the robot is in front, from the other on behind, in between left or right (our choice)."""
-NO_ADDRESSES: Mapping[str, Address] = MappingProxyType({})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +40,7 @@ class Speaker:
     phrasebook: Phrasebook = SHIPPED
     site: str = DEFAULT_LANGUAGE
     """The language of the site, by its code in the phrasebook."""
-    addresses: Mapping[str, Address] = field(default_factory=lambda: NO_ADDRESSES)
+    addresses: Mapping[str, Address] = field(default_factory=dict)
     """How people asked to be addressed, by person."""
     reviewed_only: bool = False
     """Whether wordings that nobody has reviewed are left unsaid: then the robot says the name and the
