@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
     from comity_sim2d import Scene
+    from comity_sim2d.scene.obstacles import FloorPlan
 
 XY = tuple[float, float]
 EXACT_M = 1e-6
@@ -36,9 +37,10 @@ def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) ->
         spots: Where the robot may stand before them.
     """
     reach_m = {gesture: reach_of(gesture, visitee.now.reach_m) for gesture in sorted(_gestures(visitee))}
+    plan = floor_plan(scene).bare
     hits: dict[str, str] = {}
     for spot, xy in spots.items():
-        for gesture, far_m in reach_m.items() if _is_narrow(scene, xy, max(reach_m.values())) else ():
+        for gesture, far_m in reach_m.items() if _is_narrow(scene, plan, xy, max(reach_m.values())) else ():
             stands = Pose(*xy, direction_to(xy, scene.person(spot.place).xy))
             swept = _swept(stands, scene.robot.radius_m, far_m, forwards=gesture in FORWARDS)
             but = spot.place if gesture in visitee.now.touches else None
@@ -48,11 +50,11 @@ def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) ->
     return replace(visitee, now=replace(visitee.now, hits=hits)) if hits else visitee
 
 
-def _is_narrow(scene: Scene, xy: XY, reach_m: float) -> bool:
+def _is_narrow(scene: Scene, plan: FloorPlan, xy: XY, reach_m: float) -> bool:
     """Whether anything is as near to a robot there as that: seldom so, and quickly told."""
     within_m = scene.robot.radius_m + reach_m
     is_near = any(dist(body.xy, xy) < body.radius_m + within_m for body in scene.people)
-    return is_near or floor_plan(scene).bare.blocker(xy, within_m) is not None
+    return is_near or plan.blocker(xy, within_m) is not None
 
 
 def _swept(stands: Pose, robot_m: float, reach_m: float, *, forwards: bool) -> BaseGeometry:
