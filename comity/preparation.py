@@ -22,7 +22,7 @@ from comity.simulation.faults import Faults
 from comity.simulation.placement import placed
 from comity.simulation.scenery import scene_of
 from comity.specification.goals import agenda_of
-from comity_domain import NoPlan, Plan, PlanningFailed, Visitee, make_plan
+from comity_domain import ENGINE, NoPlan, Plan, PlanningFailed, Visitee, plan_with
 from comity_executor import Limits, Speaker, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
@@ -65,6 +65,8 @@ class Prepared:
     """What happens while the plan is carried out."""
     speaker: Speaker
     """What the robot says, and how it addresses people."""
+    engine: str
+    """Who plans, also when things change."""
     without_visit: tuple[tuple[Case, str], ...]
     """Those whom no plan can serve, each with the reason; the plan is for the others."""
 
@@ -141,6 +143,7 @@ def prepare(
     learn: bool = False,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
     seed: int = 0,
+    engine: str = ENGINE,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
@@ -153,6 +156,7 @@ def prepare(
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
         seed: For random places; that of the episode.
+        engine: Who plans: `comity`, or an engine by the name that unified-planning has for it.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
@@ -163,7 +167,7 @@ def prepare(
     visitees, route_map = stage.visitees, RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
-    asked, plan = _plan(asked, scene, route_map, file)
+    asked, plan = _plan(asked, scene, route_map, file, engine)
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
     return Prepared(
         file=file,
@@ -178,6 +182,7 @@ def prepare(
         asked=asked,
         plan=plan,
         happenings=(*stage.changes, *Faults(file, scene, leaves).happenings()),
+        engine=engine,
         without_visit=tuple(
             (_case(cast, scene, visitee), asked.unreachable[visitee.name])
             for visitee in visitees
@@ -190,10 +195,12 @@ def prepare(
     )
 
 
-def _plan(asked: Asked, scene: Scene, route_map: RouteMap, file: ScenarioFile) -> tuple[Asked, Plan]:
+def _plan(
+    asked: Asked, scene: Scene, route_map: RouteMap, file: ScenarioFile, engine: str
+) -> tuple[Asked, Plan]:
     limits = file.scenario.limits
     ends_s = monotonic() + limits.planning_s
-    make = partial(make_plan, time_limit_s=limits.planning_s)
+    make = partial(plan_with, engine, time_limit_s=limits.planning_s)
     try:
         return plan_for_most(asked, scene, route_map, make)
     except PlanningFailed as failed:

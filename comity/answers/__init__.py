@@ -57,6 +57,7 @@ from comity.answers.plan import (
     StepWhyAnswer,
     UnmetAnswer,
     UnreachableAnswer,
+    ValidationAnswer,
     WhyAnswer,
     WithoutAnswer,
 )
@@ -186,6 +187,7 @@ __all__ = [
     "TraceAnswer",
     "UnmetAnswer",
     "UnreachableAnswer",
+    "ValidationAnswer",
     "ValueAnswer",
     "VisitAnswer",
     "VisitsAnswer",

@@ -240,6 +240,14 @@ class StabilityAnswer(Answer):
     exact: bool = Field(default=True, description="False where a search was cut off: nearer ones may be.")
 
 
+class ValidationAnswer(Answer):
+    """A plan as a validator sees it that knows nothing of how it was found."""
+
+    valid: bool = Field(description="Every action can be done in its turn, and all goals are reached.")
+    reason: str = Field(description="What is wrong; empty where nothing is.")
+    cost: int = Field(description="Of the actions together; who is left out at a price has none.")
+
+
 class PlanAnswer(Answer):
     """`comity plan --json`."""
 
@@ -277,6 +285,9 @@ class PlanAnswer(Answer):
         default=(),
         description="Behaviour parameters that no action reads, and people whom the sensor would not show "
         "from where the robot is to stand.",
+    )
+    validation: ValidationAnswer | None = Field(
+        default=None, description="With `--validate`: what unified-planning's validator says of the plan."
     )
     stability: StabilityAnswer | None = Field(
         default=None, description="With `--stability`, up to 12 people; null beyond."

@@ -60,6 +60,10 @@ JudgingRulebookName = Annotated[
     str | None, typer.Option("--rulebook", metavar="R", help="Judge facts and wishes by this one.")
 ]
 KeptName = Annotated[str, typer.Argument(help="Of somebody who is kept here.")]
+EngineName = Annotated[
+    str,
+    typer.Option("--engine", metavar="NAME", help="Who plans: comity, or an engine of unified-planning."),
+]
 ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.", autocompletion=_scenarios)]
 OptionalScenarioName = Annotated[
     str | None, typer.Argument(help="A shipped scenario or a file.", autocompletion=_scenarios)

@@ -12,6 +12,7 @@ from comity.commands.options import (
     As,
     AsJson,
     At,
+    EngineName,
     OptionalRulebookName,
     OptionalScenarioName,
     Seed,
@@ -46,6 +47,9 @@ Stability = Annotated[
     bool, typer.Option("--stability", help="Also how far the weights can change before the plan does.")
 ]
 Pddl = Annotated[Path | None, typer.Option(metavar="DIR", help="Write domain.pddl and problem.pddl there.")]
+Validate = Annotated[
+    bool, typer.Option("--validate", help="Also have the plan checked by unified-planning's validator.")
+]
 LIMIT_S = 30.0
 
 if TYPE_CHECKING:
@@ -53,7 +57,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.answers import PlanAnswer
+    from comity.answers import PlanAnswer, ValidationAnswer
     from comity.preparation import Prepared
     from comity.scenario import Scenario
 
@@ -69,6 +73,8 @@ def plan(
     diff: Diff = False,
     stability: Stability = False,
     pddl: Pddl = None,
+    engine: EngineName = "comity",
+    validate: Validate = False,
     domain: OwnDomain = None,
     problem: OwnProblem = None,
     bind: Bind = None,
@@ -101,11 +107,14 @@ def plan(
         plan_own_domain(own_question)
         return
     scenario = _scenario_alone(scenario, limit)
-    ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed)
+    ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed, engine)
     _require_change(diff=diff, changed=bool(ask.profiles or rulebook))
-    answer = _answered(ask, why=why, diff=diff, stability=stability, pddl=pddl, as_json=as_json)
+    answer = _answered(
+        ask, why=why, diff=diff, stability=stability, validates=validate, pddl=pddl, as_json=as_json
+    )
     _tell(answer, stability=stability, as_json=as_json)
-    raise typer.Exit(1 if answer.unmet else 0)
+    invalid = answer.validation is not None and not answer.validation.valid
+    raise typer.Exit(1 if answer.unmet or invalid else 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,10 +126,18 @@ class Question:
     rulebook: str | None
     at: str | None
     seed: int
+    engine: str
 
 
 def _answered(
-    ask: Question, *, why: str | None, diff: bool, stability: bool, pddl: Path | None, as_json: bool
+    ask: Question,
+    *,
+    why: str | None,
+    diff: bool,
+    stability: bool,
+    validates: bool,
+    pddl: Path | None,
+    as_json: bool,
 ) -> PlanAnswer:
     """The plan, with all that was asked about it; where there is none, the end."""
     from comity.commands.progress import waiting
@@ -133,9 +150,14 @@ def _answered(
     try:
         with waiting(_what_takes_time(file.scenario), quiet=as_json):
             prepared = prepare(
-                file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at), seed=ask.seed
+                file,
+                profiles=ask.profiles,
+                rulebook=ask.rulebook,
+                at=day(ask.at),
+                seed=ask.seed,
+                engine=ask.engine,
             )
-            written = prepare(file, at=day(ask.at), seed=ask.seed) if diff else None
+            written = prepare(file, at=day(ask.at), seed=ask.seed, engine=ask.engine) if diff else None
     except GoalsUnmet as failed:
         if not as_json:
             raise
@@ -143,11 +165,22 @@ def _answered(
         raise typer.Exit(1) from None
     answer = plan_answer(prepared)
     answer = answer.model_copy(update=_more(answer, prepared, why=why, written=written, stability=stability))
+    if validates:
+        answer = answer.model_copy(update={"validation": _validation(prepared)})
     if pddl is not None:
         from comity.output.pddl_files import write_pddl
 
         write_pddl(prepared, pddl)
     return answer
+
+
+def _validation(prepared: Prepared) -> ValidationAnswer:
+    from dataclasses import asdict
+
+    from comity.answers import ValidationAnswer
+    from comity_domain import validate
+
+    return ValidationAnswer(**asdict(validate(prepared.plan, prepared.asked.request)))
 
 
 def _what_takes_time(scenario: Scenario) -> str:

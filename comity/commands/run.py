@@ -14,6 +14,7 @@ from comity.commands.options import (
     As,
     AsJson,
     At,
+    EngineName,
     OptionalRulebookName,
     ScenarioName,
     Seed,
@@ -103,6 +104,7 @@ def run(
     rulebook: OptionalRulebookName = None,
     at: At = None,
     seed: Seed = 0,
+    engine: EngineName = "comity",
     out: Out = None,
     learn: Learn = False,
     robot: RobotName = None,
@@ -164,7 +166,15 @@ def run(
             file = as_seen(file, base)
         with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
             people = pairs(as_, "--as", "guest=german_man")
-            prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed)
+            prepared = prepare(
+                file,
+                profiles=people,
+                rulebook=rulebook,
+                at=day(at),
+                learn=learn,
+                seed=seed,
+                engine=engine,
+            )
             if learn:
                 refuse_nobody_kept(prepared)
             write = partial(record_shared, extras=with_) if pseudonyms else record

@@ -29,8 +29,8 @@ from comity_domain import (
     PlanningFailed,
     kept_cost,
     kept_late,
-    make_plan,
     not_permitted,
+    plan_with,
     rebind,
     renumbered,
     rest_of,
@@ -223,7 +223,8 @@ class WorldPlanner:
         return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
     def _plan(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
-        make = partial(make_plan, time_limit_s=self._prepared.file.scenario.limits.planning_s)
+        limit_s = self._prepared.file.scenario.limits.planning_s
+        make = partial(plan_with, self._prepared.engine, time_limit_s=limit_s)
         scene = self._scene(self._now())
         return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
 

@@ -9,6 +9,8 @@ from comity_domain.choices.earshot import unheard
 from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.choices.side import Side, sides
 from comity_domain.classical.pddl import plan_pddl
+from comity_domain.classical.problem import problem_of, to_unified_planning
+from comity_domain.classical.validation import Validation, validate
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.explanation.other_order import OtherOrder, in_order
 from comity_domain.explanation.relaxing import InTheWay, in_the_way
@@ -16,7 +18,8 @@ from comity_domain.explanation.stability import Flip, differences, flips
 from comity_domain.explanation.what_if import NextInstead, next_instead, visits_of
 from comity_domain.labelling.punctual import Deadlines
 from comity_domain.labelling.skipping import SKIP, cost_of_serving
-from comity_domain.planner import make_plan
+from comity_domain.other_engines import plan_with
+from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.export import as_json
 from comity_domain.plans.permission import not_permitted, without
 from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, Why
@@ -42,6 +45,7 @@ from comity_domain.rebinding import kept_cost, kept_late, rebind, same_choices
 from comity_domain.tours.lateness import Late
 
 __all__ = [
+    "ENGINE",
     "FORWARDS",
     "QUIET_AND_FREE",
     "REACH_M",
@@ -73,6 +77,7 @@ __all__ = [
     "TakeLeave",
     "Task",
     "Travel",
+    "Validation",
     "VisitRequest",
     "Visitee",
     "Wait",
@@ -96,6 +101,8 @@ __all__ = [
     "offers",
     "parts",
     "plan_pddl",
+    "plan_with",
+    "problem_of",
     "reach_of",
     "rebind",
     "refuse_gesture_in_words",
@@ -104,7 +111,9 @@ __all__ = [
     "ruled_out",
     "same_choices",
     "sides",
+    "to_unified_planning",
     "unheard",
+    "validate",
     "visits_of",
     "without",
 ]

@@ -27,8 +27,8 @@
     ; what the person and the map allow
     (reachable ?u - user ?s - side)    ; the person accepts this side, and some route leads there
     (permitted ?u - user ?m - modality ?g - gesture)
-    (route ?from - place ?from_side - side ?u - user ?s - side)
-    (way_to ?from - place ?from_side - side ?l - location ?s - side)
+    (route ?origin - place ?origin_side - side ?u - user ?s - side)
+    (way_to ?origin - place ?origin_side - side ?l - location ?s - side)
 
     ; what hands are good for
     (empty ?h - thing)                 ; holding it is holding nothing
@@ -62,8 +62,8 @@
 
   (:functions
     ; one function per action, everything fused into it
-    (travel_cost ?from - place ?from_side - side ?u - user ?s - side)    ; the route, and the dislike of the side
-    (fetch_cost ?from - place ?from_side - side ?l - location)           ; the route
+    (travel_cost ?origin - place ?origin_side - side ?u - user ?s - side)    ; the route, and the dislike of the side
+    (fetch_cost ?origin - place ?origin_side - side ?l - location)           ; the route
     ; the dislike of the greeting, and what it costs that others were greeted before
     (greet_cost ?u - user ?m - modality ?g - gesture ?k - turn)
     ; the same once for all of a company, and the dislike of how near the robot comes to its other members
@@ -82,23 +82,23 @@
   ; under way, it goes on with what is left.
   ; Binds the distance, the direction and the speed.
   (:action Reach_user
-    :parameters (?r - robot ?u - user ?s - side ?from - place ?from_side - side ?h - thing)
+    :parameters (?r - robot ?u - user ?s - side ?origin - place ?origin_side - side ?h - thing)
     :precondition (and
       (free ?r)
-      (at ?r ?from ?from_side)
+      (at ?r ?origin ?origin_side)
       (holds ?r ?h)
       (suits ?h ?u)
       (or (not (greeted ?u)) (begun ?u))
       (reachable ?u ?s)
-      (route ?from ?from_side ?u ?s))
+      (route ?origin ?origin_side ?u ?s))
     :effect (and
       (at ?r ?u ?s)
       (docked ?r ?u)
-      (not (at ?r ?from ?from_side))
-      (not (docked ?r ?from))
+      (not (at ?r ?origin ?origin_side))
+      (not (docked ?r ?origin))
       (forall (?t - task) (when (and (begun ?u) (opens ?u ?t)) (due ?t)))
       (not (free ?r))                  ; whoever is approached is served to the end before the robot goes on
-      (increase (total-cost) (travel_cost ?from ?from_side ?u ?s))))
+      (increase (total-cost) (travel_cost ?origin ?origin_side ?u ?s))))
 
   ; Greet the person the robot is docked to: in words, with a gesture, or both. Words alone take the gesture `none`.
   (:action Greet_person
@@ -143,40 +143,40 @@
   ; What was fetched is brought straight to whom it is for.
   (:action Fetch
     :parameters (?r - robot ?u - user ?t - task ?h - thing ?l - location ?s - side
-                 ?from - place ?from_side - side ?e - thing)
+                 ?origin - place ?origin_side - side ?e - thing)
     :precondition (and
       (of ?t ?u)
       (brings ?t ?h)
       (kept ?h ?l)
       (or (and (free ?r) (first_brought ?t) (or (not (greeted ?u)) (begun ?u))) (due ?t))
-      (at ?r ?from ?from_side)
-      (way_to ?from ?from_side ?l ?s)
+      (at ?r ?origin ?origin_side)
+      (way_to ?origin ?origin_side ?l ?s)
       (holds ?r ?e)
       (empty ?e))
     :effect (and
       (at ?r ?l ?s)
       (holds ?r ?h)
-      (not (at ?r ?from ?from_side))
-      (not (docked ?r ?from))
+      (not (at ?r ?origin ?origin_side))
+      (not (docked ?r ?origin))
       (not (holds ?r ?e))
-      (increase (total-cost) (fetch_cost ?from ?from_side ?l))))
+      (increase (total-cost) (fetch_cost ?origin ?origin_side ?l))))
 
   ; Come back to a person with what was fetched for them in the middle of their visit.
   (:action Return_to_user
-    :parameters (?r - robot ?u - user ?s - side ?t - task ?h - thing ?from - location ?from_side - side)
+    :parameters (?r - robot ?u - user ?s - side ?t - task ?h - thing ?origin - location ?origin_side - side)
     :precondition (and
       (of ?t ?u)
       (brings ?t ?h)
       (due ?t)
       (holds ?r ?h)
-      (at ?r ?from ?from_side)
+      (at ?r ?origin ?origin_side)
       (reachable ?u ?s)
-      (route ?from ?from_side ?u ?s))
+      (route ?origin ?origin_side ?u ?s))
     :effect (and
       (at ?r ?u ?s)
       (docked ?r ?u)
-      (not (at ?r ?from ?from_side))
-      (increase (total-cost) (travel_cost ?from ?from_side ?u ?s))))
+      (not (at ?r ?origin ?origin_side))
+      (increase (total-cost) (travel_cost ?origin ?origin_side ?u ?s))))
 
   ; Tell the person something. Binds the volume and the rate of speech.
   (:action Say

@@ -9,6 +9,7 @@ import jsonschema
 import pytest
 
 from comity.commands.schema import Kind
+from comity.people.consents import ConsentFile
 from comity.people.learnt_file import LearntFile
 from comity.people.profile import Profile
 from comity.scenario import Scenario
@@ -96,6 +97,7 @@ FILES = {
     Kind.RULEBOOK: RulebookModel,
     Kind.BINDING: BindingFile,
     Kind.LEARNT: LearntFile,
+    Kind.CONSENT: ConsentFile,
     Kind.WORDINGS: WordingsFile,
 }
 

@@ -33,6 +33,7 @@ from comity.report.plans.side import SIDES, toward
 from comity.report.text import number, spans, table, words
 from comity.report.values.inference import because
 from comity.report.values.wordings import unreviewed_text, wording_answers
+from comity_domain import ENGINE
 from comity_executor import Utterance
 from comity_executor.memory.meeting import NO_GESTURE
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
@@ -69,7 +70,7 @@ def account_before(
         profiles={person: profile.name for person, profile in prepared.profiles.items()},
         seed=seed,
         episode=str(folder.path),
-        reproduce=shlex.join(["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed)]),
+        reproduce=shlex.join(_command(prepared, folder, seed)),
         trace_sha256=None,
         fingerprint=fingerprint(),
         simulated_s=0.0,
@@ -79,6 +80,12 @@ def account_before(
         metrics={},
         files=(),
     )
+
+
+def _command(prepared: Prepared, folder: RunFolder, seed: int) -> list[str]:
+    """What runs it again."""
+    engine = [] if prepared.engine == ENGINE else ["--engine", prepared.engine]
+    return ["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed), *engine]
 
 
 def _person(inference: Inference) -> PersonAnswer:

@@ -132,6 +132,9 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     proven = "no plan for those who are visited costs less" if skips else "no plan costs less"
     known = quality(answer, proven=proven)
     yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({known})"
+    if (checked := answer.validation) is not None:
+        said = "accepts it" if checked.valid else f"refuses it: {checked.reason}"
+        yield f"The validator of unified-planning {said}, at a cost of {checked.cost}."
     yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
     yield "What another choice costs more is with the rest of the plan as it is."
     yield SIDES

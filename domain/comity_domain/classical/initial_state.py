@@ -45,7 +45,7 @@ def visit_names(options: Options) -> Names:
             *(Word(LOCATION, at.place) for at in options.locations),
             *(task for person in options.people.values() for task in tasks(person)),
             *things,
-            *_turns(options),
+            *turns_of(options),
         ]
     )
 
@@ -81,10 +81,10 @@ def brought(person: PersonOptions) -> Iterator[tuple[Word, Word]]:
 
 def initial_state(options: Options) -> Iterator[Fact]:
     """All that holds, and every cost."""
-    robot, turns = Word(ROBOT, options.robot), _turns(options)
-    yield Fact("at", (robot, *_words(START)))
+    robot, turns = Word(ROBOT, options.robot), turns_of(options)
+    yield Fact("at", (robot, *spot_words(START)))
     yield Fact("free", (robot,))
-    yield Fact("holds", (robot, _held(options)))
+    yield Fact("holds", (robot, held(options)))
     yield Fact("empty", (NOTHING,))
     yield from (Fact("leaves_open", (NOTHING, Word(GESTURE, gesture))) for gesture in _gestures(options))
     yield Fact("now", turns[:1])
@@ -95,7 +95,7 @@ def initial_state(options: Options) -> Iterator[Fact]:
     for company in options.companies.values():
         yield from _company(company, options, turns)
     for (start, end), cost in options.legs.items():
-        legs = (*_words(start), *_words(end))
+        legs = (*spot_words(start), *spot_words(end))
         fetching = end.side == THERE
         yield Fact("way_to" if fetching else "route", legs)
         yield Fact("fetch_cost" if fetching else "travel_cost", legs[:3] if fetching else legs, cost)
@@ -108,7 +108,7 @@ def goals(options: Options) -> Iterator[Fact]:
         yield from (Fact("done", (task,)) for task in tasks(person))
 
 
-def _held(options: Options) -> Word:
+def held(options: Options) -> Word:
     """What the robot holds at first."""
     bearer = options.people.get(options.bearer_of or "")
     return NOTHING if bearer is None else next(thing for _, thing in brought(bearer))
@@ -127,7 +127,7 @@ def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
         # Without its sign, which Fast Downward would refuse: the side says it.
         yield Fact("direction_mdeg", (user, Word(SIDE, name)), _thousandths(abs(side.bearing_deg)))
     for greeting, cost in person.greetings.items():
-        words = (user, *_way(greeting.way))
+        words = (user, *way_words(greeting.way))
         yield Fact("permitted", words)
         for before, turn in enumerate(turns):
             yield Fact("greet_cost", (*words, turn), cost + person.priority * before)
@@ -165,7 +165,7 @@ def _task(task: Task, word: Word, person: PersonOptions) -> Iterator[Fact]:
         case TakeLeave():
             yield Fact("farewell", (word,))
             for greeting, cost in person.greetings.items():
-                yield Fact("leave_cost", (Word(USER, person.name), *_way(greeting.way)), cost)
+                yield Fact("leave_cost", (Word(USER, person.name), *way_words(greeting.way)), cost)
         case Offer():
             return
 
@@ -175,18 +175,18 @@ def _company(company: CompanyOptions, options: Options, turns: Sequence[Word]) -
     waiting = sum(options.people[member].priority for member in company.members)
     yield Fact("whole", (together,))
     yield from (Fact("member", (Word(USER, member), together)) for member in company.members)
-    yield from (Fact("welcome", (together, *_way(way))) for way in company.greetings)
+    yield from (Fact("welcome", (together, *way_words(way))) for way in company.greetings)
     for pair in _steps(turns, len(company.members)):
         yield Fact("then_together", (together, *pair))
     for spot in company.spots:
-        yield Fact("overlooks", (together, *_words(spot)))
+        yield Fact("overlooks", (together, *spot_words(spot)))
         for way in company.greetings:
             for before, turn in enumerate(turns):
                 cost = company.cost(spot, way) + waiting * before
-                yield Fact("greet_together_cost", (together, *_words(spot), *_way(way), turn), cost)
+                yield Fact("greet_together_cost", (together, *spot_words(spot), *way_words(way), turn), cost)
 
 
-def _turns(options: Options) -> tuple[Word, ...]:
+def turns_of(options: Options) -> tuple[Word, ...]:
     """One for each number of people who were greeted; a single one where that number is no matter."""
     count = len(options.people) + 1 if options.has_priorities else 1
     return tuple(Word(TURN, f"after {before}") for before in range(count))
@@ -199,12 +199,14 @@ def _steps(turns: Sequence[Word], people: int) -> Iterator[tuple[Word, Word]]:
     return zip(turns, turns[people:], strict=False)
 
 
-def _way(way: tuple[str, str]) -> tuple[Word, Word]:
+def way_words(way: tuple[str, str]) -> tuple[Word, Word]:
+    """A modality and a gesture."""
     modality, gesture = way
     return Word(MODALITY, modality), Word(GESTURE, gesture)
 
 
-def _words(spot: Spot) -> tuple[Word, Word]:
+def spot_words(spot: Spot) -> tuple[Word, Word]:
+    """A place and a side."""
     kind = PLACE if spot == START else LOCATION if spot.side == THERE else USER
     return Word(kind, spot.place), Word(SIDE, spot.side)
 

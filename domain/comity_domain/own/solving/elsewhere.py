@@ -1,19 +1,17 @@
 """Numeric and durative problems, solved by whichever engine of unified-planning is installed and can.
 
-The engine runs in a process of its own (`worker.py`), which gets the problem as PDDL and answers with JSON.
+The engine runs in a process of its own, which gets the problem as PDDL.
 """
 
 from __future__ import annotations
 
-import json
-import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING, NoReturn
 
-from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
+from comity_domain.errors import NoEngine
 from comity_domain.own.costs.classical import MAXIMIZED, beyond_classical
-from comity_domain.own.engines.fast_downward import MEMORY_MB, GroundAction, Solution
-from comity_domain.own.engines.process import run_limited
-from comity_domain.own.engines.workspace import workspace
+from comity_domain.own.engines.by_name import solve_pddl
+from comity_domain.own.engines.fast_downward import MEMORY_MB, Solution
 from comity_domain.own.solving.lacking import lacking
 
 if TYPE_CHECKING:
@@ -84,31 +82,23 @@ def solve_elsewhere(
 
     engine = engine_for(problem)
     writer = PDDLWriter(_taken_by(engine, problem))
-    with workspace() as folder:
-        for name, text in (("domain", writer.get_domain()), ("problem", writer.get_problem())):
-            (folder / f"{name}.pddl").write_text(text, encoding="utf-8", newline="\n")
-        whole = "whole" if not problem.kind.has_real_fluents() else "real"
-        command = [
-            *(sys.executable, "-m", "comity_domain.own.solving.worker", engine, whole),
-            *(f"{time_limit_s:g}", str(memory_mb)),
-        ]
-        exit_code, log = run_limited(command, folder, time_limit_s + 3.0)
-        file = folder / "plan.json"
-        answer = json.loads(file.read_text(encoding="utf-8")) if file.exists() else None
-    if answer is None:
-        raise _broken(engine, exit_code, log, time_limit_s)
-    if answer["plan"] is None:
-        raise _none_found(engine, answer["status"], time_limit_s)
-    actions = tuple(
-        GroundAction(
-            writer.get_item_named(step["action"]).name,
-            tuple(writer.get_item_named(argument).name for argument in step["arguments"]),
-            step["start_s"],
-            step["duration_s"],
-        )
-        for step in answer["plan"]
+    found = solve_pddl(
+        engine,
+        writer.get_domain(),
+        writer.get_problem(),
+        whole=not problem.kind.has_real_fluents(),
+        time_limit_s=time_limit_s,
+        memory_mb=memory_mb,
     )
-    return engine, Solution(actions, finished=answer["status"] == "SOLVED_OPTIMALLY")
+    actions = tuple(
+        replace(
+            step,
+            name=writer.get_item_named(step.name).name,
+            arguments=tuple(writer.get_item_named(argument).name for argument in step.arguments),
+        )
+        for step in found.actions
+    )
+    return engine, Solution(actions, finished=found.optimal)
 
 
 def _taken_by(engine: str, problem: Problem) -> Problem:
@@ -118,26 +108,3 @@ def _taken_by(engine: str, problem: Problem) -> Problem:
     costless = problem.clone()
     costless.clear_quality_metrics()
     return costless
-
-
-def _none_found(engine: str, status: str, time_limit_s: float) -> PlanningFailed:
-    if status.startswith("UNSOLVABLE"):
-        return NoPlan(
-            f"no plan reaches all goals, says {engine}", remedy="Look for a goal that nothing leads to."
-        )
-    if status in ("TIMEOUT", "MEMOUT"):
-        return OutOfTime(
-            f"{engine} found no plan within its limits ({time_limit_s:g} s)",
-            remedy="Allow more time, or ask for less at once.",
-        )
-    return PlanningFailed(
-        f"{engine} ended without a plan ({status})", remedy="Plan with another engine, or change the domain."
-    )
-
-
-def _broken(engine: str, exit_code: int | None, log: str, time_limit_s: float) -> PlanningFailed:
-    if exit_code is None:
-        return _none_found(engine, "TIMEOUT", time_limit_s)
-    last_lines = " / ".join(line.strip() for line in log.splitlines() if line.strip())[-300:]
-    how = "was killed from outside" if exit_code < 0 else f"ended with exit code {exit_code} ({last_lines})"
-    return PlanningFailed(f"{engine} {how}", remedy="Plan again, or with another engine.")

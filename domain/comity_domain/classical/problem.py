@@ -1,0 +1,78 @@
+"""A request as a unified-planning problem, and a plan as a unified-planning plan."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from comity_domain.choices.options import Options, options
+from comity_domain.classical.grounding import grounded
+from comity_domain.classical.initial_state import Fact, goals, initial_state, visit_names
+from comity_domain.classical.naming import Names
+from comity_domain.labelling.skipping import left_out
+from comity_domain.plans.plan import Plan
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.survey import fully_measured
+
+if TYPE_CHECKING:
+    from unified_planning.model import Problem
+    from unified_planning.plans import SequentialPlan
+
+
+def problem_of(request: VisitRequest) -> Problem:
+    """The visits as a problem that unified-planning's engines, compilers and validator take.
+
+    Who is left out at a price is decided before, and is not in it. Deadlines are not in it, either: its
+    optimum may then cost less than the plan.
+
+    Args:
+        request: What is asked; what is not measured of it yet is measured.
+
+    Raises:
+        ValueError: The request holds a person whom no plan can serve.
+    """
+    choices = _choices(request)
+    return _problem(choices, visit_names(choices))
+
+
+def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, SequentialPlan]:
+    """The problem, and a plan for it as unified-planning has plans: its validator takes both.
+
+    Args:
+        plan: A plan for the request.
+        request: What was asked.
+    """
+    from unified_planning.plans import ActionInstance, SequentialPlan
+
+    choices = _choices(request)
+    names = visit_names(choices)
+    problem = _problem(choices, names)
+    make = problem.environment.expression_manager.ObjectExp
+    actions = [
+        ActionInstance(problem.action(name), [make(problem.object(names.ids[word])) for word in words])
+        for name, words in grounded(plan, choices)
+    ]
+    return problem, SequentialPlan(actions)
+
+
+def _choices(request: VisitRequest) -> Options:
+    """All that a plan for those who are not left out may be made of, measured."""
+    return options(fully_measured(request.without(left_out(request))))
+
+
+def _problem(choices: Options, names: Names) -> Problem:
+    from unified_planning.model import Object
+
+    from comity_domain.classical.visit_domain import empty_problem
+
+    problem = empty_problem("visit")
+    for id_, word in names.words.items():
+        problem.add_object(Object(id_, problem.user_type(word.kind)))
+    for fact in initial_state(choices):
+        problem.set_initial_value(_atom(problem, fact, names), fact.value)
+    for goal in goals(choices):
+        problem.add_goal(_atom(problem, goal, names))
+    return problem
+
+
+def _atom(problem: Problem, fact: Fact, names: Names) -> Any:
+    return problem.fluent(fact.fluent)(*(problem.object(names.ids[word]) for word in fact.arguments))

@@ -1,0 +1,50 @@
+"""The visits that a plan in the words of the domain makes, whichever engine found it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from comity_domain.choices.options import Options
+from comity_domain.classical.naming import Names
+from comity_domain.plans import actions
+from comity_domain.problem.request import Spot
+from comity_domain.tours.tour import Visit
+
+Grounded = tuple[str, Sequence[str]]
+"""The name of an action, in whatever case, and the words of its arguments."""
+
+
+def tour_of(steps: Iterable[Grounded], choices: Options, names: Names) -> tuple[Visit, ...]:
+    """The visits, in order.
+
+    Args:
+        steps: A plan for the problem.
+        choices: What it may be made of.
+        names: What the problem's words name.
+    """
+    visits: list[Visit] = []
+    brought = {name for name, person in choices.people.items() if person.in_hand}
+    for name, words in steps:
+        _, *said = (names.name(word) for word in words)
+        match _own_name(name):
+            case actions.FETCH:
+                if not visits or visits[-1].spot.place != said[0]:
+                    brought.add(said[0])  # before they are reached
+            case actions.REACH:
+                person, side = said[:2]
+                visits.append(Visit(Spot(person, side), company=None, way=None, bringing=person in brought))
+            case actions.RETURN:
+                visits[-1] = replace(visits[-1], returns=(*visits[-1].returns, Spot(said[0], said[1])))
+            case actions.GREET:
+                visits[-1] = replace(visits[-1], way=(said[1], said[2]))
+            case actions.GREET_TOGETHER:
+                visits[-1] = replace(visits[-1], company=said[0], way=(said[3], said[4]))
+            case actions.LEAVE:
+                visits[-1] = replace(visits[-1], farewell=(said[2], said[3]))
+    return tuple(visits)
+
+
+def _own_name(name: str) -> str:
+    """Engines that read PDDL know no capitals."""
+    return name.capitalize()

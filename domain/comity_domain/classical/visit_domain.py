@@ -1,0 +1,334 @@
+"""The visit domain as a unified-planning problem: what each action needs, does and costs.
+
+`visit.pddl` says the same with comments, for people and for tools that read PDDL; a test holds the two
+together.
+Costs are whole centimetres of walking, or what is worth as much: a disliked option costs
+100 * weight * -ln(desirability), with the weight in metres and the desirability in [0, 1].
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from types import SimpleNamespace
+from typing import Any
+
+from unified_planning.environment import get_environment
+from unified_planning.model import Fluent, InstantaneousAction, Problem, Variable
+from unified_planning.model.metrics import MinimizeActionCosts
+
+from comity_domain.plans.actions import (
+    FETCH,
+    GREET,
+    GREET_TOGETHER,
+    LEAVE,
+    OFFER,
+    REACH,
+    RETURN,
+    SAY,
+    WAIT,
+)
+
+TYPES: Mapping[str, str | None] = {
+    **dict.fromkeys(("robot", "place", "side", "modality", "gesture", "company", "turn", "task", "thing")),
+    "user": "place",
+    "location": "place",
+}
+"""Each with the type above it: people are places to be at, the robot stands on one of their sides."""
+
+STATES: Mapping[str, str] = {
+    # what changes
+    "at": "robot place side",
+    "docked": "robot place",
+    "free": "robot",
+    "holds": "robot thing",
+    "greeted": "user",
+    "due": "task",
+    "done": "task",
+    "whole": "company",
+    "now": "turn",
+    # what the person and the map allow
+    "reachable": "user side",
+    "permitted": "user modality gesture",
+    "route": "place side user side",
+    "way_to": "place side location side",
+    # what hands are good for
+    "empty": "thing",
+    "suits": "thing user",
+    "leaves_open": "thing gesture",
+    # agendas
+    "begun": "user",
+    "only_greeted": "user",
+    "opens": "user task",
+    "follows": "task task",
+    "last": "task",
+    "of": "task user",
+    "message": "task",
+    "pause": "task",
+    "farewell": "task",
+    "brings": "task thing",
+    "first_brought": "task",
+    "kept": "thing location",
+    # people who stand together
+    "member": "user company",
+    "overlooks": "company user side",
+    "welcome": "company modality gesture",
+    # the counting of people
+    "then": "turn turn",
+    "then_together": "company turn turn",
+}
+"""By name, the types of the arguments; what each means says `visit.pddl`."""
+
+NUMBERS: Mapping[str, str] = {
+    "travel_cost": "place side user side",
+    "fetch_cost": "place side location",
+    "greet_cost": "user modality gesture turn",
+    "greet_together_cost": "company user side modality gesture turn",
+    "leave_cost": "user modality gesture",
+    # the parameters that are bound when the plan is made, rounded; the plan has them with full precision
+    "distance_mm": "user",
+    "speed_mm_s": "user",
+    "direction_mdeg": "user side",
+    "cap_ms": "task",
+}
+"""The same for whole numbers of 0 or more."""
+
+Priced = tuple[InstantaneousAction, Any]
+"""An action and what it costs: a fluent of its parameters, or a number."""
+NOTHING = 0
+
+
+def empty_problem(name: str) -> Problem:
+    """The domain with nobody in it yet.
+
+    unified-planning 1.3 grounds actions in its global environment only, so that is where it lives.
+    """
+    return _Domain().problem(name)
+
+
+class _Domain:
+    """What the actions are written with: types, fluents and how conditions are joined."""
+
+    def __init__(self) -> None:
+        types, number = get_environment().type_manager, get_environment().type_manager.IntType(0)
+        self._types: dict[str, Any] = {}
+        for name, above in TYPES.items():
+            self._types[name] = types.UserType(name, None if above is None else self._types[above])
+        states = {name: self._fluent(name, types.BoolType(), of) for name, of in STATES.items()}
+        numbers = {name: self._fluent(name, number, of) for name, of in NUMBERS.items()}
+        self.fluents = {**states, **numbers}
+        self._is = SimpleNamespace(**self.fluents)
+        """`self._is.greeted(u)` is the condition that `u` was greeted."""
+        join = get_environment().expression_manager
+        self._and, self._or, self._not = join.And, join.Or, join.Not
+
+    def problem(self, name: str) -> Problem:
+        problem = Problem(name, get_environment())
+        for fluent in self.fluents.values():
+            problem.add_fluent(fluent, default_initial_value=0 if fluent.name in NUMBERS else False)
+        actions = (
+            self._reach_user(),
+            self._greet_person(),
+            self._greet_company(),
+            self._fetch(),
+            self._return_to_user(),
+            self._say(),
+            self._offer(),
+            self._wait(),
+            self._take_leave(),
+        )
+        priced = dict(actions)
+        problem.add_actions(priced)
+        problem.add_quality_metric(MinimizeActionCosts(priced))
+        return problem
+
+    def _fluent(self, name: str, kind: Any, of: str) -> Fluent:
+        return Fluent(name, kind, OrderedDict((f"x{i}", self._types[t]) for i, t in enumerate(of.split())))
+
+    def _action(self, name: str, **parameters: str) -> tuple[InstantaneousAction, Sequence[Any]]:
+        """An action and its parameters, each given by its type."""
+        action = InstantaneousAction(name, OrderedDict((p, self._types[t]) for p, t in parameters.items()))
+        return action, action.parameters
+
+    def _any(self, name: str, kind: str) -> Variable:
+        return Variable(name, self._types[kind])
+
+    def _reach_user(self) -> Priced:
+        """Go to a person and dock at their conversational distance, from one of their sides.
+
+        Where their visit is under way, it goes on with what is left. Whoever is approached is served to the
+        end before the robot goes on.
+        """
+        act, (r, u, s, origin, origin_side, h) = self._action(
+            REACH, r="robot", u="user", s="side", origin="place", origin_side="side", h="thing"
+        )
+        holds, t = self._is, self._any("t", "task")
+        act.add_precondition(holds.free(r))
+        act.add_precondition(holds.at(r, origin, origin_side))
+        act.add_precondition(holds.holds(r, h))
+        act.add_precondition(holds.suits(h, u))
+        act.add_precondition(self._or(self._not(holds.greeted(u)), holds.begun(u)))
+        act.add_precondition(holds.reachable(u, s))
+        act.add_precondition(holds.route(origin, origin_side, u, s))
+        act.add_effect(holds.at(r, u, s), True)
+        act.add_effect(holds.docked(r, u), True)
+        act.add_effect(holds.at(r, origin, origin_side), False)
+        act.add_effect(holds.docked(r, origin), False)
+        act.add_effect(holds.due(t), True, self._and(holds.begun(u), holds.opens(u, t)), forall=[t])
+        act.add_effect(holds.free(r), False)
+        return act, holds.travel_cost(origin, origin_side, u, s)
+
+    def _greet_person(self) -> Priced:
+        """Greet the person the robot is docked to: in words, with a gesture, or both.
+
+        Words alone take the gesture `none`.
+        """
+        act, (r, u, m, g, k, following, h) = self._action(
+            GREET,
+            **{"r": "robot", "u": "user", "m": "modality", "g": "gesture"},
+            **{"k": "turn", "next": "turn", "h": "thing"},
+        )
+        holds, t, c = self._is, self._any("t", "task"), self._any("c", "company")
+        act.add_precondition(holds.docked(r, u))
+        act.add_precondition(self._not(holds.greeted(u)))
+        act.add_precondition(holds.permitted(u, m, g))
+        act.add_precondition(holds.holds(r, h))
+        act.add_precondition(holds.leaves_open(h, g))
+        act.add_precondition(holds.now(k))
+        act.add_precondition(holds.then(k, following))
+        act.add_effect(holds.greeted(u), True)
+        act.add_effect(holds.now(k), False)
+        act.add_effect(holds.now(following), True)
+        act.add_effect(holds.free(r), True, holds.only_greeted(u))
+        act.add_effect(holds.due(t), True, holds.opens(u, t), forall=[t])
+        act.add_effect(holds.whole(c), False, holds.member(u, c), forall=[c])
+        return act, holds.greet_cost(u, m, g, k)
+
+    def _greet_company(self) -> Priced:
+        """Greet a whole company at once, docked where all of them see and hear the robot."""
+        act, (r, c, u, s, m, g, k, following) = self._action(
+            GREET_TOGETHER,
+            **{"r": "robot", "c": "company", "u": "user", "s": "side", "m": "modality", "g": "gesture"},
+            **{"k": "turn", "next": "turn"},
+        )
+        holds, v = self._is, self._any("v", "user")
+        act.add_precondition(holds.docked(r, u))
+        act.add_precondition(holds.at(r, u, s))
+        act.add_precondition(holds.whole(c))
+        act.add_precondition(holds.overlooks(c, u, s))
+        act.add_precondition(holds.welcome(c, m, g))
+        act.add_precondition(holds.now(k))
+        act.add_precondition(holds.then_together(c, k, following))
+        act.add_effect(holds.whole(c), False)
+        act.add_effect(holds.free(r), True)
+        act.add_effect(holds.now(k), False)
+        act.add_effect(holds.now(following), True)
+        act.add_effect(holds.greeted(v), True, holds.member(v, c), forall=[v])
+        return act, holds.greet_together_cost(c, u, s, m, g, k)
+
+    def _fetch(self) -> Priced:
+        """Go where something is kept, and take it: before its person is reached, or once they wait for it.
+
+        What was fetched is brought straight to whom it is for.
+        """
+        act, (r, u, t, h, place, s, origin, origin_side, e) = self._action(
+            FETCH,
+            **{"r": "robot", "u": "user", "t": "task", "h": "thing", "l": "location", "s": "side"},
+            **{"origin": "place", "origin_side": "side", "e": "thing"},
+        )
+        holds = self._is
+        not_greeted = self._or(self._not(holds.greeted(u)), holds.begun(u))
+        before = self._and(holds.free(r), holds.first_brought(t), not_greeted)
+        act.add_precondition(holds.of(t, u))
+        act.add_precondition(holds.brings(t, h))
+        act.add_precondition(holds.kept(h, place))
+        act.add_precondition(self._or(before, holds.due(t)))
+        act.add_precondition(holds.at(r, origin, origin_side))
+        act.add_precondition(holds.way_to(origin, origin_side, place, s))
+        act.add_precondition(holds.holds(r, e))
+        act.add_precondition(holds.empty(e))
+        act.add_effect(holds.at(r, place, s), True)
+        act.add_effect(holds.holds(r, h), True)
+        act.add_effect(holds.at(r, origin, origin_side), False)
+        act.add_effect(holds.docked(r, origin), False)
+        act.add_effect(holds.holds(r, e), False)
+        return act, holds.fetch_cost(origin, origin_side, place)
+
+    def _return_to_user(self) -> Priced:
+        """Come back to a person with what was fetched for them in the middle of their visit."""
+        act, (r, u, s, t, h, origin, origin_side) = self._action(
+            RETURN,
+            **{"r": "robot", "u": "user", "s": "side", "t": "task", "h": "thing"},
+            **{"origin": "location", "origin_side": "side"},
+        )
+        holds = self._is
+        act.add_precondition(holds.of(t, u))
+        act.add_precondition(holds.brings(t, h))
+        act.add_precondition(holds.due(t))
+        act.add_precondition(holds.holds(r, h))
+        act.add_precondition(holds.at(r, origin, origin_side))
+        act.add_precondition(holds.reachable(u, s))
+        act.add_precondition(holds.route(origin, origin_side, u, s))
+        act.add_effect(holds.at(r, u, s), True)
+        act.add_effect(holds.docked(r, u), True)
+        act.add_effect(holds.at(r, origin, origin_side), False)
+        return act, holds.travel_cost(origin, origin_side, u, s)
+
+    def _say(self) -> Priced:
+        """Tell the person something."""
+        act, (r, u, t) = self._action(SAY, r="robot", u="user", t="task")
+        self._before_user(act, r, u, t)
+        act.add_precondition(self._is.message(t))
+        self._finish(act, r, t)
+        return act, NOTHING
+
+    def _offer(self) -> Priced:
+        """Hand over what the robot holds."""
+        act, (r, u, t, h, e) = self._action(OFFER, r="robot", u="user", t="task", h="thing", e="thing")
+        holds = self._is
+        self._before_user(act, r, u, t)
+        act.add_precondition(holds.brings(t, h))
+        act.add_precondition(holds.holds(r, h))
+        act.add_precondition(holds.empty(e))
+        act.add_effect(holds.holds(r, h), False)
+        act.add_effect(holds.holds(r, e), True)
+        self._finish(act, r, t)
+        return act, NOTHING
+
+    def _wait(self) -> Priced:
+        """Stay before the person for some time, or until they do something."""
+        act, (r, u, t) = self._action(WAIT, r="robot", u="user", t="task")
+        self._before_user(act, r, u, t)
+        act.add_precondition(self._is.pause(t))
+        self._finish(act, r, t)
+        return act, NOTHING
+
+    def _take_leave(self) -> Priced:
+        """Say goodbye, in words, with a gesture, or both, and step away."""
+        act, (r, u, t, m, g, h) = self._action(
+            LEAVE, r="robot", u="user", t="task", m="modality", g="gesture", h="thing"
+        )
+        holds = self._is
+        self._before_user(act, r, u, t)
+        act.add_precondition(holds.farewell(t))
+        act.add_precondition(holds.permitted(u, m, g))
+        act.add_precondition(holds.holds(r, h))
+        act.add_precondition(holds.leaves_open(h, g))
+        act.add_effect(holds.done(t), True)
+        act.add_effect(holds.due(t), False)
+        act.add_effect(holds.free(r), True)
+        return act, holds.leave_cost(u, m, g)
+
+    def _before_user(self, act: InstantaneousAction, r: Any, u: Any, t: Any) -> None:
+        """A task is done before its person, when it comes next."""
+        act.add_precondition(self._is.of(t, u))
+        act.add_precondition(self._is.docked(r, u))
+        act.add_precondition(self._is.due(t))
+
+    def _finish(self, act: InstantaneousAction, r: Any, t: Any) -> None:
+        """After a task the next one comes, and after the last one the robot may go on."""
+        holds, following = self._is, self._any("n", "task")
+        act.add_effect(holds.done(t), True)
+        act.add_effect(holds.due(t), False)
+        act.add_effect(holds.due(following), True, holds.follows(t, following), forall=[following])
+        act.add_effect(holds.free(r), True, holds.last(t))

@@ -1,0 +1,89 @@
+"""Visits planned by another engine of unified-planning: the same steps, parameters and reasons.
+
+The engine gets the problem as PDDL, in a process of its own that is ended at the limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from comity_domain.choices.options import Options, options
+from comity_domain.classical.initial_state import visit_names
+from comity_domain.classical.pddl import domain_pddl, problem_pddl
+from comity_domain.classical.tour_of import tour_of
+from comity_domain.labelling.skipping import left_out, skip_steps
+from comity_domain.own.engines.by_name import solve_pddl
+from comity_domain.planner import ENGINE, make_plan
+from comity_domain.plans.plan import Plan
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.survey import fully_measured
+from comity_domain.steps import steps_of
+from comity_domain.tours.bound import lower_bound
+from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
+from comity_fis.errors import InputError, Where, closest
+
+
+def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
+    """A plan by any engine that is installed.
+
+    Args:
+        engine: `comity`, or its name in unified-planning, such as `fast-downward-opt`. Engines that do not
+            look at costs find some plan; `gap` says how much a better one could save.
+        request: As for `make_plan`; who is left out at a price is decided as there.
+        time_limit_s: Wall-clock seconds for the engine, > 0.
+
+    Raises:
+        InputError: The engine is not installed, or somebody has a deadline: no classical engine keeps one.
+        NoPlan: There is none.
+        PlanningFailed: None was found within the limit, or the engine broke.
+    """
+    if engine == ENGINE:
+        return make_plan(request, time_limit_s=time_limit_s)
+    _require_installed(engine)
+    _require_no_deadline(engine, request)
+    left = left_out(request)
+    served = request.without(left)
+    choices = options(fully_measured(served))
+    names = visit_names(choices)
+    found = solve_pddl(engine, domain_pddl(), problem_pddl(choices, names), time_limit_s=time_limit_s)
+    visits = _tied(tour_of(((one.name, one.arguments) for one in found.actions), choices, names), choices)
+    skipped = skip_steps(request, left)
+    steps = (*steps_of(visits, choices, lambda: choices), *skipped)
+    cost = sum(step.cost for step in steps)
+    least = lower_bound(choices) + sum(step.cost for step in skipped)
+    bound = cost if found.optimal else min(cost, least)
+    return Plan(
+        engine, optimal=bound == cost, reproducible=found.optimal, cost=cost, bound=bound, steps=steps
+    )
+
+
+def _tied(visits: Sequence[Visit], choices: Options) -> Sequence[Visit]:
+    """Where the engine took one of several choices that cost the same, the one that ties go to."""
+    stops = [Stop(visit.spot.place, visit.company, visit.bringing) for visit in visits]
+    ours = best_tour(stops, choices)
+    return ours if tour_cost(ours, choices) == tour_cost(visits, choices) else visits
+
+
+def _require_installed(engine: str) -> None:
+    from unified_planning.environment import get_environment
+
+    installed = sorted(name for name in get_environment().factory.engines if "[" not in name)
+    if engine not in installed:
+        raise InputError(
+            expected="the name of a planning engine that is installed",
+            got=repr(engine),
+            remedy=f"{closest(engine, [ENGINE, *installed])} Others come with packages such as "
+            "up-fast-downward.",
+            where=Where("--engine"),
+        )
+
+
+def _require_no_deadline(engine: str, request: VisitRequest) -> None:
+    for visitee in request.visitees:
+        if visitee.by_s is not None:
+            raise InputError(
+                expected=f"a scenario without deadlines for {engine}, as classical planning knows none",
+                got=f"by_s: {visitee.by_s:g} of {visitee.name}",
+                remedy=f"Leave the deadline out, or plan with {ENGINE}.",
+                where=Where("--engine"),
+            )
