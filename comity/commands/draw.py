@@ -23,6 +23,9 @@ def draw(
         Path | None,
         typer.Option(metavar="FILE", help="A .png or .svg file; <name>.png without it."),
     ] = None,
+    graph: Annotated[
+        bool, typer.Option("--graph", help="Draw rooms, named places and doors as a graph instead.")
+    ] = False,
     seed: Annotated[int, typer.Option(min=0, help="For random places, where there are any.")] = 0,
     as_json: AsJson = False,
 ) -> None:
@@ -31,7 +34,8 @@ def draw(
     Of a scenario also the robot and the people, with the distances that they would like as dashed rings,
     the ways of those who walk, and passers-by where they start.
 
-    Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`.
+    Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`,
+    `comity draw ward --graph`.
     """
     from comity.answers import DrawAnswer
     from comity.report.place_picture import MARKS, drawing_of, format_of
@@ -40,9 +44,9 @@ def draw(
 
     form = format_of(out)
     drawing: Drawing = drawing_of(place, seed)
-    path = out or Path(f"{drawing.slug}.png")
+    path = out or Path(f"{drawing.slug}{'-graph' if graph else ''}.png")
     refuse_foreign({path: MARKS[form]})
-    write_whole(path, drawing.picture(form))
+    write_whole(path, drawing.graph(form) if graph else drawing.picture(form))
     if as_json:
         print_json(DrawAnswer(file=str(path), name=drawing.name, kind=drawing.kind))
     else:

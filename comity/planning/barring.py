@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_domain import in_the_way
-from comity_sim2d import PastPeople
+from comity_sim2d import PastPeople, room_at, shut_doors_between, topology
 from comity_sim2d.maps.doorways import turned
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, floor_plan
 
@@ -41,19 +41,29 @@ def barring(
         goals: Where the robot could stand, had it a way there.
         is_reached: Whether the robot gets to them in another scene.
     """
-    shut = _shut_doors(scene, is_reached)
+    shut = _shut_doors(scene, person, is_reached)
     if shut or not goals:
         return shut
     return _people(scene, person, is_reached) or _narrow(scene, goals) or _themselves(scene, person, goals)
 
 
-def _shut_doors(scene: Scene, is_reached: Callable[[Scene], bool]) -> str | None:
-    shut = [door.name for door in scene.doors if not door.is_open]
-    needed = _needed(shut, lambda names: is_reached(opened(scene, names)))
+def _shut_doors(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> str | None:
+    needed = _shut_on_the_way(scene, person, lambda names: is_reached(opened(scene, names)))
     if not needed:
         return None
     names = " and ".join(repr(name) for name in needed)
     return f"the door {names} is shut" if len(needed) == 1 else f"the doors {names} are shut"
+
+
+def _shut_on_the_way(scene: Scene, person: str, does: Callable[[Collection[str]], bool]) -> Sequence[str]:
+    """The fewest doors that have to open: by the graph of the rooms, else by trying them."""
+    here, there = room_at(scene, scene.robot.pose.xy), room_at(scene, scene.person(person).xy)
+    if here is not None and there is not None:
+        ways = shut_doors_between(topology(scene), here, there)
+        found = next((shut for shut in ways if shut and does(shut)), None)
+        if found is not None:
+            return found
+    return _needed([door.name for door in scene.doors if not door.is_open], does)
 
 
 def _people(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> str | None:

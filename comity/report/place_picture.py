@@ -13,6 +13,7 @@ from comity_fis import InputError, Where, closest
 from comity_sim2d import load_map, shipped_maps
 from comity_sim2d.maps.library import SUFFIX
 from comity_sim2d.pictures.map_picture import draw_map
+from comity_sim2d.pictures.topology_picture import draw_topology
 
 if TYPE_CHECKING:
     from comity_sim2d import PlaceMap, Scene
@@ -49,6 +50,10 @@ class Drawing:
             seed=self.seed,
             format=form,
         )
+
+    def graph(self, form: str) -> bytes:
+        """The same of its rooms, named places and doors as a graph."""
+        return draw_topology(self.place, title=self.name, format=form)
 
 
 def format_of(out: Path | None) -> str:

@@ -12,6 +12,7 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.frames import Frames, Recorder, frame_row
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.maps.doorways import DoorTurn, Doorways
+from comity_sim2d.maps.topology import topology
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.footing import Stride, is_taken
 from comity_sim2d.people.leading import Leads
@@ -30,6 +31,8 @@ from comity_sim2d.senses.sensing import Senses
 from comity_sim2d.senses.sight import Sight
 
 if TYPE_CHECKING:
+    import networkx as nx
+
     from comity_sim2d.people.foot_traffic import FootTraffic
     from comity_sim2d.people.reactions import Reactions, Shown
 
@@ -222,6 +225,11 @@ class World:
     def doors(self) -> tuple[Door, ...]:
         """All doors as they are now."""
         return self._doorways.doors
+
+    @property
+    def topology(self) -> nx.MultiGraph[str]:
+        """Rooms, named places and doors as a graph, with the doors as they are now."""
+        return topology(self.scene, self.doors)
 
     @property
     def door_turns(self) -> tuple[DoorTurn, ...]:

@@ -33,9 +33,9 @@ def floor_of(areas: Sequence[Area]) -> Room:
     """
     from shapely import Point, Polygon, get_parts, union_all
 
-    floor = union_all([_shape(area) for area in areas], grid_size=GRID_M).simplify(0.0)
+    floor = union_all([shape_of(area) for area in areas], grid_size=GRID_M).simplify(0.0)
     if not isinstance(floor, Polygon):
-        first = next(part for part in get_parts(floor) if part.intersects(_shape(areas[0])))
+        first = next(part for part in get_parts(floor) if part.intersects(shape_of(areas[0])))
         apart = next(area for area in areas if not first.covers(Point(_inside(area))))
         raise SceneError(
             entity=f"room {apart.name}",
@@ -50,7 +50,7 @@ def walls_between(areas: Sequence[Area], floor: Room) -> tuple[Wall, ...]:
     """Straight walls where rooms touch, each named for the rooms on both sides; none where they overlap."""
     from shapely import Polygon, difference, get_parts, line_merge, union_all
 
-    shapes = [_shape(area) for area in areas]
+    shapes = [shape_of(area) for area in areas]
     outlines = union_all([shape.boundary for shape in shapes], grid_size=GRID_M)
     edge = Polygon(floor.corners, floor.holes).boundary
     inner = difference(outlines, edge, grid_size=GRID_M)
@@ -62,14 +62,15 @@ def walls_between(areas: Sequence[Area], floor: Room) -> tuple[Wall, ...]:
     return tuple(Wall(start, end, THICKNESS_M, _between(start, end, areas, shapes)) for start, end in ends)
 
 
-def _shape(area: Area) -> Polygon:
+def shape_of(area: Area) -> Polygon:
+    """A room as a shape, on the grid."""
     from shapely import Polygon, set_precision
 
     return set_precision(Polygon(area.corners), GRID_M)
 
 
 def _inside(area: Area) -> XY:
-    point = _shape(area).representative_point()
+    point = shape_of(area).representative_point()
     return (point.x, point.y)
 
 
