@@ -28,13 +28,13 @@ PROGRAM = frozenset({
 })
 """Words of Comity's own that stand among names."""
 IDENTIFIERS = frozenset({
-    "person", "act", "greeting", "action", "arguments", "people", "parameters", "parameter", "value",
+    "person", "arguments", "people", "parameters", "parameter", "value",
     "thing", "together_with", "node", "door", "planned", "inferred", "about", "already",
 })
 """Fields of answers that hold names or words of a closed list."""
 KEPT = frozenset({
-    "status", "outcome", "origin", "kind", "unit", "engine", "halt", "noticed", "fingerprint", "files",
-    "trace_sha256", "interrupted_by",
+    "act", "greeting", "action", "status", "outcome", "origin", "kind", "unit", "engine", "halt", "noticed",
+    "fingerprint", "files", "trace_sha256", "interrupted_by",
 })
 """Fields that hold words of the program, and of nobody."""
 # fmt: on

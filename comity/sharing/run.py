@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from comity.answers import PlanAnswer, RunAnswer, SharedAnswer
 from comity.output import run_folder
-from comity.output.run_folder import RunFolder, claimed, damaged, place_for
+from comity.output.run_folder import INTERRUPTED, RunFolder, claimed, damaged, place_for
 from comity.people.profile import Profile
 from comity.recording import VIEWS, Recorded, View, record, show
 from comity.replay.frames_file import frames_of
@@ -139,11 +139,13 @@ def _read(folder: RunFolder, extras: frozenset[Extra]) -> _Original:
             where=Where(str(folder.path)),
         )
     file = load_scenario(str(folder / run_folder.SCENARIO))
-    words = plain_words(load_rulebook(file.file.part("rulebook")))
+    book = load_rulebook(file.file.part("rulebook"))
+    leaves = {node.name.partition("(")[0] for node in read_nodes(folder / run_folder.TRACE)}
+    words = plain_words(book) | leaves
     names = names_in(file.scenario, words)
     is_known = account.scenario in shipped("scenario") and account.scenario not in file.scenario.people
     title = account.scenario if is_known else "scenario"
-    return _Original(folder, account, file, names, Filter(extras, words), title)
+    return _Original(folder, account, file, names, Filter(extras, plain_words(book)), title)
 
 
 def _written(original: _Original, shared: RunFolder, views: Collection[View]) -> SharedRun:
@@ -183,6 +185,7 @@ def _account(original: _Original, shared: RunFolder) -> RunAnswer:
             "trace_sha256": digest,
             "shared": SharedAnswer(culture=Extra.CULTURE in extras, gender=Extra.GENDER in extras),
             "bytes_per_minute": shared.bytes_per_minute(account.simulated_s),
+            "error": account.error and (account.error if account.error == INTERRUPTED else "not told"),
             "files": (),
         }
     )
@@ -244,7 +247,7 @@ def _scenario(original: _Original) -> dict[str, Any]:
 def _person(original: _Original, name: str) -> dict[str, Any]:
     person: Person = original.scenario.people[name]
     assert isinstance(person.profile, Profile)  # a run writes it out
-    kept = {"at_m", "at", "facing_deg", "posture", "carrying", "noise_db", "noisy"}
+    kept = {"at_m", "at", "facing_deg", "posture", "radius_m", "carrying", "noise_db", "noisy"}
     told = person.model_dump(mode="json", exclude_none=True, include=kept)
     situation = {key: fact for key, fact in person.situation.items() if fact in CLOSED.get(key, ())}
     return {

@@ -200,6 +200,21 @@ def test_a_run_with_pseudonyms_is_the_run_as_it_would_be_shared(tmp_path):
     assert everything(tmp_path / "a") == everything(tmp_path / "b")
 
 
+def test_a_run_with_pseudonyms_that_is_broken_off_is_kept_up_to_there_without_a_name(tmp_path, monkeypatch):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+
+    def stop(progress):
+        if progress.simulated_s > 3.0:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        record_shared(prepare(load_scenario("two-visits")), out=tmp_path / "run", watch=stop)
+    account = RunFolder(tmp_path / "run").read(RUN, RunAnswer)
+    assert (account.status, account.error) == ("crashed", "interrupted")
+    assert [path.name for path in tmp_path.iterdir()] == ["run"]
+    assert [file for file, content in everything(tmp_path / "run").items() if b"german_man" in content] == []
+
+
 def test_nothing_else_is_kept_of_a_run_with_pseudonyms(comity, here, monkeypatch):
     temporary = here / "tmp"
     temporary.mkdir()
