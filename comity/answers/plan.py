@@ -113,6 +113,14 @@ class NextInsteadAnswer(Answer):
     extra_cost: int | None = Field(description="Null where a deadline or a route rules it out.")
 
 
+class ContrastAnswer(Answer):
+    """The best plan in which this person is reached from another side, all else planned anew."""
+
+    side: str
+    extra_cost: int | None = Field(description="Null where there is no such plan.")
+    steps: tuple[str, ...] = Field(description="Its steps, such as `Reach_user(robot, johanna, left)`.")
+
+
 class StepValueAnswer(Answer):
     """One parameter of a step for one person."""
 
@@ -156,6 +164,9 @@ class StepWhyAnswer(Answer):
     )
     next_instead: tuple[NextInsteadAnswer, ...] = Field(
         description="Empty for a greeting, and beyond 12 people."
+    )
+    contrast: tuple[ContrastAnswer, ...] = Field(
+        default=(), description="Of a `Reach_user`, up to 12 people; cheapest first."
     )
     skipping: SkippingAnswer | None = Field(default=None, description="Of a `Skip_visit`.")
     without: WithoutAnswer | None = Field(

@@ -11,6 +11,7 @@ from comity_domain.choices.side import Side, sides
 from comity_domain.classical.pddl import plan_pddl
 from comity_domain.classical.problem import problem_of, to_unified_planning
 from comity_domain.classical.validation import Validation, validate
+from comity_domain.contrast import Contrast, from_other_sides
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.explanation.other_order import OtherOrder, in_order
 from comity_domain.explanation.relaxing import InTheWay, in_the_way
@@ -55,6 +56,7 @@ __all__ = [
     "Alternative",
     "Circumstances",
     "Company",
+    "Contrast",
     "Deadlines",
     "Flip",
     "Greeting",
@@ -89,6 +91,7 @@ __all__ = [
     "differences",
     "distance_desirability",
     "flips",
+    "from_other_sides",
     "greetings",
     "in_order",
     "in_the_way",

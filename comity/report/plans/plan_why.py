@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import NextInsteadAnswer, StepAnswer, StepWhyAnswer
+from comity.answers import ContrastAnswer, NextInsteadAnswer, StepAnswer, StepWhyAnswer
 from comity.report.plans.asked_step import asked_step
 from comity.report.plans.plan import choice
 from comity.report.plans.skipping import skipping, skipping_text
 from comity.report.plans.step_values import step_values
 from comity.report.text import number, table, words
-from comity_domain import SKIP, next_instead
+from comity_domain import SKIP, from_other_sides, next_instead
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -56,8 +56,19 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
         next_instead=tuple(
             NextInsteadAnswer(person=each.person, extra_cost=each.extra_cost) for each in instead
         ),
+        contrast=tuple(_contrast(prepared, step)) if step.action == "Reach_user" else (),
         skipping=skipping(prepared, step.people[0]) if step.action == SKIP else None,
     )
+
+
+def _contrast(prepared: Prepared, step: StepAnswer) -> Iterator[ContrastAnswer]:
+    sides = [other.arguments[-1] for other in step.why.alternatives]
+    limit_s = prepared.file.scenario.limits.planning_s
+    request, plan = prepared.asked.request, prepared.plan
+    for one in from_other_sides(request, plan, step.arguments[1], sides, time_limit_s=limit_s):
+        steps = one.plan.steps if one.plan else ()
+        named = tuple(f"{each.action}({', '.join(each.arguments)})" for each in steps)
+        yield ContrastAnswer(side=one.side, extra_cost=one.extra_cost, steps=named)
 
 
 def _stop(answer: PlanAnswer, number: int) -> int:
@@ -79,6 +90,14 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     if why.values:
         yield "\nWhy these values"
         yield table([_value(value, why.step) for value in why.values])
+    yield from _instead(why)
+
+
+def _instead(why: StepWhyAnswer) -> Iterator[RenderableType]:
+    """Every other way to do the step, and what it would cost."""
+    from rich.padding import Padding
+
+    step = why.step
     no_choice = not (step.why.alternatives or step.why.ruled_out) and step.action != SKIP
     if step.why.alternatives or no_choice:
         yield "\nInstead, with the rest of the plan as it is"
@@ -87,16 +106,36 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     for other in step.why.alternatives:
         chosen = ", ".join(map(words, _choice(other.arguments, step)))
         yield Padding(f"{chosen}: {other.extra_cost} more; {other.because}", (0, 0, 0, 2))
+    yield from _replanned(why)
     if step.why.ruled_out:
         yield "\nNot possible"
     for option in step.why.ruled_out:
         chosen = ", ".join(map(words, _choice(option.arguments, step)))
         yield Padding(f"{chosen}: {option.reason}", (0, 0, 0, 2))
+    yield from _next(why)
+
+
+def _replanned(why: StepWhyAnswer) -> Iterator[RenderableType]:
+    from rich.padding import Padding
+
+    if why.contrast:
+        yield "\nInstead, with all else planned anew"
+    for contrast in why.contrast:
+        yield Padding(_contrast_text(contrast), (0, 0, 0, 2))
+
+
+def _next(why: StepWhyAnswer) -> Iterator[RenderableType]:
     if why.next_instead:
         yield "\nSomebody else first, all that follows planned anew"
     for each in why.next_instead:
         cost = "no deadline or route allows it" if each.extra_cost is None else f"{each.extra_cost} more"
         yield f"  {each.person}: {cost}"
+
+
+def _contrast_text(contrast: ContrastAnswer) -> str:
+    if contrast.extra_cost is None:
+        return f"{contrast.side}: there is no such plan"
+    return f"{contrast.side}: {contrast.extra_cost} more; {', '.join(contrast.steps)}"
 
 
 def _value(value: StepValueAnswer, step: StepAnswer) -> tuple[str, str, str]:
