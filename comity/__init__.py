@@ -166,7 +166,7 @@ def infer(
     return noting_unread(inference, book)
 
 
-def profile(name: str, *, rulebook: str = "bruno2017") -> StoredProfile:
+def profile(name: str, *, rulebook: str = "evidence") -> StoredProfile:
     """Somebody who is kept on this machine: `comity.profile("amal").observe("stepped_back", 0.8)`.
 
     Args:

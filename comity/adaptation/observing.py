@@ -12,6 +12,7 @@ from comity.adaptation.editing import metres
 from comity.parameters.acquaintance import learnt_about, model_m, usual_situation
 from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.values import infer_for
+from comity.parameters.which_rulebook import EVIDENCE
 from comity.people.adulthood import ADULT, is_under_age
 from comity.people.consents import require_consent
 from comity.people.dated import read_day
@@ -41,7 +42,8 @@ PAST: Mapping[str, Signal] = {
 FARTHEST_M = 20.0
 NEEDED = ("signal", "distance_m")
 MOST_ROWS = 10_000
-RULEBOOK = "bruno2017"
+RULEBOOK = EVIDENCE
+"""What runs with somebody who is kept go by."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,7 +48,7 @@ def observe(
     at: At = None,
     rulebook: Annotated[
         str, typer.Option(metavar="R", help="It says what culture and situation alone gave.")
-    ] = "bruno2017",
+    ] = "evidence",
     as_json: AsJson = False,
 ) -> None:
     """Write down how people took a robot's coming at real meetings; needs their consent to learn.

@@ -27,7 +27,7 @@ from comity_fis import InputError, load_rulebook
 from comity_fis.learning.signals import SIGNALS, WORDS
 
 DAY = date(2026, 1, 1)
-BOOK = load_rulebook("bruno2017")
+BOOK = load_rulebook("evidence")
 meetings = st.lists(
     st.tuples(
         st.sampled_from(SIGNALS),
@@ -65,10 +65,11 @@ def test_the_same_observations_teach_the_same_with_the_simulation_and_without(se
     """By hand, as the store of a learning run holds them, and as the learner computes them."""
     with TemporaryDirectory() as home, pytest.MonkeyPatch.context() as patch:
         patch.setenv("COMITY_HOME", home)
-        values = {
-            posture: front_door.infer(shipped, posture=posture)["conversational_distance"].number
+        inferred = {
+            posture: front_door.infer(shipped, posture=posture, rulebook="evidence")
             for posture in ("standing", "seated")
         }
+        values = {posture: one["conversational_distance"].number for posture, one in inferred.items()}
         by_robot = [
             Observation(
                 day=DAY + timedelta(days),
@@ -116,7 +117,7 @@ def test_a_run_that_learns_and_the_same_meeting_written_down_are_one(amal, comit
 
 
 def test_a_year_of_simulated_visits_teaches_the_same_when_it_is_written_down(amal):
-    acquaintance, _ = acquainted("amal", "bruno2017", every_days=30, begin=DAY, seed=1)
+    acquaintance, _ = acquainted("amal", "evidence", every_days=30, begin=DAY, seed=1)
     visits = list(meet(acquaintance, interval_in_words("1.1..1.5"), 3))
     profile = front_door.profile("amal")
     for one in visits:
