@@ -261,11 +261,12 @@ def test_passers_by_go_between_the_points_that_are_given():
 @given(SEEDS)
 @example(34)  # a passer-by between the robot and the end of the wall, with no way on
 @example(993)  # the same, and so close to the wall that no way began there
+@example(130)  # it lets people pass for so long that it takes 64 s
 def test_a_robot_on_its_way_through_a_crowd_touches_nobody_and_gets_there(seed):
     scene = replace(HALL, passers_by=PassersBy(8))
     world = World(scene, seed)
     world.robot.dock("standing", DockingPose(0.8, 0.0), speed_m_s=0.7)
-    while world.robot.motion().state != "succeeded" and world.time_s < 60.0:
+    while world.robot.motion().state != "succeeded" and world.time_s < 120.0:
         world.step()
     assert world.robot.motion().state == "succeeded"
     assert world.robot_touches == ()
