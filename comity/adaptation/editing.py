@@ -11,6 +11,7 @@ from typing import Any
 
 from comity.parameters.consent import refuse_resting
 from comity.parameters.values import cases_of
+from comity.parameters.which_rulebook import EVIDENCE
 from comity.people.consents import lapse, require_consent
 from comity.people.profile import Declared, Profile, day_for
 from comity.people.store import Store
@@ -25,9 +26,6 @@ from comity_fis import (
     shipped_rulebooks,
 )
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml, parse_yaml
-
-DEFAULT = "bruno2017"
-"""The rulebook that judges a wish first."""
 
 FRIENDLY = {
     "distance": "conversational_distance",
@@ -214,9 +212,9 @@ def _refuse_unsafe(wish: Any, parameter: Parameter) -> None:
 
 
 def books(name: str | None = None) -> Books:
-    """One rulebook by name or file; without one the default, then the others that ship with Comity."""
-    others = () if name else tuple(other for other in shipped_rulebooks() if other != DEFAULT)
-    return Books(load_rulebook(name or DEFAULT), others)
+    """One rulebook by name or file; without one that of runs with people who are kept, then the others."""
+    others = () if name else tuple(other for other in shipped_rulebooks() if other != EVIDENCE)
+    return Books(load_rulebook(name or EVIDENCE), others)
 
 
 def _place(key: str, judges: Books) -> tuple[str | None, str]:
