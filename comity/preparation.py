@@ -256,6 +256,8 @@ def _visitee(cast: Cast, name: str, values: Inference) -> Visitee:
             priority_m=goal.priority or 0.0,
             by_s=goal.by_s,
             skip_m=goal.skip,
+            after=goal.after,
+            not_from=frozenset(goal.not_from or ()),
             agenda=agenda_of(scenario.goals, name),
         )
     except InputError as error:

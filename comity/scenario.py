@@ -397,6 +397,7 @@ class ScenarioFile:
         names.happening("changes", (change.person for change in scenario.changes))
         names.happening("faults", (getattr(fault, "person", None) for fault in scenario.faults))
         self.goal_check.order()
+        self.goal_check.after()
 
     @property
     def goal_check(self) -> GoalCheck:

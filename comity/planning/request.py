@@ -133,7 +133,7 @@ def _blocked(scene: Scene, served: Sequence[Visitee], spots: Mapping[Spot, XY]) 
     shut = (
         (Spot(each.name, side.name), each.values["conversational_distance"].number, side.bearing_deg)
         for each in served
-        for side in sides(each.values).values()
+        for side in _accepted(each).values()
     )
     found = {spot: pose_blocker(scene, spot.place, *pose) for spot, *pose in shut if spot not in spots}
     return {spot: what for spot, what in found.items() if what is not None}
@@ -151,7 +151,7 @@ def why_unserved(
         places: Where it may stand to fetch things.
     """
     if not spots:
-        return _reason(scene, visitee.name, visitee.values)
+        return _reason(scene, visitee)
     greets = not visitee.greeted or any(isinstance(task, TakeLeave) for task in visitee.agenda)
     if not greets or greetings(visitee.values, visitee.now):
         return against_agenda(visitee, places)
@@ -179,7 +179,7 @@ def what_bars(scene: Scene, visitee: Visitee) -> str:
 
 def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
     """Where the robot could stand before somebody, had it a way there."""
-    person, accepted = visitee.name, sides(visitee.values)
+    person, accepted = visitee.name, _accepted(visitee)
     if not accepted:
         return []
     tried = _wish(person, visitee.values, next(iter(accepted.values()))).candidates()
@@ -193,7 +193,7 @@ def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, 
     """Where the robot may stand: each side whose own pose is free and reachable, or the best."""
     person, values = visitee.name, visitee.values
     start, distance = scene.robot.pose.xy, values["conversational_distance"].number
-    accepted, ways = sides(values), route_map.to(person)
+    accepted, ways = _accepted(visitee), route_map.to(person)
     found: dict[Spot, XY] = {}
     for side in accepted.values():
         xy = spot_pose(scene, person, distance, side.bearing_deg).xy
@@ -205,6 +205,11 @@ def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, 
     if pose is None or side_name(pose.bearing_deg) not in accepted:
         return {}
     return {Spot(person, side_name(pose.bearing_deg)): _xy(scene, person, pose)}
+
+
+def _accepted(visitee: Visitee) -> Mapping[str, Side]:
+    """The sides that the person accepts and the scenario does not rule out."""
+    return {name: side for name, side in sides(visitee.values).items() if name not in visitee.not_from}
 
 
 def _wish(person: str, values: Inference, side: Side) -> Wish:
@@ -223,11 +228,12 @@ def _xy(scene: Scene, person: str, pose: DockingPose) -> XY:
     return spot_pose(scene, person, pose.distance_m, pose.bearing_deg).xy
 
 
-def _reason(scene: Scene, person: str, values: Inference) -> str:
-    distance = values["conversational_distance"].number
-    blocked = {
-        side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in sides(values).values()
-    }
+def _reason(scene: Scene, visitee: Visitee) -> str:
+    person, distance = visitee.name, visitee.values["conversational_distance"].number
+    accepted = _accepted(visitee).values()
+    if not accepted and visitee.not_from:
+        return f"the scenario rules out every side that {person} accepts ({', '.join(sides(visitee.values))})"
+    blocked = {side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in accepted}
     words = [
         f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
     ]

@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from comity.specification.scenario_check import Places
 
 
+MOST_IN_ORDER = 12
+"""People among whom the planner keeps an order: for more it proves nothing."""
+
+
 @dataclass(frozen=True, slots=True)
 class GoalCheck:
     """The goals of one scenario.
@@ -52,6 +56,37 @@ class GoalCheck:
                 )
             if goal.take_leave is not None:
                 left.add(goal.person)
+
+    def after(self) -> None:
+        """Refuse an order among those who are not all greeted, in a circle, or of too many people."""
+        first = {goal.greet: goal.after for goal in self.goals if goal.greet and goal.after}
+        greeted_ = {name: i for i, name in greeted(self.goals)}
+        for name, before in first.items():
+            where = self.where("goals", greeted_[name], "after")
+            if before not in greeted_:
+                raise InputError(
+                    expected="somebody whom another goal greets",
+                    got=repr(before),
+                    remedy=closest(before, greeted_),
+                    where=where,
+                )
+            seen = [name]
+            while (earlier := first.get(seen[-1])) is not None and earlier not in seen:
+                seen.append(earlier)
+            if earlier is not None:
+                raise InputError(
+                    expected="an order without a circle",
+                    got=f"{name} after {before}, who comes after {name} in turn" if before != name else name,
+                    remedy="Remove one `after`.",
+                    where=where,
+                )
+            if len(greeted_) > MOST_IN_ORDER:
+                raise InputError(
+                    expected=f"at most {MOST_IN_ORDER} people to greet where an order is asked for",
+                    got=f"{len(greeted_)}",
+                    remedy="Remove `after`, or some of the people.",
+                    where=where,
+                )
 
     def places(self, known: Collection[str]) -> None:
         """Refuse what is fetched nowhere.

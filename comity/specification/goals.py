@@ -36,7 +36,7 @@ JOINERS = ("\u200c", "\u200d")
 """Format characters that words are spelt with, and emoji."""
 
 KINDS = {
-    "greet": ("priority", "by_s", "skip"),
+    "greet": ("priority", "by_s", "skip", "after", "not_from"),
     "say": ("to",),
     "offer": ("to", "from"),
     "wait_s": ("with", "until"),
@@ -72,6 +72,15 @@ class Goal(BaseModel):
         ge=0,
         le=1000,
         description="With greet: metres of way that leaving them out with all their goals costs.",
+    )
+    after: Name | None = Field(
+        default=None, description="With greet: who is to be greeted before, also one of the goals."
+    )
+    not_from: tuple[Literal["front", "left", "right"], ...] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=3,
+        description="With greet: the person's sides from which the robot is not to come.",
     )
     say: Text | None = Field(default=None, description="What to tell the person after the greeting.")
     offer: Name | None = Field(default=None, description="What to fetch and to hand over.")

@@ -40,7 +40,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
     _require_installed(engine)
-    _require_no_deadline(engine, request)
+    _require_all_said(engine, request)
     left = left_out(request)
     served = request.without(left)
     choices = options(fully_measured(served))
@@ -78,12 +78,13 @@ def _require_installed(engine: str) -> None:
         )
 
 
-def _require_no_deadline(engine: str, request: VisitRequest) -> None:
+def _require_all_said(engine: str, request: VisitRequest) -> None:
     for visitee in request.visitees:
-        if visitee.by_s is not None:
+        told = {"by_s": visitee.by_s, "after": visitee.after}
+        for key in (key for key, value in told.items() if value is not None):
             raise InputError(
-                expected=f"a scenario without deadlines for {engine}, as classical planning knows none",
-                got=f"by_s: {visitee.by_s:g} of {visitee.name}",
-                remedy=f"Leave the deadline out, or plan with {ENGINE}.",
+                expected=f"a scenario without deadlines or an order for {engine}: the problem has none",
+                got=f"{key}: {told[key]} of {visitee.name}",
+                remedy=f"Leave it out, or plan with {ENGINE}.",
                 where=Where("--engine"),
             )

@@ -81,7 +81,9 @@ def _order(choices: Options, time_limit_s: float) -> Order:
     if found is not None and found.exact:
         return Order(found.stops, proven=True, reproducible=True, bound=found.cost)
     stops, in_time = (found.stops, found.in_time) if found else (None, monotonic() <= ends_s)
-    if stops is None:
+    if choices.has_order and stops is not None:  # moves know of no order
+        return Order(stops, proven=False, reproducible=in_time)
+    if stops is None and not choices.has_order:
         require_free_hands(choices)
         stops = quick_order(choices, ends_s=ends_s + LATE_S)
         in_time = in_time and (stops is not None or monotonic() <= ends_s)

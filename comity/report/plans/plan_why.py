@@ -128,7 +128,9 @@ def _next(why: StepWhyAnswer) -> Iterator[RenderableType]:
     if why.next_instead:
         yield "\nSomebody else first, all that follows planned anew"
     for each in why.next_instead:
-        cost = "no deadline or route allows it" if each.extra_cost is None else f"{each.extra_cost} more"
+        cost = (
+            "no deadline, route or order allows it" if each.extra_cost is None else f"{each.extra_cost} more"
+        )
         yield f"  {each.person}: {cost}"
 
 

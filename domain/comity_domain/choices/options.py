@@ -57,6 +57,8 @@ class PersonOptions:
     """Nothing but the agenda is left."""
     in_hand: bool = False
     """The robot holds what is offered first."""
+    after: str | None = None
+    """Who is greeted before, if anybody asked for; nobody waits whose visit is under way."""
     at_rest: Mapping[str, str] = field(default_factory=dict)
     """What they asked for and cannot have now, with why, in words; by parameter."""
     is_told: bool = False
@@ -144,6 +146,11 @@ class Options:
         return any(person.priority for person in self.people.values())
 
     @property
+    def has_order(self) -> bool:
+        """Whether the scenario wants somebody greeted before somebody else."""
+        return any(person.after in self.people for person in self.people.values())
+
+    @property
     def has_deadlines(self) -> bool:
         """Whether time matters."""
         return any(person.by_s is not None for person in self.people.values())
@@ -174,8 +181,10 @@ def options(request: VisitRequest) -> Options:
 
 
 def _busy(people: Mapping[str, PersonOptions]) -> list[str]:
-    """Those who are not merely greeted, or are told of the robot's coming, and so are greeted alone."""
-    return [name for name, person in people.items() if person.agenda or person.is_told]
+    """Those who are greeted alone: more is to be done with them, or somebody comes first."""
+    return [
+        name for name, person in people.items() if person.agenda or person.is_told or person.after in people
+    ]
 
 
 def _with_legs(chosen: Options, spots: list[Spot], request: VisitRequest) -> Options:
@@ -193,7 +202,8 @@ def _with_legs(chosen: Options, spots: list[Spot], request: VisitRequest) -> Opt
 
 def _person(visitee: Visitee, request: VisitRequest, reached: Collection[Spot]) -> PersonOptions:
     accepted = sides(visitee.values)
-    on_offer = {name: side for name, side in accepted.items() if Spot(visitee.name, name) in reached}
+    open_ = {name: side for name, side in accepted.items() if name not in visitee.not_from}
+    on_offer = {name: side for name, side in open_.items() if Spot(visitee.name, name) in reached}
     if not on_offer:
         raise ValueError(f"no route leads to {visitee.name!r} on a side they accept: leave them out")
     priced = _priced(visitee, request)
@@ -204,7 +214,7 @@ def _person(visitee: Visitee, request: VisitRequest, reached: Collection[Spot]) 
         visitee.name,
         visitee.values,
         on_offer,
-        {name: _in_its_way(Spot(visitee.name, name), request) for name in accepted if name not in on_offer},
+        {name: _against(name, visitee, request) for name in accepted if name not in on_offer},
         priced,
         ruled_out(visitee.values, visitee.now),
         travel_cost(visitee.priority_m),
@@ -215,9 +225,16 @@ def _person(visitee: Visitee, request: VisitRequest, reached: Collection[Spot]) 
         ruled_out_bringing=None if carrying is None else ruled_out(carrying.values, carrying.now),
         greeted=visitee.greeted,
         in_hand=visitee.in_hand,
+        after=None if visitee.greeted or visitee.in_hand else visitee.after,
         at_rest=visitee.now.at_rest,
         is_told=not visitee.now.sees,
     )
+
+
+def _against(side: str, visitee: Visitee, request: VisitRequest) -> str:
+    if side in visitee.not_from:
+        return "the scenario rules it out"
+    return _in_its_way(Spot(visitee.name, side), request)
 
 
 def _in_its_way(spot: Spot, request: VisitRequest) -> str:

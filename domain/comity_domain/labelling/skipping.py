@@ -142,4 +142,5 @@ def _anybody(visitee: Visitee) -> PersonOptions:
         bringing={ANY_GREETING: 0} if offers(visitee.agenda) else None,
         greeted=visitee.greeted,
         in_hand=visitee.in_hand,
+        after=None if visitee.greeted or visitee.in_hand else visitee.after,
     )

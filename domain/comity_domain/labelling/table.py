@@ -69,7 +69,7 @@ class Arrival:
     by_ms: int
     """The earliest of their deadlines."""
     after: int = 0
-    """Bits of those who must be served before, where an order is asked for."""
+    """Bits of those who must be served before, where the scenario or a question wants an order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +150,7 @@ def _in_order(arrivals: Iterator[Arrival], order: Sequence[int]) -> Iterator[Arr
         named = [person for person in order if arrival.people >> person & 1]
         if named == [arrival.person]:
             earlier = order[: order.index(arrival.person)]
-            yield replace(arrival, after=sum(1 << person for person in earlier))
+            yield replace(arrival, after=arrival.after | sum(1 << person for person in earlier))
         elif not named:
             yield arrival
 
@@ -190,6 +190,7 @@ def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mappi
     """
     people = served(visit, options)
     names = list(options.people)
+    first = options.people[visit.spot.place].after
     turn = tuple(map(names.index, people))
     legs, times_ms = _ways_to(stay, options, tuple(numbers))
     return Arrival(
@@ -206,6 +207,7 @@ def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mappi
         after_ms=_after_ms(stay, options),
         priority=sum(options.people[name].priority for name in people),
         by_ms=_earliest_ms(people, options),
+        after=0 if first is None or first not in options.people else 1 << names.index(first),
     )
 
 

@@ -124,7 +124,9 @@ class _Settling:
         return Settled(self._measuring.request, self._measuring.choices, order)
 
     def _take_one(self) -> None:
-        """Measure an order that is found at once."""
+        """Measure an order that is found at once; insertion knows of none that is asked for."""
+        if self._measuring.choices.has_order:
+            return
         first, _ = self._measuring.first_order(ends_s=self._last_s)
         if first is not None:
             self._met[first] = None
@@ -137,6 +139,8 @@ class _Settling:
                 found = first_look(choices, ends_s=self._ends_s)
             except TimeoutError:
                 return False
+            if found is None and choices.has_order:  # insertion knows of no order
+                return monotonic() < self._ends_s
             stops = found.stops if found else quick_order(choices, ends_s=self._ends_s)
             if stops is None:
                 return monotonic() < self._ends_s

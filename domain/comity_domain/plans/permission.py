@@ -43,6 +43,8 @@ def _against(step: PlanStep, visitee: Visitee) -> str | None:
         side = step.arguments[2]
         if not visitee.now.sees and ANNOUNCED not in step.parameters:
             return f"{visitee.name} does not see, and is to be told that the robot comes"
+        if side in visitee.not_from:
+            return f"the scenario rules out the {side} of {visitee.name}"
         return None if side in sides(visitee.values) else f"{visitee.name} does not accept the {side}"
     if step.action not in (GREET, GREET_TOGETHER, LEAVE):
         return None

@@ -45,6 +45,10 @@ class Visitee:
     """The visit is under way: they were greeted, and the agenda is left."""
     in_hand: bool = False
     """The robot holds what is offered first: whoever it is for is visited before all others."""
+    after: str | None = None
+    """Who is greeted before this one, where the scenario wants it so; none if they are not visited."""
+    not_from: frozenset[str] = frozenset()
+    """Sides that the scenario rules out."""
 
     def __post_init__(self) -> None:
         require_agenda(self.name, self.agenda)
