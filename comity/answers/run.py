@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from datetime import date
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from comity.answers.base import Answer, Outcome
 from comity.answers.inference import ContributionAnswer, PartAnswer
@@ -67,23 +67,33 @@ class PlannedInsteadAnswer(Answer):
     because: str = Field(description="Why the plan takes it.")
 
 
+OLDER = "The older name of the same with `target` or `actual`; gone with the next release."
+NEWER = {
+    "distance_target_m": "distance_wanted_m",
+    "distance_actual_m": "distance_reached_m",
+    "centre_distance_actual_m": "centre_distance_reached_m",
+    "bearing_target_deg": "bearing_wanted_deg",
+    "bearing_actual_deg": "bearing_reached_deg",
+}
+
+
 class VisitAnswer(Answer):
-    """What was wanted and what was reached at one person."""
+    """What was aimed at and what came of it at one person."""
 
     person: str
     profile: str
     outcome: str
-    distance_wanted_m: float
-    distance_reached_m: float | None = Field(description="Between the nearest points of the two bodies.")
-    centre_distance_reached_m: float | None
+    distance_target_m: float = Field(description="Between the nearest points of the two bodies.")
+    distance_actual_m: float | None = Field(description="The same, at rest before the person.")
+    centre_distance_actual_m: float | None = Field(description="The same between the centres.")
     approach_speed_target_m_s: float | None = Field(
         default=None, description="The most within 1.5 m of the person's body; null where none was planned."
     )
     approach_speed_actual_m_s: float | None = Field(
         default=None, description="The fastest there on the way in; null if the robot never came so near."
     )
-    bearing_wanted_deg: float | None
-    bearing_reached_deg: float | None
+    bearing_target_deg: float | None
+    bearing_actual_deg: float | None
     facing_error_deg: float | None = Field(
         description="At rest, or as it docked where it never rested; null if it never docked."
     )
@@ -122,6 +132,24 @@ class VisitAnswer(Answer):
     noticed: Signal | None = Field(
         default=None, description="How the person took it; null where the robot did not attend to that."
     )
+    distance_wanted_m: float | None = Field(default=None, description=OLDER)
+    distance_reached_m: float | None = Field(default=None, description=OLDER)
+    centre_distance_reached_m: float | None = Field(default=None, description=OLDER)
+    bearing_wanted_deg: float | None = Field(default=None, description=OLDER)
+    bearing_reached_deg: float | None = Field(default=None, description=OLDER)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _older_keys(cls, given: object) -> object:
+        """The older of two names has the value of the newer one, and the other way round in older files."""
+        if not isinstance(given, dict):
+            return given
+        both = dict(given)
+        for newer, older in NEWER.items():
+            name = newer if newer in both else older
+            if name in both:
+                both[newer] = both[older] = both[name]
+        return both
 
 
 class SettledAnswer(Answer):

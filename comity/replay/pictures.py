@@ -57,16 +57,16 @@ def rings_of(run: SavedRun) -> list[Ring]:
 
 
 def _ring(visit: VisitAnswer, planned: StepAnswer | None) -> Ring:
-    wanted_m = float(planned.parameters["conversational_distance"]) if planned else visit.distance_wanted_m
-    bearing_deg = visit.bearing_wanted_deg
+    wanted_m = float(planned.parameters["conversational_distance"]) if planned else visit.distance_target_m
+    bearing_deg = visit.bearing_target_deg
     if bearing_deg is None:
         bearing_deg = float(planned.parameters["approach_bearing"]) if planned else 0.0
     return Ring(
         person=visit.person,
         wanted_m=wanted_m,
-        reached_m=visit.distance_reached_m,
+        reached_m=visit.distance_actual_m,
         bearing_deg=bearing_deg,
-        reached_bearing_deg=visit.bearing_reached_deg,
+        reached_bearing_deg=visit.bearing_actual_deg,
         facing_error_deg=visit.facing_error_deg,
         label=_label(visit),
         time_s=visit.docked_at_s,

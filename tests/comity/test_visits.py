@@ -116,3 +116,30 @@ def test_the_last_stretch_is_driven_at_the_persons_own_approach_speed(comity, he
     end = robot[-1]
     near = [speed for body, speed in speeds(robot) if math.hypot(body.x - end.x, body.y - end.y) < 0.7]
     assert max(near) == pytest.approx(reach["parameters"]["approach_speed"], abs=0.02)
+
+
+def test_the_older_names_stand_beside_target_and_actual_for_one_release(comity):
+    (visit,) = comity("run", "--out", "run", "--no-pictures", "--json").json["visits"]
+    pairs = {
+        "distance_target_m": "distance_wanted_m",
+        "distance_actual_m": "distance_reached_m",
+        "centre_distance_actual_m": "centre_distance_reached_m",
+        "bearing_target_deg": "bearing_wanted_deg",
+        "bearing_actual_deg": "bearing_reached_deg",
+    }
+    assert all(
+        isinstance(visit[newer], float) and visit[newer] == visit[older] for newer, older in pairs.items()
+    )
+
+
+def test_a_run_folder_of_an_older_version_is_read(comity, here):
+    comity("run", "--out", "run", "--no-pictures")
+    file = here / "run" / "run.json"
+    told = json.loads(file.read_text())
+    for visit in told["visits"]:
+        for newer in [key for key in visit if "_target_" in key or "_actual_" in key]:
+            if not newer.startswith("approach_speed"):
+                del visit[newer]
+    file.write_text(json.dumps(told))
+    assert comity("metrics", "run", "--json").code == 0
+    assert comity("replay", "run").code == 0

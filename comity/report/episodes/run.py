@@ -169,11 +169,11 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
             person=person,
             profile=prepared.profiles[person].name,
             outcome="unreachable",
-            distance_wanted_m=prepared.values[person]["conversational_distance"].number,
-            distance_reached_m=None,
-            centre_distance_reached_m=None,
-            bearing_wanted_deg=None,
-            bearing_reached_deg=None,
+            distance_target_m=prepared.values[person]["conversational_distance"].number,
+            distance_actual_m=None,
+            centre_distance_actual_m=None,
+            bearing_target_deg=None,
+            bearing_actual_deg=None,
             facing_error_deg=None,
             pose_free=None,
             deviation_reason=None,
@@ -236,13 +236,13 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         person=visit.person,
         profile=prepared.profiles[visit.person].name,
         outcome=visit.outcome,
-        distance_wanted_m=episode.values[visit.person]["conversational_distance"].number,
-        distance_reached_m=docked.distance_m if docked else None,
-        centre_distance_reached_m=docked.centre_distance_m if docked else None,
+        distance_target_m=episode.values[visit.person]["conversational_distance"].number,
+        distance_actual_m=docked.distance_m if docked else None,
+        centre_distance_actual_m=docked.centre_distance_m if docked else None,
         approach_speed_target_m_s=episode.values[visit.person]["approach_speed"].number,
         approach_speed_actual_m_s=stopped.speed_within_1_5_m_m_s if stopped else None,
-        bearing_wanted_deg=visit.wanted.bearing_deg if visit.wanted else None,
-        bearing_reached_deg=docked.bearing_deg if docked else None,
+        bearing_target_deg=visit.wanted.bearing_deg if visit.wanted else None,
+        bearing_actual_deg=docked.bearing_deg if docked else None,
         facing_error_deg=facing_error_deg(episode, visit),
         pose_free=pose.pose_free if pose else None,
         deviation_reason=visit.deviation_reason,
@@ -284,7 +284,8 @@ def reached_text(answer: RunAnswer) -> Iterator[RenderableType]:
     """How it ended, and the people in the order of the visits, with times and what was reached."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
     late = sum(bool(visit.late_s) for visit in answer.visits)
-    yield f"\nRulebook {answer.rulebook}: {answer.rulebook_reason}"
+    why = f": {answer.rulebook_reason}" if answer.rulebook_reason else ""
+    yield f"\nRulebook {answer.rulebook}{why}"
     if answer.group_rules:
         used = (f"{group} in rules {spans(rules)}" for group, rules in answer.group_rules.items())
         yield f"  {', '.join(used)}"
@@ -304,8 +305,8 @@ def reached_text(answer: RunAnswer) -> Iterator[RenderableType]:
             "profile",
             "outcome",
             "docked, greeted",
-            "distance wanted → reached",
-            "bearing wanted → reached",
+            "distance target → actual",
+            "bearing target → actual",
             "greeting",
         ),
     )
@@ -382,8 +383,8 @@ def _reached(visit: VisitAnswer) -> tuple[str, ...]:
         visit.profile,
         visit.outcome.replace("_", " "),
         _times(visit),
-        f"{visit.distance_wanted_m:.3f} → {number(visit.distance_reached_m, 'm')}",
-        f"{number(visit.bearing_wanted_deg, digits=1)} → {number(visit.bearing_reached_deg, 'deg')}",
+        f"{visit.distance_target_m:.3f} → {number(visit.distance_actual_m, 'm')}",
+        f"{number(visit.bearing_target_deg, digits=1)} → {number(visit.bearing_actual_deg, 'deg')}",
         (" + ".join(words(act) for act in visit.greeting) or "-")
         + (f", with {visit.together_with}" if visit.together_with else ""),
     )
@@ -444,14 +445,14 @@ def _told(act: ActAnswer) -> tuple[str, str]:
 
 def _differences(answer: RunAnswer) -> Iterator[str]:
     """How differently people were met, in numbers: every pair of up to three, and the extremes of more."""
-    met = [visit for visit in answer.visits if visit.distance_reached_m is not None]
+    met = [visit for visit in answer.visits if visit.distance_actual_m is not None]
     pairs = list(combinations(met, 2))
     if len(met) > 3:
-        ordered = sorted(met, key=lambda visit: visit.distance_reached_m or 0.0)
+        ordered = sorted(met, key=lambda visit: visit.distance_actual_m or 0.0)
         pairs = [(ordered[0], ordered[-1])]
     for one, other in pairs:
-        near, far = sorted((one, other), key=lambda visit: visit.distance_reached_m or 0.0)
-        apart_cm = 100 * ((far.distance_reached_m or 0.0) - (near.distance_reached_m or 0.0))
+        near, far = sorted((one, other), key=lambda visit: visit.distance_actual_m or 0.0)
+        apart_cm = 100 * ((far.distance_actual_m or 0.0) - (near.distance_actual_m or 0.0))
         if apart_cm < SAME_CM:
             yield f"  The robot stopped as far from {far.person} as from {near.person}."
         else:
