@@ -266,7 +266,11 @@ def test_what_nobody_edited_has_the_digest_that_it_says(scenario, tmp_path):
 def test_what_was_learnt_with_somebody_since_is_named(write, tmp_path, monkeypatch):
     """The store is no file of the scenario's, and no profile."""
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
-    path = write(room=lambda room: room.replace("sam: {profile: german_man", "sam: {profile: sam"))
+    path = write(
+        room=lambda room: (
+            room.replace("sam: {profile: german_man", "sam: {profile: sam") + "rulebook: bruno2017\n"
+        )
+    )
     give("sam", ["remember", "learn"], by="a_test")
     Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male"})
     (claim,) = claims_in(path)

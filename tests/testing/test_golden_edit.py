@@ -174,7 +174,11 @@ def test_what_the_store_holds_of_somebody_stays_there(write, tmp_path, monkeypat
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
     person = {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male", "education": 7}
     Store().remember_profile("sam", person)
-    path = write(room=lambda room: room.replace("sam: {profile: german_man", "sam: {profile: sam"))
+    path = write(
+        room=lambda room: (
+            room.replace("sam: {profile: german_man", "sam: {profile: sam") + "rulebook: bruno2017\n"
+        )
+    )
     (claim,) = claims_in(path)
     assert judged(claim, update=True).passed
     written = json.loads(place_of(claim.case).read_text())["written"]

@@ -10,6 +10,7 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.parameters.cast import rulebook_of
 from comity.system.library import looks_like_a_file
 
 if TYPE_CHECKING:
@@ -80,6 +81,8 @@ class Case:
     def circumstances(self) -> Iterator[tuple[str, str | float]]:
         """For JUnit reports: what profiles of one scenario share; a world has a name only in a matrix."""
         rulebook = self.rulebook or self.file.scenario.rulebook
+        if rulebook is None:
+            rulebook = str(rulebook_of(self.file, profiles=self.profiles).data["name"])
         yield "seed", self.seed
         yield "rulebook", Path(rulebook).stem if isinstance(rulebook, str) else "of the scenario"
         if self.world is not None:
