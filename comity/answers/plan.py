@@ -73,6 +73,9 @@ class OwnDomainAnswer(Answer):
     people: tuple[str, ...] = Field(description="Objects whose parameters were inferred from a profile.")
     renamed: Mapping[str, str] = Field(description="Names that the files of `--pddl` could not keep.")
     files: tuple[str, ...]
+    metric_ignored: bool = Field(
+        default=False, description="The engine did not look at the :metric: another plan may be better by it."
+    )
 
 
 class ConditionAnswer(Answer):

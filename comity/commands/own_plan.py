@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -41,6 +41,7 @@ class OwnQuestion:
     stability: bool
     pddl: Path | None
     limit_s: float
+    engine: str
     as_json: bool
 
     @property
@@ -86,8 +87,8 @@ def plan_own_domain(ask: OwnQuestion) -> None:
     from comity_domain.own import plan_own
 
     domain, problem = _files(ask)
-    bound = bound_domain(domain, problem, ask.binding, ask.others)
-    written = bound_domain(domain, problem, ask.binding, AS_WRITTEN) if ask.diff else None
+    bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
+    written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN)) if ask.diff else None
     _refuse_unanswerable(ask, bound)
     renamed, files = _exported(ask, bound)
     try:
@@ -106,6 +107,13 @@ def plan_own_domain(ask: OwnQuestion) -> None:
         print_json(answer)
     else:
         show(*_text(ask, answer))
+
+
+def _by_engine(ask: OwnQuestion, bound: Bound) -> Bound:
+    """To be planned by the engine that is asked for; `comity` means that one that fits is taken."""
+    from comity_domain import ENGINE
+
+    return bound if ask.engine == ENGINE else replace(bound, engine=ask.engine)
 
 
 def _with_limit(failed: PlanningFailed, limit_s: float) -> PlanningFailed:

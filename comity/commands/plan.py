@@ -102,6 +102,7 @@ def plan(
             stability=stability,
             pddl=pddl,
             limit_s=LIMIT_S if limit is None else limit,
+            engine=engine,
             as_json=as_json,
         )
         plan_own_domain(own_question)

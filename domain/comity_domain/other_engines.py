@@ -12,7 +12,7 @@ from comity_domain.classical.initial_state import visit_names
 from comity_domain.classical.pddl import domain_pddl, problem_pddl
 from comity_domain.classical.tour_of import tour_of
 from comity_domain.labelling.skipping import left_out, skip_steps
-from comity_domain.own.engines.by_name import solve_pddl
+from comity_domain.own.engines.by_name import require_installed, solve_pddl
 from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.request import VisitRequest
@@ -20,7 +20,7 @@ from comity_domain.problem.survey import fully_measured
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
 from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
-from comity_fis.errors import InputError, Where, closest
+from comity_fis.errors import InputError, Where
 
 
 def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
@@ -39,7 +39,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     """
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
-    _require_installed(engine)
+    require_installed(engine)
     _require_all_said(engine, request)
     left = left_out(request)
     served = request.without(left)
@@ -62,20 +62,6 @@ def _tied(visits: Sequence[Visit], choices: Options) -> Sequence[Visit]:
     stops = [Stop(visit.spot.place, visit.company, visit.bringing) for visit in visits]
     ours = best_tour(stops, choices)
     return ours if tour_cost(ours, choices) == tour_cost(visits, choices) else visits
-
-
-def _require_installed(engine: str) -> None:
-    from unified_planning.environment import get_environment
-
-    installed = sorted(name for name in get_environment().factory.engines if "[" not in name)
-    if engine not in installed:
-        raise InputError(
-            expected="the name of a planning engine that is installed",
-            got=repr(engine),
-            remedy=f"{closest(engine, [ENGINE, *installed])} Others come with packages such as "
-            "up-fast-downward.",
-            where=Where("--engine"),
-        )
 
 
 def _require_all_said(engine: str, request: VisitRequest) -> None:

@@ -43,7 +43,7 @@ def own_plan_answer(
         step["cost"] = step["cost"] if found.tells_costs else None
     if not found.tells_costs:
         content |= UNTOLD
-    own = _own(bound, renamed, files)
+    own = _own(bound, renamed, files).model_copy(update={"metric_ignored": found.metric_ignored})
     return PlanAnswer.model_validate({"scenario": None, "own": own, "solved": True, **content, **NOBODY})
 
 
@@ -94,6 +94,8 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     cost = f"cost {answer.cost}" if tells_costs else f"found by {answer.engine}, which tells no costs"
     head = f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}"
     yield f"{head}, {cost} ({quality(answer)})"
+    if answer.own.metric_ignored:
+        yield f"{answer.engine} did not look at the metric: another plan may be better by it."
     if answer.own.cost_scale != 1:
         yield f"A cost of {answer.own.cost_scale} is 1 of the domain's own."
     for i, step in enumerate(answer.steps, start=1):

@@ -12,6 +12,7 @@ from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.engines.fast_downward import MEMORY_MB, GroundAction
 from comity_domain.own.engines.process import run_limited
 from comity_domain.own.engines.workspace import workspace
+from comity_fis.errors import InputError, Where, closest
 
 GRACE_S = 3.0
 """So much longer than its limit an engine may take to start and to answer, before it is ended."""
@@ -24,6 +25,8 @@ class Answered:
     actions: tuple[GroundAction, ...]
     optimal: bool
     """The engine says so."""
+    metric_ignored: bool
+    """The problem has a metric, and the engine did not look at it."""
 
 
 def solve_pddl(
@@ -66,7 +69,30 @@ def solve_pddl(
         GroundAction(step["action"], tuple(step["arguments"]), step["start_s"], step["duration_s"])
         for step in answer["plan"]
     )
-    return Answered(actions, optimal=answer["status"] == "SOLVED_OPTIMALLY")
+    ignored = answer["metric_ignored"]
+    return Answered(actions, answer["status"] == "SOLVED_OPTIMALLY" and not ignored, metric_ignored=ignored)
+
+
+def require_installed(engine: str) -> None:
+    """Refuse an engine that unified-planning does not find.
+
+    Args:
+        engine: Its name there.
+
+    Raises:
+        InputError: naming those that it finds.
+    """
+    from unified_planning.environment import get_environment
+
+    installed = sorted(name for name in get_environment().factory.engines if "[" not in name)
+    if engine not in installed:
+        known = closest(engine, ["comity", *installed])
+        raise InputError(
+            expected="the name of a planning engine that is installed",
+            got=repr(engine),
+            remedy=f"{known} Others come with packages such as up-fast-downward.",
+            where=Where("--engine"),
+        )
 
 
 def _read(file: Path) -> Any:

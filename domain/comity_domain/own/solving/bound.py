@@ -38,6 +38,8 @@ class Bound:
     """By action, the predicate that was made up to rule out some of its combinations of objects."""
     dropped: tuple[str, ...]
     """Functions that are in the costs and not in `problem`, because they are no whole numbers."""
+    engine: str | None = None
+    """The one that is to plan, by its name in unified-planning; None where Comity takes one that fits."""
 
     @property
     def classical(self) -> bool:

@@ -5,13 +5,14 @@ The engine runs in a process of its own, which gets the problem as PDDL.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NoReturn
 
 from comity_domain.errors import NoEngine
 from comity_domain.own.costs.classical import MAXIMIZED, beyond_classical
-from comity_domain.own.engines.by_name import solve_pddl
+from comity_domain.own.engines.by_name import require_installed, solve_pddl
 from comity_domain.own.engines.fast_downward import MEMORY_MB, Solution
+from comity_domain.own.engines.metrics import improves, optimizes
 from comity_domain.own.solving.lacking import lacking
 
 if TYPE_CHECKING:
@@ -22,6 +23,16 @@ _PREFERRED = ("aries", "enhsp-opt", "enhsp", "tamer", "lpg", "symk-opt", "pyperp
 
 _FREE = "pip install up-aries (MIT; whole numbers and durations)"
 _JAVA = "pip install up-enhsp (GPL-3, needs Java 17; numeric, no durations)"
+
+
+@dataclass(frozen=True, slots=True)
+class Elsewhere:
+    """A plan, and who found it."""
+
+    engine: str
+    solution: Solution
+    metric_ignored: bool
+    """The problem has a metric, and the engine did not look at it."""
 
 
 def engine_for(problem: Problem) -> str:
@@ -35,7 +46,33 @@ def engine_for(problem: Problem) -> str:
     ranked = [name for name in _PREFERRED if name in able] + [name for name in able if name not in _PREFERRED]
     if not ranked:
         _refuse(problem)
+    if problem.quality_metrics:
+        ranked.sort(key=lambda name: not _sees_metric(problem, name))
     return ranked[0]
+
+
+def _named(engine: str, problem: Problem) -> str:
+    """The engine that somebody asks for.
+
+    Raises:
+        InputError: It is not installed.
+        NoEngine: It cannot take the problem.
+    """
+    require_installed(engine)
+    if not _can(problem, engine):
+        others = [name for name in sorted(problem.environment.factory.engines) if _can(problem, name)]
+        remedy = (
+            f"Leave --engine out, or take one of: {', '.join(others)}." if others else "Leave --engine out."
+        )
+        raise NoEngine(f"the engine {engine} does not take this problem", remedy=remedy)
+    return engine
+
+
+def _sees_metric(problem: Problem, name: str) -> bool:
+    """Whether an engine looks at the metric; aries breaks on costs of actions, and then leaves them aside."""
+    engine = problem.environment.factory.engine(name)
+    by_costs = problem.quality_metrics[0].is_minimize_action_costs()
+    return optimizes(engine) or (improves(engine) and not (name == "aries" and by_costs))
 
 
 def _can(problem: Problem, name: str) -> bool:
@@ -65,12 +102,14 @@ def _refuse(problem: Problem) -> NoReturn:
 
 
 def solve_elsewhere(
-    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB
-) -> tuple[str, Solution]:
-    """The engine's name and its plan.
+    problem: Problem, *, engine: str | None = None, time_limit_s: float, memory_mb: int = MEMORY_MB
+) -> Elsewhere:
+    """What an engine finds.
 
     Args:
         problem: Any that PDDL can say.
+        engine: Its name in unified-planning; None takes one that can, by preference one that looks at the
+            problem's metric.
         time_limit_s: Wall-clock seconds for the engine, > 0.
         memory_mb: Megabytes of address space for it, > 0.
 
@@ -80,8 +119,8 @@ def solve_elsewhere(
     """
     from unified_planning.io import PDDLWriter
 
-    engine = engine_for(problem)
-    writer = PDDLWriter(_taken_by(engine, problem))
+    engine = engine_for(problem) if engine is None else _named(engine, problem)
+    writer = PDDLWriter(problem)
     found = solve_pddl(
         engine,
         writer.get_domain(),
@@ -98,13 +137,4 @@ def solve_elsewhere(
         )
         for step in found.actions
     )
-    return engine, Solution(actions, finished=found.optimal)
-
-
-def _taken_by(engine: str, problem: Problem) -> Problem:
-    """The problem without costs of actions for aries, which fails on whatever has some."""
-    if engine != "aries" or not any(one.is_minimize_action_costs() for one in problem.quality_metrics):
-        return problem
-    costless = problem.clone()
-    costless.clear_quality_metrics()
-    return costless
+    return Elsewhere(engine, Solution(actions, finished=found.optimal), metric_ignored=found.metric_ignored)

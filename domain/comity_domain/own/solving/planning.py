@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime
 from comity_domain.own.binding.binding import ActionBinding
-from comity_domain.own.engines.fast_downward import ENGINE, MEMORY_MB, GroundAction, Solution, solve
+from comity_domain.own.engines.fast_downward import ENGINE, MEMORY_MB, GroundAction, solve
 from comity_domain.own.solving.bound import Bound
-from comity_domain.own.solving.elsewhere import solve_elsewhere
+from comity_domain.own.solving.elsewhere import Elsewhere, solve_elsewhere
 from comity_domain.own.solving.hindrances import goals_tried, no_plan
 from comity_domain.own.solving.lacking import COMPUTED, lacking
 from comity_domain.own.solving.reason import why
@@ -28,6 +28,8 @@ class OwnPlan:
     cost_scale: int
     tells_costs: bool
     """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
+    metric_ignored: bool
+    """The problem has a metric, and the engine did not look at it: another plan may be better by it."""
     times: tuple[tuple[float, float] | None, ...]
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
     whose: tuple[str | None, ...]
@@ -43,7 +45,8 @@ def plan_own(
         bound: The problem.
         time_limit_s: Wall-clock seconds for the engine, > 0.
         memory_mb: Megabytes for it, > 0.
-        diagnose: Whether to look for what stands in the way where there is no plan.
+        diagnose: Whether to look for what stands in the way where there is no plan; nobody looks where the
+            engine is named.
 
     Raises:
         NoPlan: There is none; diagnosed, it says which goal fails and which condition stands in its way.
@@ -52,15 +55,16 @@ def plan_own(
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     try:
-        engine, solution = _solved(bound, time_limit_s, memory_mb)
+        solved = _solved(bound, time_limit_s, memory_mb)
     except NoPlan:
-        if not diagnose:
+        if not diagnose or bound.engine is not None:
             raise
         raise no_plan(bound, memory_mb=memory_mb) from None
     except OutOfTime as failed:
-        if not diagnose:
+        if not diagnose or bound.engine is not None:
             raise
         raise goals_tried(bound, failed, memory_mb=memory_mb) from None
+    engine, solution = solved.engine, solved.solution
     steps = tuple(_steps(solution.actions, bound))
     cost = sum(step.cost for step in steps)
     proven = solution.finished or (bound.classical and cost <= solution.bound)
@@ -80,15 +84,18 @@ def plan_own(
         plan,
         bound.cost_scale,
         bound.classical,
+        solved.metric_ignored,
         times,
         tuple(_whose(action, bound) for action in solution.actions),
     )
 
 
-def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Solution]:
-    if not bound.classical:
+def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> Elsewhere:
+    if not bound.classical or bound.engine not in (None, ENGINE):
         try:
-            return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_mb=memory_mb)
+            return solve_elsewhere(
+                bound.problem, engine=bound.engine, time_limit_s=time_limit_s, memory_mb=memory_mb
+            )
         except NoEngine as refusal:
             place = _place_beyond(bound)
             where = f" ({place})" if place else ""
@@ -99,7 +106,7 @@ def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Sol
         memory_mb=memory_mb,
         search_for=search_for(bound.problem, time_limit_s),
     )
-    return ENGINE, solution
+    return Elsewhere(ENGINE, solution, metric_ignored=False)
 
 
 def _place_beyond(bound: Bound) -> Where | None:
