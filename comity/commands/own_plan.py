@@ -79,22 +79,29 @@ def plan_own_domain(ask: OwnQuestion) -> None:
         PlanningFailed: if no plan is found, and no JSON is asked for.
         typer.Exit: with 1, where JSON is.
     """
+    from comity.commands.own_clock import Clock
+
+    clock = Clock(ask.limit_s)
     from comity.commands.progress import waiting
     from comity.own_domain import AS_WRITTEN, bound_domain
     from comity.report.own_domain.plan import no_own_plan_answer, own_plan_answer
     from comity.report.text import show
     from comity_domain import PlanningFailed
-    from comity_domain.own import plan_own
 
     domain, problem = _files(ask)
-    bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
-    written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN)) if ask.diff else None
-    _refuse_unanswerable(ask, bound)
-    renamed, files = _exported(ask, bound)
+    with clock.reading():
+        bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
+        _refuse_unanswerable(ask, bound)
+        renamed, files = _exported(ask, bound)
     try:
         with waiting(f"searching for a plan, {ask.limit_s:g} s at most", quiet=ask.as_json):
-            found = plan_own(bound, time_limit_s=ask.limit_s)
-            before = plan_own(written, time_limit_s=ask.limit_s) if written else None
+            found = clock.planned(bound)
+            written = before = None
+            if ask.diff:
+                again = Clock(ask.limit_s)
+                with again.reading():
+                    written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN))
+                before = again.planned(written)
             answer = own_plan_answer(bound, found, renamed=renamed, files=files)
             answer = answer.model_copy(update=_more(ask, answer, (bound, found), (written, before)))
     except PlanningFailed as failed:

@@ -11,7 +11,7 @@ from comity_domain.own.export import OwnPddl, own_pddl
 from comity_domain.own.forbidding import Without, without
 from comity_domain.own.pddl.reading import Kind, OwnProblem, read_own
 from comity_domain.own.solving.bound import Bound, bind
-from comity_domain.own.solving.planning import OwnPlan, plan_own
+from comity_domain.own.solving.planning import OwnPlan, diagnosed, plan_own
 from comity_domain.own.weighing import ALL, OwnFlip, Stability, weigh
 
 __all__ = [
@@ -33,6 +33,7 @@ __all__ = [
     "Stability",
     "Without",
     "bind",
+    "diagnosed",
     "own_pddl",
     "plan_own",
     "read_own",

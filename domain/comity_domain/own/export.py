@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity_domain.own.engines.writing import writer_of
 from comity_domain.own.solving.bound import Bound
 
 if TYPE_CHECKING:
@@ -26,9 +27,7 @@ class OwnPddl:
 
 def own_pddl(bound: Bound) -> OwnPddl:
     """The problem that the planner gets, as PDDL; any planner with action costs finds the same cost on it."""
-    from unified_planning.io import PDDLWriter
-
-    writer = PDDLWriter(bound.problem)
+    writer = writer_of(bound.problem)
     domain, problem = writer.get_domain(), writer.get_problem()
     renamed = dict(_renamed(writer, bound))
     comment = "".join(f"; {line}\n" for line in _legend(bound, renamed))

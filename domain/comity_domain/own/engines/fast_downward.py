@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
 from comity_domain.own.engines.process import run_limited
 from comity_domain.own.engines.workspace import workspace
+from comity_domain.own.engines.writing import writer_of
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -106,9 +107,7 @@ def solve(
         NoPlan: There is none.
         PlanningFailed: None was found within the limits, or the engine is missing or broke.
     """
-    from unified_planning.io import PDDLWriter
-
-    writer = PDDLWriter(problem)
+    writer = writer_of(problem)
     texts = writer.get_domain(), writer.get_problem()
     found = search(*texts, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search_for)
     actions = tuple(

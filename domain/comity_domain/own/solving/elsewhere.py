@@ -13,6 +13,7 @@ from comity_domain.own.costs.classical import MAXIMIZED, beyond_classical
 from comity_domain.own.engines.by_name import require_installed, solve_pddl
 from comity_domain.own.engines.fast_downward import MEMORY_MB, Solution
 from comity_domain.own.engines.metrics import improves, optimizes
+from comity_domain.own.engines.writing import writer_of
 from comity_domain.own.solving.lacking import lacking
 
 if TYPE_CHECKING:
@@ -117,10 +118,8 @@ def solve_elsewhere(
         NoPlan: There is none.
         PlanningFailed: None was found within the limits, or no engine can.
     """
-    from unified_planning.io import PDDLWriter
-
     engine = engine_for(problem) if engine is None else _named(engine, problem)
-    writer = PDDLWriter(problem)
+    writer = writer_of(problem)
     found = solve_pddl(
         engine,
         writer.get_domain(),

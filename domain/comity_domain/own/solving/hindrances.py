@@ -35,25 +35,27 @@ class Needed:
     condition: FNode
 
 
-def no_plan(bound: Bound, *, memory_mb: int) -> NoPlan:
+def no_plan(bound: Bound, *, patience_s: float = ALL_S, memory_mb: int) -> NoPlan:
     """That there is no plan, with the goals that fail and what would have to be otherwise.
 
     Args:
         bound: A problem without a plan.
+        patience_s: Wall-clock seconds for all of them, > 0.
         memory_mb: Megabytes for each look.
     """
-    return _Search(bound, memory_mb, time.monotonic() + ALL_S).told()
+    return _Search(bound, memory_mb, time.monotonic() + patience_s).told()
 
 
-def goals_tried(bound: Bound, failed: OutOfTime, *, memory_mb: int) -> OutOfTime:
+def goals_tried(bound: Bound, failed: OutOfTime, *, patience_s: float = ALL_S, memory_mb: int) -> OutOfTime:
     """That no plan was found in time, with what came of each goal when it was tried by itself.
 
     Args:
         bound: The problem.
         failed: What was said of all goals together.
+        patience_s: Wall-clock seconds for all of them, > 0.
         memory_mb: Megabytes for each look.
     """
-    return _Search(bound, memory_mb, time.monotonic() + ALL_S).tried(failed)
+    return _Search(bound, memory_mb, time.monotonic() + patience_s).tried(failed)
 
 
 @dataclass(frozen=True, slots=True)

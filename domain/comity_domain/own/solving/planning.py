@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from comity_domain.errors import NoEngine, NoPlan, OutOfTime
+from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.binding.binding import ActionBinding
 from comity_domain.own.engines.fast_downward import ENGINE, MEMORY_MB, GroundAction, solve
 from comity_domain.own.solving.bound import Bound
 from comity_domain.own.solving.elsewhere import Elsewhere, solve_elsewhere
-from comity_domain.own.solving.hindrances import goals_tried, no_plan
+from comity_domain.own.solving.hindrances import ALL_S, goals_tried, no_plan
 from comity_domain.own.solving.lacking import COMPUTED, lacking
 from comity_domain.own.solving.reason import why
 from comity_domain.own.solving.searching import search_for
@@ -56,14 +56,10 @@ def plan_own(
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     try:
         solved = _solved(bound, time_limit_s, memory_mb)
-    except NoPlan:
-        if not diagnose or bound.engine is not None:
+    except (NoPlan, OutOfTime) as failed:
+        if not diagnose:
             raise
-        raise no_plan(bound, memory_mb=memory_mb) from None
-    except OutOfTime as failed:
-        if not diagnose or bound.engine is not None:
-            raise
-        raise goals_tried(bound, failed, memory_mb=memory_mb) from None
+        raise diagnosed(bound, failed, memory_mb=memory_mb) from None
     engine, solution = solved.engine, solved.solution
     steps = tuple(_steps(solution.actions, bound))
     cost = sum(step.cost for step in steps)
@@ -88,6 +84,26 @@ def plan_own(
         times,
         tuple(_whose(action, bound) for action in solution.actions),
     )
+
+
+def diagnosed(
+    bound: Bound, failed: PlanningFailed, *, patience_s: float = ALL_S, memory_mb: int = MEMORY_MB
+) -> PlanningFailed:
+    """The same failure with what stands in the way; as it is where the engine is named.
+
+    Args:
+        bound: The problem.
+        failed: What came of it.
+        patience_s: Wall-clock seconds for looking, > 0.
+        memory_mb: Megabytes for each look, > 0.
+    """
+    if bound.engine is not None:
+        return failed
+    if isinstance(failed, NoPlan):
+        return no_plan(bound, patience_s=patience_s, memory_mb=memory_mb)
+    if isinstance(failed, OutOfTime):
+        return goals_tried(bound, failed, patience_s=patience_s, memory_mb=memory_mb)
+    return failed
 
 
 def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> Elsewhere:
