@@ -84,13 +84,6 @@ BAD_DOMAINS = {
     "a predicate twice": ("(held ?b - thing))", "(at ?p))", 5, "each predicate once"),
     "an action twice": ("(:action take", "(:action go", 11, "each action once"),
     "no blank behind a dash": ("(?b - box", "(?b -box", 12, "Write '- box'."),
-    "an action without an effect": (
-        "\n    :effect (and (held ?b) (not (in ?b ?p)))",
-        "",
-        11,
-        "an effect of the action take",
-    ),
-    "an effect of nothing": ("(and (held ?b) (not (in ?b ?p)))", "(and (and))", 11, "remove the action"),
     "a second cost": ("(at ?to) (inc", "(increase (total-cost) 3) (inc", 10, "(+ 3 (way ?from ?to))"),
     "a cost for each of many": (
         "(at ?to) (increase (total-cost) (way ?from ?to))",

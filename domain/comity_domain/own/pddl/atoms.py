@@ -45,9 +45,10 @@ class Atoms:
         """A numeric expression."""
         if isinstance(item, Word):
             if not item.is_number and item.text not in self.domain.functions:
-                raise complaint(
-                    item.where, "a number or a function in brackets", f"'{item}'", "Write 3 or (f ?x)."
-                )
+                remedy = "Write 3 or (f ?x)."
+                if item.text == "?duration":
+                    remedy = f"Write here what stands under :duration, as in (= ?duration 10). {remedy}"
+                raise complaint(item.where, "a number or a function in brackets", f"'{item}'", remedy)
         elif item.head in ("+", "-", "*", "/"):
             self.reckoned(item)
             for part in item.rest:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from comity_domain.own.pddl.atoms import Scope, brackets, counted_parts
 from comity_domain.own.pddl.declared import OBJECT, Action, Declared
 from comity_domain.own.pddl.document import Stated
-from comity_domain.own.pddl.effects import TOTAL_COST, require_effect, require_one_cost
+from comity_domain.own.pddl.effects import TOTAL_COST, require_one_cost
 from comity_domain.own.pddl.form import Form, Item, Word, complaint
 from comity_domain.own.pddl.uses import Uses
 
@@ -114,7 +114,6 @@ class _Check:
         elif ":effect" in action.parts:
             self.inside.effect(action.parts[":effect"], scope)
         if not action.durative:
-            require_effect(action)
             require_one_cost(action)
 
     def fact(self, form: Form) -> None:

@@ -32,6 +32,17 @@ REQUIREMENTS = (
     ":action-costs",
     ":time",
 )
+_INSTEAD = {
+    ":object-fluents": "Write a predicate, (where ?r ?s), and let an action delete the fact that was true.",
+    ":preferences": "State as goals what must be, and price what should not be: (increase (total-cost) 5).",
+    ":constraints": "Write what must hold as preconditions, and what must have happened as a fact that an action "
+    "makes true and the goal asks for.",
+    ":derived-predicates": "Let the actions that change what it depends on change the predicate, too.",
+    ":domain-axioms": "Let the actions that change what it depends on change the predicate, too.",
+    ":continuous-effects": "Let the action change the number once, at its end.",
+    ":hierarchy": "Write the actions alone, with preconditions that keep their order.",
+}
+"""What to write where a requirement is known, and cannot be met."""
 DOMAIN_SECTIONS = (
     ":requirements",
     ":types",
@@ -145,7 +156,8 @@ def _requirements(parts: Mapping[str, list[Form]]) -> tuple[Word, ...]:
     words = []
     for item in _items(parts, ":requirements"):
         if not isinstance(item, Word) or item.text not in REQUIREMENTS:
-            remedy = closest(str(item).lower(), REQUIREMENTS)
+            written = str(item).lower()
+            remedy = _INSTEAD.get(written) or closest(written, REQUIREMENTS)
             raise complaint(item.where, "a requirement that can be met", f"'{item}'", remedy)
         words.append(item)
     return tuple(words)

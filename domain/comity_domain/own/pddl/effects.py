@@ -1,4 +1,4 @@
-"""What an effect says of costs, and whether it says anything: planners disagree, or fail, where it is odd."""
+"""What an effect says of costs: planners disagree, or fail, where it is odd."""
 
 from __future__ import annotations
 
@@ -8,27 +8,6 @@ from comity_domain.own.pddl.declared import Action
 from comity_domain.own.pddl.form import Form, complaint
 
 TOTAL_COST = "total-cost"
-
-
-def require_effect(action: Action) -> None:
-    """Refuse an action that changes nothing: no plan needs it, and planners fail on it.
-
-    Raises:
-        InputError: at the action.
-    """
-    if not _changes(action.parts.get(":effect")):
-        raise complaint(
-            action.word.where,
-            f"an effect of the action {action.word}",
-            "none",
-            "Write under :effect what it changes, or remove the action.",
-        )
-
-
-def _changes(form: Form | None) -> bool:
-    if form is None or not form.items:
-        return False
-    return form.head != "and" or any(_changes(part) for part in form.rest if isinstance(part, Form))
 
 
 def require_one_cost(action: Action) -> None:

@@ -117,6 +117,8 @@ def _compiled(
             compiled.set_initial_value(kept(*fluent.args), value)
     costs, rulings = {}, {}
     for action in problem.actions:
+        if not action.effects:
+            continue  # no plan is better with it, and Fast Downward refuses it
         priced_action, table = action.clone(), priced[action.name]
         if not table.complete:
             rulings[action.name] = _rule_out(priced_action, table, compiled)
