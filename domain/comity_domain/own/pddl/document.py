@@ -35,8 +35,8 @@ REQUIREMENTS = (
 _INSTEAD = {
     ":object-fluents": "Write a predicate, (where ?r ?s), and let an action delete the fact that was true.",
     ":preferences": "State as goals what must be, and price what should not be: (increase (total-cost) 5).",
-    ":constraints": "Write what must hold as preconditions, and what must have happened as a fact that an action "
-    "makes true and the goal asks for.",
+    ":constraints": "Write what must hold as preconditions, and what must have happened as a fact that an "
+    "action makes true and the goal asks for.",
     ":derived-predicates": "Let the actions that change what it depends on change the predicate, too.",
     ":domain-axioms": "Let the actions that change what it depends on change the predicate, too.",
     ":continuous-effects": "Let the action change the number once, at its end.",
