@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from comity_domain.own.costs.counter import counter_as_costs
 from comity_domain.own.pddl.check import check
 from comity_domain.own.pddl.declared import OBJECT, Declared
 from comity_domain.own.pddl.document import Stated, as_domain, as_problem
@@ -95,7 +94,7 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
         problem_text(stated, names, has_costs=has_costs),
     )
     return OwnProblem(
-        counter_as_costs(_with_goals_that_matter(_parsed(*texts), stated)),
+        _with_goals_that_matter(_parsed(*texts), stated),
         declared.name.written,
         stated.name.written,
         _written(declared, stated, names),

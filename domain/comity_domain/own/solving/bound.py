@@ -11,6 +11,7 @@ from comity_domain.own.binding.check import check_binding
 from comity_domain.own.binding.option_check import refuse_options
 from comity_domain.own.binding.people import People
 from comity_domain.own.costs.classical import beyond_classical
+from comity_domain.own.costs.counter import counter_as_costs
 from comity_domain.own.costs.table import Table, natural_scale, tables
 from comity_domain.own.pddl.reading import OwnProblem
 
@@ -66,6 +67,7 @@ def bind(own: OwnProblem, binding: Binding | None = None, people: People | None 
     """
     if binding is not None and people is None:
         raise ValueError("a binding needs people, if only the rulebook for those of whom nothing is known")
+    own = replace(own, problem=counter_as_costs(own.problem))
     if binding is not None and people is not None:
         check_binding(own, binding, people)
     numbers = _numbers(own, binding, people) if binding and people else {}
