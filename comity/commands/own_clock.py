@@ -56,12 +56,15 @@ class Clock:
         from comity_domain.own import plan_own
         from comity_domain.own.engines.deadline import Overdue, overdue_after
 
+        engine_s = self._engine_s()
         try:
             with overdue_after(self._left_s()):
-                return plan_own(bound, time_limit_s=self._engine_s(), diagnose=False)
+                return plan_own(bound, time_limit_s=engine_s, diagnose=False)
         except Overdue:
             raise out_of_time(self.limit_s) from None
         except PlanningFailed as failed:
+            if failed.reason == out_of_time(engine_s).reason:
+                raise out_of_time(self.limit_s) from None  # reading took the rest
             raise self._diagnosed(bound, failed) from None
 
     def _diagnosed(self, bound: Bound, failed: PlanningFailed) -> PlanningFailed:
