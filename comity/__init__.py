@@ -101,6 +101,14 @@ def run(
     from comity.scenario import load_scenario
 
     require_seed(seed)
+    if not isinstance(adults_only, bool):
+        from comity_fis import InputError
+
+        raise InputError(
+            expected="True or False for adults_only",
+            got=repr(adults_only),
+            remedy="State True only where you know that nobody is under 18 whose age is not known.",
+        )
     file = load_scenario(str(scenario))
     if robot is not None:
         require_map_robot(robot, type(robot).__name__)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from comity.adaptation.editing import Books, checked, edited, keep_edited
 from comity.parameters.acquaintance import learnt_about, model_m, usual_situation
 from comity.parameters.values import infer_for
+from comity.people.adulthood import require_adult
 from comity.people.consents import require_consent
 from comity.people.learnt_file import PARAMETER, Stated
 from comity.people.profile import day_for, load_profile
@@ -66,6 +67,7 @@ class Question:
             forget_answers(self.name, self.situation)
             return None
         require_consent(self.name, "learn")
+        require_adult(load_profile(self.name).profile, self.day)
         stated = Stated(
             day=self.day,
             situation=dict(self.situation),

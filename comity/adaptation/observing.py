@@ -13,7 +13,7 @@ from comity.parameters.acquaintance import learnt_about, model_m, usual_situatio
 from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.values import infer_for
 from comity.parameters.which_rulebook import EVIDENCE
-from comity.people.adulthood import ADULT, is_under_age
+from comity.people.adulthood import require_adult
 from comity.people.consents import require_consent
 from comity.people.dated import read_day
 from comity.people.learnt_file import PARAMETER, Observation
@@ -292,12 +292,7 @@ def _checked(sight: Sight, rulebook: Rulebook) -> Observation:
     require_consent(sight.name, "learn")
     declared, day = load_profile(sight.name), sight.day or date.today()
     _refuse_impossible(sight, day, rulebook)
-    if is_under_age(declared.profile, day):
-        raise InputError(
-            expected=f"an adult: nothing is learnt about anybody under {ADULT}",
-            got=sight.name,
-            remedy="Ask them, or their guardian, for a wish, which `comity profile set` keeps.",
-        )
+    require_adult(declared.profile, day)
     situation = {**usual_situation(declared, day), **situation_of(sight.situation or {}, rulebook)}
     value = met_at(sight.name, rulebook, situation, day)
     if value.start.origin == "setting":

@@ -7,6 +7,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.parameters.own_words import in_the_rulebooks_case
+from comity.people.adulthood import is_under_age
 from comity.people.dated import held
 from comity.people.learnt_file import PARAMETER, Observation, learnt_on
 from comity.people.remembered import remembered
@@ -49,13 +50,15 @@ def learnt_about(
         declared: Who it is.
         rulebook: It has the spread of people around its values.
         situation: Only what was seen in the same one counts.
-        day: Preferences have drifted until then; None for today.
+        day: Preferences have drifted until then; None for today. What is known of a child counts for nothing.
 
     Raises:
         InputError: if the file in the store was damaged.
     """
     parameter = rulebook.parameters.get(PARAMETER)
     if declared.kept_as is None or not isinstance(parameter, NumericParameter):
+        return {}
+    if is_under_age(declared.profile, day):
         return {}
     document = remembered(declared.kept_as)
     if document is None:
@@ -107,6 +110,8 @@ def learnt_with(
     """
     known: dict[str, dict[str, Learnt]] = {}
     for name, person in file.scenario.people.items():
+        if is_under_age(declared[name].profile, day):
+            continue
         if person.learnt is not None and name not in others:
             known[name] = {about: value.as_learnt() for about, value in person.learnt.items()}
         elif learnt := learnt_about(declared[name], rulebook, situation_of(person), day):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from comity.parameters.consent import CONSENT
 from comity.parameters.language import LANGUAGE
 from comity.parameters.perception import is_read
+from comity.people.adulthood import AGE_BAND, is_under_age
 from comity.people.profile import Profile
 from comity_fis import Interval
 
@@ -47,6 +48,8 @@ def _used(profile: Profile, rulebook: Rulebook, day: date | None) -> dict[str, A
     used = used_facts(rulebook)
     told = profile.facts(day)
     facts = {name: fact for name, fact in told.items() if name in used or is_read(name, fact)}
+    if is_under_age(profile, day):  # what protects a child reads it
+        facts.update((name, told[name]) for name in ("age", AGE_BAND) if name in told)
     if profile.form_of_address is not None:  # the robot says it
         facts[ADDRESS] = profile.form_of_address
     if reads_languages(rulebook) and (languages := told.get("languages")):

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from comity.people.adulthood import require_adult
 from comity.people.consents import is_covered, lapse, require_consent
 from comity.people.learnt_file import Learning, LearntFile, Observation, Stated
+from comity.people.profile import load_profile
 from comity.people.store import Store, advising
 from comity_fis import InputError, Where
 
@@ -26,13 +28,14 @@ def remembered(name: str) -> LearntFile | None:
 
 
 def require_kept(name: str | None) -> str:
-    """The name of somebody who is kept on this machine and agrees that meetings teach about them.
+    """The name of an adult who is kept on this machine and agrees that meetings teach about them.
 
     Raises:
         InputError: if it is none, or they do not.
     """
     if name is not None:
         require_consent(name, "learn")
+        require_adult(load_profile(name).profile)
         return name
     raise InputError(
         expected="a profile that is kept on this machine",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING, Any
 
-from comity.people.adulthood import ADULT
+from comity.people.adulthood import ADULT, NO_ADULT
 from comity.people.learnt_file import Observation, Stated
 from comity.sharing.extra import Extra
 from comity_fis import Interval
@@ -52,7 +52,7 @@ def age_band(age: float | Interval) -> str:
     low, high = (age.low, age.high) if isinstance(age, Interval) else (age, age)
     first, last = _band(low), _band(high)
     if first == last and first[0] == 0:
-        return f"under {ADULT}"
+        return NO_ADULT
     if first[0] == OLDEST_BAND:
         return f"{OLDEST_BAND} or more"
     return f"{first[0]} to {last[1] - 1}" if last[0] < OLDEST_BAND else f"{first[0]} or more"
