@@ -267,6 +267,11 @@ class PlanAnswer(Answer):
 
     scenario: str | None = Field(description="Null for a domain of the user's own.")
     own: OwnDomainAnswer | None = None
+    rulebook: str | None = Field(
+        default=None,
+        description="Whose rules decide; null without a plan, and for an own domain.",
+    )
+    rulebook_reason: str | None = Field(default=None, description="Why that one.")
     solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
     failure: FailureAnswer | None = Field(default=None, description="Null where `solved`.")
     engine: str = Field(

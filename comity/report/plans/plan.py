@@ -33,6 +33,8 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
     return PlanAnswer.model_validate(
         {
             "scenario": prepared.file.scenario.name,
+            "rulebook": prepared.rulebook.name,
+            "rulebook_reason": prepared.chosen.why,
             "solved": True,
             **content,
             "steps": steps_answer(prepared.plan, prepared.values),
@@ -124,6 +126,17 @@ UNITS = {
 }
 
 
+def _below_the_headline(answer: PlanAnswer) -> Iterator[str]:
+    """Whose rules decide, what the validator says, and how to read the costs."""
+    if answer.rulebook is not None:
+        yield f"Rulebook {answer.rulebook}: {answer.rulebook_reason}."
+    if (checked := answer.validation) is not None:
+        said = "accepts it" if checked.valid else f"refuses it: {checked.reason}"
+        yield f"The validator of unified-planning {said}, at a cost of {checked.cost}."
+    yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
+    yield "What another choice costs more is with the rest of the plan as it is."
+
+
 def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     """The same, for a person to read."""
     from rich.padding import Padding
@@ -132,11 +145,7 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     proven = "no plan for those who are visited costs less" if skips else "no plan costs less"
     known = quality(answer, proven=proven)
     yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({known})"
-    if (checked := answer.validation) is not None:
-        said = "accepts it" if checked.valid else f"refuses it: {checked.reason}"
-        yield f"The validator of unified-planning {said}, at a cost of {checked.cost}."
-    yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
-    yield "What another choice costs more is with the rest of the plan as it is."
+    yield from _below_the_headline(answer)
     yield SIDES
     for i, step in enumerate(answer.steps, start=1):
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
