@@ -39,7 +39,13 @@ class PriorAnswer(Answer):
     everybody: float = Field(description="Of a person whose culture is unknown, or was not asked.")
     groups: Mapping[str, GroupPriorAnswer] = Field(description="By culture.")
     between_groups: float = Field(description="Standard deviation.")
-    between_people: float = Field(description="The same, of people of one culture.")
+    between_people: float = Field(
+        description="The same, of people of one culture: of the rows, with the declared spread counted in."
+    )
+    seen_between_people: float | None = Field(
+        description="The same by the rows alone; null: no culture has two people."
+    )
+    declared_spread: float = Field(description="Of the rulebook, before the rows; it counts as some people.")
     within_person: float | None = Field(
         description="The same, of one person's answers; null: nobody gave two"
     )

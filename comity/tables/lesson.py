@@ -55,16 +55,22 @@ class Lesson:
 
         Beaten is what is farther off by more than the smallest difference that counts, as judged by enough
         units for an interval; a constant, where that is more than chance besides. A mean of the others is
-        always a little farther off than any fixed number near it: that alone says nothing about people. A
-        prior of one group is a constant itself, and is compared with the rulebook alone.
+        always a little farther off than any fixed number near it: that alone says nothing about people.
         """
         against, least = self.judgement.differences[kind], equality_band(self.examples.parameter)
         beaten = {name for name, one in against.items() if one.low is not None and one.mean < -least}
         if against[CONSTANT].verdict != "better":
             beaten -= {CONSTANT}
+        return tuple(name for name in self.rivals(kind) if name not in beaten)
+
+    def rivals(self, kind: Kind) -> tuple[str, ...]:
+        """What a proposal has to beat to be written: what a rulebook could say instead of it.
+
+        A straight line is no rulebook, and is not among them. A prior of one group is a constant itself, and
+        is compared with the rulebook alone.
+        """
         constant = () if kind == PRIOR and self._is_one_group else (CONSTANT,)
-        rivals = (*constant, self.rulebook.name)
-        return tuple(name for name in rivals if name not in beaten)
+        return (*constant, self.rulebook.name)
 
     @property
     def standing(self) -> Kind | None:

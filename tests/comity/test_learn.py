@@ -97,6 +97,48 @@ def test_the_best_is_told_from_the_simpler(here):
     assert lesson.judgement.errors[ASK].mean < lesson.judgement.errors[RULES].mean
 
 
+def verdict(said, kind):
+    """What is said of a proposal at the end."""
+    return next(line for line in " ".join(said.out.split()).split("The ") if line.startswith(f"{kind}: "))
+
+
+def test_a_straight_line_that_is_nearer_is_said_first(ask):
+    """Men at 112 cm, women at 72: no term is as near as the line, and the prior knows no gender at all."""
+    rows = [
+        f"p{i},DEU,{'female' if i % 2 else 'male'},{(72 if i % 2 else 112) + i % 4},cm" for i in range(40)
+    ]
+    table = "\n".join(["participant,culture,gender,value,unit", *rows])
+    answer, said = ask(table, "--json").json, ask(table)
+    assert answer["differences"]["rules"]["line"]["verdict"] == "worse"
+    assert verdict(said, "rules").startswith("rules: a straight line is nearer by ")
+    assert "; nearer than a constant of 0.935 m and the rulebook evidence" in verdict(said, "rules")
+    assert "nearer than" not in verdict(said, "prior")
+
+
+def test_a_rulebook_that_may_be_beaten_by_chance_alone_is_said_to_be(ask):
+    """The sentence names the rulebook once, and calls nothing beaten whose interval holds 0."""
+    found = 0
+    for seed in range(8):
+        table = people(30, seed=seed, between=0.2)
+        against, said = ask(table, "--json").json["differences"], ask(table)
+        for kind, others in against.items():
+            chance = others["evidence"]["verdict"] == "not told apart"
+            nearer = verdict(said, kind).count("nearer than") and "evidence by" in verdict(said, kind)
+            assert verdict(said, kind).count("the rulebook evidence") == 1
+            assert not nearer or (chance and "which may be chance" in verdict(said, kind))
+            found += bool(nearer)
+    assert found
+
+
+def test_the_declared_spread_is_told_from_what_the_rows_say(ask):
+    """Twelve people each of two places vary by 1 cm; the rulebook's spread counts as four people besides."""
+    rows = [f"p{i},{'DEU' if i % 2 else 'MEX'},{(110 if i % 2 else 81) + i % 3 - 1},cm" for i in range(24)]
+    said = ask("\n".join(["participant,culture,value,unit", *rows]), "--json").json["prior"]
+    assert said["seen_between_people"] == pytest.approx(0.0085, abs=0.001)
+    assert said["declared_spread"] == EVIDENCE.parameters[DISTANCE].spread
+    assert said["seen_between_people"] < said["between_people"] < said["declared_spread"]
+
+
 @pytest.mark.parametrize("seed", range(2))
 def test_where_people_differ_at_random_a_constant_wins_and_nothing_is_written(ask, here, seed):
     table = people(60, seed=seed, value=lambda _: 0.9)

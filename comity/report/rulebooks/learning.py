@@ -17,7 +17,7 @@ from comity.report.difference import bare, counted, difference, share, shown_uni
 from comity.report.text import number, table, words, words_of
 from comity.tables.contenders import ASK, CONSTANT, INDIVIDUAL, LINE
 from comity.tables.leaving_out import LEAST_UNITS
-from comity_fis.learning.pooling import LEAST_PEOPLE
+from comity_fis.learning.pooling import DECLARED_PEOPLE, LEAST_PEOPLE
 from comity_fis.learning.rule_table import LEAST_SUPPORT
 from comity_fis.rules.rule import Is
 
@@ -111,6 +111,8 @@ def _prior_answer(lesson: Lesson, prior: PooledPrior) -> PriorAnswer:
         },
         between_groups=prior.between_groups,
         between_people=prior.between_people,
+        seen_between_people=prior.seen_between_people,
+        declared_spread=prior.declared_spread,
         within_person=prior.within_person,
         trust_in_one_answer=prior.trust(1) if known else None,
         individuals={
@@ -212,6 +214,14 @@ def _prior(lesson: Lesson, prior: PooledPrior) -> Iterator[RenderableType]:
     of_groups = f", {difference(prior.between_groups, unit, sign=False)} between cultures"
     of_groups = of_groups if len(groups) > 1 else ""
     yield f"  {number(neutral, unit)} stood before. Standard deviations: {of_people}{of_groups}."
+    alone = "nothing"
+    if prior.seen_between_people is not None:
+        alone = difference(prior.seen_between_people, unit, sign=False)
+    declared = difference(prior.declared_spread, unit, sign=False)
+    yield (
+        f"  Of people of one culture the rows alone say {alone}; {declared}, which the rulebook declares, "
+        f"count as {DECLARED_PEOPLE} people more."
+    )
     if thin := [name for name, one in groups if one.is_thin]:
         yield f"  Fewer than {LEAST_PEOPLE} people, so no rule of their own: {', '.join(thin[:SHOWN])}."
     if beyond := [name for name, one in groups if neutral + one.offset not in parameter.rules]:
@@ -271,15 +281,32 @@ def _verdict(lesson: Lesson) -> Iterator[str]:
 
 
 def _standing(lesson: Lesson, kind: Kind) -> str:
-    """How a proposal stands to what is simpler."""
+    """How a proposal stands to what is simpler: who is nearer, as near, and farther off."""
     judged, barred = lesson.judgement, lesson.in_the_way(kind)
-    if not barred:
-        return "nearer than what is simpler"
-    if judged.units < LEAST_UNITS:
+    if barred and judged.units < LEAST_UNITS:
         return f"{judged.units} left out are too few to tell, {LEAST_UNITS} the least"
-    mean = number(lesson.examples.mean, lesson.examples.parameter.unit)
-    wins = [f"a constant of {mean}" if name == CONSTANT else f"the rulebook {name}" for name in barred]
-    return f"{' and '.join(wins)} predict{'' if len(wins) > 1 else 's'} as well or better"
+    against, unit = judged.differences[kind], lesson.examples.parameter.unit
+    named = {CONSTANT: f"a constant of {number(lesson.examples.mean, unit)}", LINE: "a straight line"}
+    nearer, level, beaten, perhaps = [], [], [], []
+    for name in dict.fromkeys((*lesson.rivals(kind), *((LINE,) if LINE in against else ()))):
+        one, called = against[name], named.get(name, f"the rulebook {name}")
+        by = difference(abs(one.mean), unit, sign=False)
+        if one.verdict == "worse":
+            nearer.append(f"{called} is nearer by {by}")
+        elif name in barred or (name == LINE and one.verdict != "better"):
+            level.append(called)
+        elif one.verdict == "better":
+            beaten.append(called)
+        else:
+            perhaps.append(f"nearer than {called} by {by}, which may be chance")
+    as_well = [f"{_all_of(level)} predict{'s' if len(level) == 1 else ''} as well"] if level else []
+    beats = [f"nearer than {_all_of(beaten)}"] if beaten else []
+    return "; ".join((*nearer, *as_well, *beats, *perhaps))
+
+
+def _all_of(names: list[str]) -> str:
+    """`a`, `a and b`, `a, b and c`."""
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def _rule(lesson: Lesson, cell: Cell) -> str:

@@ -11,9 +11,9 @@ towards 0, which is what stood before there were data.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Collection, Hashable, Iterable, Mapping
 from dataclasses import dataclass
-from math import fsum
+from math import fsum, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +66,11 @@ class PooledPrior:
     between_groups: float
     """Standard deviation."""
     between_people: float
-    """The same, of people of one group: what no group tells."""
+    """The same, of people of one group: what no group tells; the declared one is counted in."""
+    seen_between_people: float | None
+    """The same, by the answers alone; None where no group has two people."""
+    declared_spread: float
+    """The same, that stood before."""
     within_person: float | None
     """The same, of answers of one person; None where nobody gave two."""
     people: int
@@ -106,7 +110,7 @@ def pooled(answers: Iterable[Answer], *, declared_spread: float, widest: float) 
     groups: dict[str | None, list[float]] = defaultdict(list)
     for (_, group), given in people.items():
         groups[group].append(fsum(given) / len(given))
-    of_means = _between_people(groups.values(), declared_spread)
+    of_means = _between_people(groups.values(), declared_spread, DECLARED_PEOPLE)
     chance = 0.0 if within is None else within * float(np.mean([1 / len(given) for given in people.values()]))
     means = np.array([fsum(given) / len(given) for given in groups.values()])
     variances = np.array([of_means / len(given) for given in groups.values()])
@@ -120,6 +124,8 @@ def pooled(answers: Iterable[Answer], *, declared_spread: float, widest: float) 
         },
         between_groups=between_groups,
         between_people=max(of_means - chance, 0.05 * of_means) ** 0.5,
+        seen_between_people=_seen(groups.values(), chance),
+        declared_spread=declared_spread,
         within_person=None if within is None else within**0.5,
         people=len(people),
     )
@@ -134,9 +140,16 @@ def _within(people: Iterable[list[float]]) -> float | None:
     return squares / freedom if freedom else None
 
 
-def _between_people(groups: Iterable[list[float]], declared: float) -> float:
+def _seen(groups: Collection[list[float]], chance: float) -> float | None:
+    """Standard deviation of people in one group, less what answers vary by; None without two of a group."""
+    if all(len(means) < 2 for means in groups):
+        return None
+    return sqrt(max(_between_people(groups, 0.0, 0) - chance, 0.0))
+
+
+def _between_people(groups: Iterable[list[float]], declared: float, declared_people: int) -> float:
     """Variance of people's means in one group, with the declared one counting for some people."""
-    squares, freedom = DECLARED_PEOPLE * declared**2, float(DECLARED_PEOPLE)
+    squares, freedom = declared_people * declared**2, float(declared_people)
     for means in groups:
         squares += _squares(means)
         freedom += len(means) - 1
