@@ -76,7 +76,7 @@ def _explained(explained: Explained) -> Iterator[RenderableType]:
     spread = f" (people vary by ± {number(value.spread, value.unit)})" if value.spread is not None else ""
     yield f"{words(value.name)}: {number(value.value, value.unit)}{spread}"
     yield from ([f"  {words(value.note)}"] if value.note else [])
-    yield "\nHow it came about"
+    yield f"\nHow it came about, by the rulebook {explained.inference.rulebook}"
     yield table([(c.origin, number(c.value, value.unit), words(c.text)) for c in value.contributions])
     yield "\nWhat each culture alone would give"
     yield table(

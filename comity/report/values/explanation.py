@@ -40,7 +40,7 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
         yield f"  {first}"
     if value.note:
         yield f"  {words(value.note)}"
-    yield "\nHow it came about"
+    yield f"\nHow it came about, by the rulebook {explanation.rulebook}"
     yield table(
         [
             (part.origin, step(part.value, value.unit, first=part is value.start), words(part.text))
