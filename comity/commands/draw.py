@@ -46,7 +46,8 @@ def draw(
     drawing: Drawing = drawing_of(place, seed)
     path = out or Path(f"{drawing.slug}{'-graph' if graph else ''}.png")
     refuse_foreign({path: MARKS[form]})
-    write_whole(path, drawing.graph(form) if graph else drawing.picture(form))
+    content = drawing.graph(form) if graph else drawing.picture(form)
+    write_whole(path, content, private=drawing.kind == "scenario")
     if as_json:
         print_json(DrawAnswer(file=str(path), name=drawing.name, kind=drawing.kind))
     else:

@@ -198,6 +198,10 @@ def run(
         show(*told, *_written(recorded))
         if learn:
             show(*in_words(seen, kept))
+    if recorded.folder.is_open_to_others():
+        path = recorded.folder.path
+        note = f"others on this machine may look into {path}, not into its files"
+        print(f"Note: {note}; `chmod 700 {path}` ends it.", file=sys.stderr)
     if open_:
         _open(recorded)
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)

@@ -16,7 +16,7 @@ DOMAIN, PROBLEM = "domain.pddl", "problem.pddl"
 
 
 def write_pddl(prepared: Prepared, folder: Path) -> None:
-    """Write `domain.pddl` and `problem.pddl`.
+    """Write `domain.pddl` and `problem.pddl`, which the user alone may read: they tell of people.
 
     Raises:
         InputError: if the folder cannot be used, or holds files of these names that are not ours.
@@ -43,10 +43,10 @@ def write_texts(domain: str, problem: str, folder: Path) -> None:
         InputError: as `write_pddl`.
     """
     texts = {folder / DOMAIN: _OURS + domain, folder / PROBLEM: _OURS + problem}
-    make_folder(folder)
+    make_folder(folder, private=True)
     refuse_foreign(dict.fromkeys(texts, _OURS.encode()))
     for path, text in texts.items():
-        write_whole(path, text.encode())
+        write_whole(path, text.encode(), private=True)
 
 
 _OURS = "; Written by Comity.\n"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import stat
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
@@ -68,6 +69,10 @@ class RunFolder:
             return model.model_validate_json(read_regular(self / name))
         except (OSError, ValidationError) as error:
             raise damaged(self / name, error) from None
+
+    def is_open_to_others(self) -> bool:
+        """Whether others on this machine may list or change what is in it; the files they cannot read."""
+        return os.name == "posix" and bool(stat.S_IMODE(self.path.stat().st_mode) & ~PRIVATE_FOLDER)
 
     def is_written_to(self) -> bool:
         """Whether its run goes on now."""

@@ -116,14 +116,18 @@ def read_regular(path: Path) -> bytes:
     return path.read_bytes()
 
 
-def make_folder(path: Path) -> None:
+def make_folder(path: Path, *, private: bool = False) -> None:
     """Create a folder, unless it is there.
+
+    Args:
+        path: Of the folder.
+        private: Whether what goes there tells of people, so that only the user may look into a new one.
 
     Raises:
         InputError: if the system does not let us.
     """
     with writing(path):
-        path.mkdir(parents=True, exist_ok=True)
+        path.mkdir(parents=True, exist_ok=True, mode=PRIVATE_FOLDER if private else 0o777)
 
 
 @contextmanager

@@ -89,6 +89,36 @@ def test_a_run_and_what_is_made_of_it_can_be_read_by_the_user_alone(comity, here
 
 
 @only_posix
+def test_pictures_and_problems_of_people_can_be_read_by_the_user_alone(comity, here):
+    umask = os.umask(0)
+    try:
+        assert comity("profile", "set", "kim", "age=71").code == 0
+        (here / "again.png").write_bytes(b"\x89PNG\r\n\x1a\n")
+        for name in ("why.png", "again.png"):
+            assert comity("explain", "conversational_distance", "kim", "--picture", name).code == 0
+        assert comity("draw", "johanna", "--out", "place.png").code == 0
+        assert comity("draw", "johanna", "--out", "place.svg").code == 0
+        assert comity("plan", "--as", "host=kim", "two-visits", "--pddl", "problem").code == 0
+    finally:
+        os.umask(umask)
+    assert modes(here / "problem") == {0o700}
+    files = [here / name for name in ("why.png", "again.png", "place.png", "place.svg")]
+    assert modes(*files, *(here / "problem").iterdir()) == {0o600}
+
+
+@only_posix
+@pytest.mark.parametrize("mode", [0o700, 0o755, 0o777])
+def test_an_open_folder_that_was_there_stays_so_and_that_is_said(comity, here, mode):
+    (here / "out").mkdir()
+    (here / "out").chmod(mode)
+    said = comity("run", "johanna", "--out", "out", "--no-pictures")
+    assert said.code == 0
+    assert modes(here / "out") == {mode}
+    assert modes(*(path for path in (here / "out").iterdir() if path.is_file())) == {0o600}
+    assert ("chmod 700" in " ".join((said.out + said.err).split())) == (mode != 0o700)
+
+
+@only_posix
 def test_a_file_that_others_could_read_is_theirs_no_longer_when_it_is_written_again(comity, here):
     assert comity("profile", "set", "kim", "age=71").code == 0
     for _ in range(2):

@@ -23,7 +23,7 @@ from comity.report.values.explanation_drawing import (
 from comity.report.values.explanation_words import fine, ordered_rules, speaking, steps
 from comity.report.values.inference import outvoted_text
 from comity.report.values.known_picture import draw_known
-from comity.system.own_files import check_suffix
+from comity.system.own_files import check_suffix, written_whole
 from comity_fis import (
     Choice,
     InputError,
@@ -51,7 +51,9 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def write_explanation(explanation: Explanation, path: Path) -> None:
-    """Write a PNG, 1200 pixels wide; the same explanation gives the same bytes on the same matplotlib.
+    """Write a PNG, 1200 pixels wide, that the user alone may read.
+
+    The same explanation gives the same bytes on the same matplotlib.
 
     Raises:
         InputError: if there is something at `path` that is no PNG, or nothing can be written there.
@@ -62,9 +64,10 @@ def write_explanation(explanation: Explanation, path: Path) -> None:
     _check_target(path)
     figure = _Drawing(explanation).figure()
     try:
-        FigureCanvasAgg(figure).print_figure(
-            path, format="png", dpi=DPI, metadata={"Software": cast(str, None)}
-        )
+        with written_whole(path, private=True) as part:
+            FigureCanvasAgg(figure).print_figure(
+                part, format="png", dpi=DPI, metadata={"Software": cast(str, None)}
+            )
     except OSError as error:
         raise _refusal(path, error.strerror or str(error), "Name a file that you may write.") from None
 
