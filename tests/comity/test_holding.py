@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -123,7 +124,36 @@ def test_what_cannot_be_read_is_named(comity, here):
     a_run(here / "runs" / "old", guest="amal").joinpath(RUN).write_text('{"trace_sha256": null}')
     said = comity("profile", "delete", "amal", "--yes")
     assert said.code == 0
-    assert "runs/old could not be searched" in said.out
+    assert "runs/old was not read (damaged" in said.out
+
+
+@given(st.text(max_size=50).filter(lambda text: "\0" not in text), st.booleans(), st.booleans())
+def test_what_a_table_says_is_found_in_every_encoding_or_it_is_named_as_not_read(text, wide, holds):
+    said = f"{text} amal {text}" if holds else text.replace("amal", "")
+    with TemporaryDirectory() as folder:
+        Path(folder, "table.csv").write_bytes(said.encode("utf-16" if wide else "utf-8", "surrogatepass"))
+        (one,) = search([Path(folder)], {"amal"})
+    assert (one.files, len(one.unread)) == (1, 0)
+    assert bool(one.found) == holds
+
+
+def test_what_is_no_text_is_named_as_not_read_and_not_counted(comity, here):
+    """An archive, text of another encoding, UTF-16 without its mark, and a link; no ending hides a text."""
+    comity("profile", "set", "amal", "age=71")
+    (here / "in").mkdir()
+    with zipfile.ZipFile(here / "in" / "a.zip", "w") as archive:
+        archive.writestr("table.csv", "name\namal\n")
+    (here / "in" / "b.csv").write_bytes("Jörg\namal\n".encode("latin-1"))
+    (here / "in" / "c.csv").write_bytes("amal\n".encode("utf-16-le"))
+    (here / "in" / "d.log").write_text("amal\n")
+    (here / "in" / "e.csv").symlink_to(here / "in" / "d.log")
+    (one,) = search([here / "in"], {"amal"})
+    assert one.files == 1
+    assert [found.path.name for found in one.found] == ["d.log"]
+    assert [unread.path.name for unread in one.unread] == ["a.zip", "b.csv", "c.csv", "e.csv"]
+    said = comity("profile", "delete", "amal", "--in", "in", "--yes").out
+    assert "a.zip was not read (no text that can be read): unpack or convert it" in said
+    assert "1 other file" in said
 
 
 def test_a_run_with_pseudonyms_is_not_found(comity, here):

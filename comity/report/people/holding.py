@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from comity.output.holding import Searched
 
+SHOWN = 50
+"""Of what was not read, in a folder."""
 NOTE = (
     "Copies elsewhere, backups, and runs with pseudonyms, which hold no name, cannot be found: "
     "those are yours to delete."
@@ -39,7 +41,10 @@ def holding_text(
         for one in each.found:
             state = ", deleted" if one.path in deleted else ""
             yield unbroken(f"  {one.path} holds {name} {one.as_}{state}")
-        yield from (unbroken(f"  {path} could not be searched") for path in each.unread)
+        for not_read in each.unread[:SHOWN]:
+            yield unbroken(f"  {not_read.path} was not read ({not_read.why}): {not_read.remedy}")
+        if len(each.unread) > SHOWN:
+            yield f"  and {len(each.unread) - SHOWN} more were not read: look yourself"
     yield NOTE
 
 
