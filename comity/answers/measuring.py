@@ -236,7 +236,10 @@ class FindingsAnswer(Answer):
     rows: tuple[HeldAnswer, ...]
     counts: OrderAnswer = Field(description="Of distinct pairs, each once in whatever order.")
     within: OrderAnswer = Field(description="The same without pairs across studies.")
-    by_attribute: Mapping[str, OrderAnswer]
+    by_attribute: Mapping[str, OrderAnswer] = Field(description="Of distinct pairs, as `counts`.")
+    findings_by_attribute: Mapping[str, OrderAnswer] = Field(
+        description="Of single findings, also where studies disagree on a pair."
+    )
     disputed: tuple[tuple[GroupAnswer, GroupAnswer], ...] = Field(
         description="Pairs of which studies report different orders; each counts as most of them have it."
     )

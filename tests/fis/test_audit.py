@@ -44,6 +44,8 @@ def test_the_counts_add_up(name):
     assert sorted(numbers) == [rule.number for rule in book.rules]
     assert evidence.with_counter_evidence <= sum(map(len, evidence.grades.values()))
     assert sum(one.pairs for one in findings.by_attribute.values()) == findings.counts.pairs
+    held = [row for row in findings.rows if row.verdict is not None]
+    assert sum(one.pairs for one in findings.findings_by_attribute.values()) == len(held)
     pairs = {(f.parameter, frozenset((f.larger, f.smaller))) for f in shipped_findings()}
     assert findings.counts.pairs + findings.untested == len(pairs)
     assert findings.within.pairs <= findings.counts.pairs
@@ -235,6 +237,7 @@ def test_what_several_studies_find_of_a_pair_counts_once(case2):
     rows = [row for row in found.rows if row.finding.larger == Group("gender", "male")]
     assert [row.finding.relation for row in rows] == [">", ">", ">", "="]
     assert found.by_attribute["gender"] == OrderCounts(agreeing=1)
+    assert found.findings_by_attribute["gender"] == OrderCounts(agreeing=3, contradicting=3)
     assert found.disputed == ((Group("gender", "male"), Group("gender", "female")),)
 
 

@@ -208,7 +208,9 @@ def _findings(audit: Audit) -> Iterator[RenderableType]:
         )
     yield f"  Each pair once: {_order(findings.counts)}."
     for name, counts in findings.by_attribute.items():
-        yield f"  By {CALLED.get(name, words(name))}: {_order(counts)}."
+        single = findings.findings_by_attribute[name]
+        of_all = f"; of {single.pairs} single findings {_order(single)}" if single != counts else ""
+        yield f"  By {CALLED.get(name, words(name))}: {_order(counts)}{of_all}."
     if findings.within.pairs != findings.counts.pairs:
         yield f"  Without pairs across studies: {_order(findings.within)}."
     if findings.disputed:

@@ -86,6 +86,8 @@ class HeldToFindings:
     """The same by those findings alone whose two numbers come from one study."""
     by_attribute: Mapping[str, OrderCounts]
     """The same as `counts`, by what the two groups differ in."""
+    findings_by_attribute: Mapping[str, OrderCounts]
+    """Of single findings, each once, also where studies disagree on a pair; by what the groups differ in."""
     disputed: tuple[tuple[Group, Group], ...]
     """Pairs of which studies report different orders."""
     untested: int
@@ -135,6 +137,10 @@ def held_to(
         within=_counts(map(_most_found, within.values())),
         by_attribute={
             name: _counts(row for row in stands if row.finding.larger.attribute == name)
+            for name in dict.fromkeys(row.finding.larger.attribute for row in stands)
+        },
+        findings_by_attribute={
+            name: _counts(row for row in rows if row.finding.larger.attribute == name)
             for name in dict.fromkeys(row.finding.larger.attribute for row in stands)
         },
         disputed=tuple(
