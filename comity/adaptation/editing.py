@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from comity.parameters.consent import refuse_resting
+from comity.parameters.perception import refuse_clash
 from comity.parameters.values import cases_of
 from comity.parameters.which_rulebook import EVIDENCE
 from comity.people.consents import lapse, require_consent
@@ -167,6 +168,7 @@ class Books:
             book = self._knowing(name) or self.first
             book.checked_settings({name: wish})
             _refuse_unsafe(wish, book.parameters[name])
+        refuse_clash(profile, day)
         for book in (self.first, *self._others()):
             declared = Declared(profile if book is self.first else self._about(profile, book), None)
             for case in cases_of(declared, book, at=day):

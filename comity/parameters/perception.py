@@ -1,20 +1,20 @@
 """What a person hears and sees: what a greeting can be for them, and where the robot comes from.
 
-Who does not hear is approached within view, and never greeted in words alone; who does not see is never
-greeted by a gesture alone, and is told when the robot comes, stops and leaves. That is this project's own
-choice, tried on nobody.
+Who does not hear is approached within view or not at all, and never greeted in words alone; who does not see
+is never greeted by a gesture alone, and is told when the robot comes, stops and leaves. That is this
+project's own choice, tried on nobody.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import date
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.people.dated import held
-from comity_fis import Choice, Contribution, Interval
+from comity_fis import Choice, Contribution, InputError, Interval
 from comity_fis.defuzzification.moved_curve import MovedCurve
 
 if TYPE_CHECKING:
@@ -25,10 +25,11 @@ NOT_HEARING = frozenset({"none", "no", "deaf", "deafblind"})
 NOT_SEEING = frozenset({"none", "no", "blind", "deafblind"})
 """A person's own words for it; whatever else they say, such as `impaired`, excludes nothing."""
 NOTHING: Mapping[str, object] = MappingProxyType({})
-DIRECTION = "approach_direction"
+HEARING, SIGHT = "hearing", "sight"
+DIRECTION, MODALITY = "approach_direction", "greeting_modality"
 WITHIN_DEG = 60.0
 """Within so much of where a person faces they see the robot come (our choice)."""
-NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached within view"
+NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached within view or not at all"
 NOTE_OF_BLIND = (
     "does not see: never greeted by a gesture alone, and told in words when the robot comes, stops and leaves"
 )
@@ -67,6 +68,61 @@ def is_read(name: str, fact: object) -> bool:
     return str(fact).casefold() in words
 
 
+@dataclass(frozen=True, slots=True)
+class Clash:
+    """A wish that cannot be met for who does not hear, or does not see."""
+
+    said: str
+    """The fact and the wish."""
+    why: str
+    remedy: str
+
+    @property
+    def words(self) -> str:
+        """As a reason or a note."""
+        return f"{self.said}: {self.why}. {self.remedy}"
+
+
+def clash_of(wishes: Mapping[str, object], *, hears: bool, sees: bool) -> Clash | None:
+    """The first wish that can never be met with what a person perceives; None where all can.
+
+    Of somebody who neither hears nor sees no wish is at fault: no act reaches them.
+
+    Args:
+        wishes: By parameter, what the person asked for.
+        hears: Whether they hear.
+        sees: Whether they see.
+    """
+    if hears == sees:
+        return None
+    sense, other, alone = (HEARING, "gestural", "verbal") if not hears else (SIGHT, "verbal", "gestural")
+    if wishes.get(MODALITY) == alone:
+        remedy = f"Ask for `{MODALITY}: both` or `{other}`, or take one of the two back."
+        return Clash(f"{sense}: none with {MODALITY}: {alone}", "no greeting would be noticed", remedy)
+    direction = wishes.get(DIRECTION)
+    if not hears and isinstance(direction, float | int) and direction > WITHIN_DEG:
+        why = f"the robot comes to who does not hear only within {WITHIN_DEG:g} deg of where they face"
+        remedy = f"Ask for `{DIRECTION}: {WITHIN_DEG:g}` or less, or take one of the two back."
+        return Clash(f"{sense}: none with {DIRECTION}: {direction:g}", why, remedy)
+    return None
+
+
+def wishes_of(values: Inference) -> dict[str, object]:
+    """What a person asked for outright, by parameter."""
+    return {name: value.value for name, value in values.parameters.items() if value.asked_for}
+
+
+def refuse_clash(profile: Profile, day: date | None) -> None:
+    """Refuse a wish that can never be met with what a person hears and sees.
+
+    Raises:
+        InputError: with both facts and what to change.
+    """
+    clash = clash_of(profile.settings, hears=hears(profile, day), sees=sees(profile, day))
+    if clash is not None:
+        raise InputError(expected=f"wishes that can be met: {clash.why}", got=clash.said, remedy=clash.remedy)
+
+
 def perceiving(
     values: Inference, profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING
 ) -> Inference:
@@ -82,18 +138,19 @@ def perceiving(
     if hearing and seeing:
         return values
     note = NOTE_OF_DEAFBLIND if not (hearing or seeing) else NOTE_OF_BLIND if hearing else NOTE_OF_DEAF
-    values = replace(values, notes=(*values.notes, note))
+    clash = clash_of(wishes_of(values), hears=hearing, sees=seeing)
+    values = replace(values, notes=(*values.notes, note, *([clash.words] if clash else [])))
     return values if hearing else _within_view(values)
 
 
 def _within_view(values: Inference) -> Inference:
-    """The same with no direction from which the robot is not seen; a wish for one goes first."""
+    """The same with no direction from which the robot is not seen; a wish for one stays, unmet."""
     direction = values.parameters.get(DIRECTION)
-    if direction is None or direction.origin == "setting" or isinstance(direction.desirability, Choice):
+    if direction is None or isinstance(direction.desirability, Choice):
         return values
     curve = MovedCurve(direction.desirability, 0.0, Interval(0.0, WITHIN_DEG))
     seen = replace(direction, desirability=curve)
-    if (over := direction.number - WITHIN_DEG) > 0.0:
+    if not direction.asked_for and (over := direction.number - WITHIN_DEG) > 0.0:
         text = f"they do not hear: the robot comes within {WITHIN_DEG:g} deg of where they face"
         parts = (*direction.contributions, Contribution("safety", -over, text))
         seen = replace(seen, value=WITHIN_DEG, origin="safety", contributions=parts)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity_domain import Company, Spot
@@ -20,10 +21,14 @@ FARTHEST_M = 2.1
 """The end of the close phase of social distance (Hall 1966); that a greeting carries so far is our choice."""
 WIDEST_DEG = 90.0
 """Nobody is greeted from behind their shoulders."""
+NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 
 def companies(
-    groups: Mapping[str, Sequence[str]], route_map: RouteMap, spots: Mapping[Spot, XY]
+    groups: Mapping[str, Sequence[str]],
+    route_map: RouteMap,
+    spots: Mapping[Spot, XY],
+    widest_deg: Mapping[str, float] = NO_LIMITS,
 ) -> tuple[Company, ...]:
     """The groups as companies of those members who can be visited.
 
@@ -31,33 +36,39 @@ def companies(
         groups: Members by the group's name.
         route_map: The place, and who stands where.
         spots: Where the robot may stand beside each person.
+        widest_deg: How far round from where they face the robot may stand, by person; 90 degrees of others.
     """
     there = {spot.place for spot in spots}
     present = {name: tuple(member for member in group if member in there) for name, group in groups.items()}
     return tuple(
-        Company(name, members, dict(_overlooks(members, route_map, spots)))
+        Company(name, members, dict(_overlooks(members, route_map, spots, widest_deg)))
         for name, members in present.items()
         if len(members) > 1
     )
 
 
 def _overlooks(
-    members: Sequence[str], route_map: RouteMap, spots: Mapping[Spot, XY]
+    members: Sequence[str],
+    route_map: RouteMap,
+    spots: Mapping[Spot, XY],
+    widest_deg: Mapping[str, float],
 ) -> Iterator[tuple[Spot, Mapping[str, float]]]:
     for spot, xy in spots.items():
         if spot.place in members:
             others = [member for member in members if member != spot.place]
-            nearness = {name: _distance_m(name, xy, route_map) for name in others}
+            nearness = {
+                name: _distance_m(name, xy, route_map, widest_deg.get(name, WIDEST_DEG)) for name in others
+            }
             near = {name: distance for name, distance in nearness.items() if distance is not None}
             if len(near) == len(others):
                 yield spot, near
 
 
-def _distance_m(name: str, xy: XY, route_map: RouteMap) -> float | None:
+def _distance_m(name: str, xy: XY, route_map: RouteMap, widest_deg: float) -> float | None:
     """How far somebody is from the robot; None where they do not see it or are not within earshot."""
     place = route_map.surroundings
     person = place.person(name)
     stands = docked(Pose(*xy, 0.0), place.robot_radius_m, person)
-    sees = abs(stands.bearing_deg) <= WIDEST_DEG and place.plan.wall_between(person.xy, xy) is None
+    sees = abs(stands.bearing_deg) <= widest_deg and place.plan.wall_between(person.xy, xy) is None
     near = NEAREST_M <= stands.distance_m <= FARTHEST_M or math.isclose(stands.distance_m, NEAREST_M)
     return stands.distance_m if sees and near else None

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from comity.parameters.perception import clash_of, wishes_of
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import barring
 from comity.planning.companies import companies
@@ -24,6 +25,7 @@ from comity_domain import (
     location,
     ruled_out,
     sides,
+    widest_deg,
 )
 from comity_fis import Choice
 from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
@@ -96,7 +98,9 @@ def ask(
         robot=scene.robot.name,
         visitees=tuple(served),
         travel=travel,
-        companies=companies(groups, route_map, spots),
+        companies=companies(
+            groups, route_map, spots, {each.name: widest_deg(each.values) for each in served}
+        ),
         durations_s={way: journey.seconds(attend_s) for way, journey in ways.items()},
         ways_m={way: journey.length_m for way, journey in ways.items()},
         blocked=_blocked(scene, served, spots),
@@ -150,6 +154,9 @@ def why_unserved(
         spots: Where the robot may stand before them.
         places: Where it may stand to fetch things.
     """
+    clash = clash_of(wishes_of(visitee.values), hears=visitee.now.hears, sees=visitee.now.sees)
+    if clash is not None:
+        return f"{visitee.name} asked for what cannot be met: {clash.words}"
     if not spots:
         return _reason(scene, visitee)
     greets = not visitee.greeted or any(isinstance(task, TakeLeave) for task in visitee.agenda)
@@ -239,4 +246,6 @@ def _reason(scene: Scene, visitee: Visitee) -> str:
     ]
     if len(words) > 1 and not any(blocked.values()):
         words = [f"{', '.join([*blocked][:-1])} and {[*blocked][-1]} have no way to them"]
-    return f"no free and reachable place before {person}: {', '.join(words)}"
+    seen = "" if visitee.now.hears else f" within {widest_deg(visitee.values):g} deg of where they face"
+    why = "" if visitee.now.hears else ", who does not hear"
+    return f"no free and reachable place{seen} before {person}{why}: {', '.join(words)}"

@@ -7,7 +7,7 @@ returns the cheapest `Plan`, where distance and desirability are weighed in one 
 from comity_domain.choices.distances import distance_desirability
 from comity_domain.choices.earshot import unheard
 from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
-from comity_domain.choices.side import Side, sides
+from comity_domain.choices.side import Side, sides, widest_deg
 from comity_domain.classical.pddl import plan_pddl
 from comity_domain.classical.problem import problem_of, to_unified_planning
 from comity_domain.classical.validation import Validation, validate
@@ -118,5 +118,6 @@ __all__ = [
     "unheard",
     "validate",
     "visits_of",
+    "widest_deg",
     "without",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from datetime import date
 
 import pytest
@@ -11,11 +12,13 @@ from hypothesis import strategies as st
 import comity
 from comity.parameters.perception import hears, perceiving, sees
 from comity.people.profile import Profile
+from comity.planning.companies import companies
 from comity.preparation import prepare
 from comity.scenario import load_scenario
-from comity_domain import Circumstances, greetings, ruled_out, sides
+from comity_domain import Circumstances, Spot, greetings, ruled_out, sides
 from comity_executor.memory.meeting import NO_GESTURE
 from comity_fis import InputError
+from comity_sim2d import Person, Pose, RobotBody, Room, RouteMap, Scene, docked
 
 CULTURES = ("DEU", "Arab countries", "JPN", "SWE", None)
 MODALITIES = ("verbal", "gestural", "both", None)
@@ -72,9 +75,95 @@ def test_who_does_not_hear_is_approached_within_view(culture, posture, rulebook)
     assert values["approach_direction"].desirability.height(60.1, 90.0) == 0.0
 
 
-def test_a_side_that_they_asked_for_stays():
-    values = comity.infer({"hearing": "deaf", "settings": {"approach_direction": 80.0}})
-    assert values["approach_direction"].number == 80.0
+@given(asked=st.floats(0.0, 90.0), hearing=st.sampled_from(["none", "good"]))
+def test_a_direction_that_they_asked_for_is_kept_or_nobody_comes(asked, hearing):
+    """It is never bent: where it is out of view of who does not hear, no side is left, and a note says so."""
+    values = comity.infer(
+        {"hearing": hearing, "settings": {"approach_direction": asked}}, rulebook="evidence"
+    )
+    assert values["approach_direction"].number == asked
+    within = hearing == "good" or asked <= 60.0
+    assert bool(sides(values)) == within
+    assert any("approach_direction" in note for note in values.notes) != within
+
+
+ROOM = """schema_version: 1
+name: room
+place: {{width_m: 6.0, height_m: 4.5}}
+robot: {{at_m: [0.8, 0.9], facing_deg: 90}}
+people:
+  per: {{profile: {{name: per, {profile}}}, at_m: [{x}, 2.5], facing_deg: 0}}
+goals: [{{greet: per}}]
+limits: {{time_s: 60}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("profile", "x", "reason"),
+    [
+        ("hearing: none", 5.6, ("60 deg of where they face", "does not hear", "outer wall")),
+        (
+            "hearing: none, settings: {approach_direction: 90}",
+            3.0,
+            ("hearing: none with approach_direction: 90", "Ask for `approach_direction: 60`"),
+        ),
+        (
+            "hearing: none, settings: {greeting_modality: verbal}",
+            3.0,
+            ("hearing: none with greeting_modality: verbal", "Ask for `greeting_modality: both`"),
+        ),
+        (
+            "sight: none, settings: {greeting_modality: gestural}",
+            3.0,
+            ("sight: none with greeting_modality: gestural", "Ask for `greeting_modality: both`"),
+        ),
+    ],
+)
+def test_what_cannot_be_had_is_an_unmet_goal_with_the_reason(here, profile, x, reason):
+    path = here / "room.scenario.yaml"
+    path.write_text(ROOM.format(profile=profile, x=x), encoding="utf-8")
+    prepared = prepare(load_scenario(str(path)), rulebook="evidence")
+    assert all(words in prepared.asked.unreachable["per"] for words in reason)
+    assert comity.run(path, rulebook="evidence").visits == ()
+
+
+@pytest.mark.parametrize("x", [5.0, 5.2, 5.3, 5.4, 5.5, 5.6])
+def test_before_a_wall_too_the_robot_stands_within_view_or_does_not_come(here, x):
+    path = here / "room.scenario.yaml"
+    path.write_text(ROOM.format(profile="hearing: none", x=x), encoding="utf-8")
+    visits = comity.run(path, rulebook="evidence").visits
+    assert len(visits) == (x <= 5.3)
+    assert all(abs(visit.docked_at.bearing_deg) <= 60.5 for visit in visits)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("sight=none", "greeting=gestural"),
+        ("hearing=deaf", "greeting=verbal"),
+        ("hearing=none", "direction=80"),
+    ],
+)
+def test_a_wish_that_can_never_be_met_is_refused_before_it_is_kept(comity, words):
+    name = words[1].replace("=", "-")
+    said = comity("profile", "set", name, words[0])
+    assert said.code == 0
+    said = comity("profile", "set", name, words[1])
+    assert said.code == 2
+    assert "take one of the two back" in " ".join(said.err.split())
+    kept = comity("profile", "export", name, "--json").json["profile"]
+    assert "settings" not in kept
+
+
+@given(facing_deg=st.floats(-179.0, 179.0))
+def test_with_a_group_too_they_are_greeted_within_view_only(facing_deg):
+    ben = Person("ben", 3.5, 4.0, math.radians(facing_deg))
+    scene = Scene(Room.rectangle(8.0, 6.0), RobotBody(1.0, 1.0, 0.0), (Person("anna", 3.0, 3.0, 0.0), ben))
+    spots = {Spot("anna", "front"): (4.2, 3.0), Spot("ben", "front"): (4.5, 4.5)}
+    bearing = abs(docked(Pose(4.2, 3.0, 0.0), scene.robot.radius_m, ben).bearing_deg)
+    for limits, widest in (({}, 90.0), ({"ben": 60.0}, 60.0)):
+        (company,) = companies({"two": ("anna", "ben")}, RouteMap(scene), spots, limits)
+        assert (Spot("anna", "front") in company.overlooks) == (bearing <= widest)
 
 
 @pytest.mark.parametrize("word", ["impaired", "hearing aid", "glasses", "good", None])

@@ -7,6 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from comity_fis import Interval
+from comity_fis.defuzzification.moved_curve import MovedCurve
 from comity_sim2d import (
     Furniture,
     Person,
@@ -68,6 +70,14 @@ def wish(bearing: float = 0.0, distance: float = 0.64, **more) -> Wish:
 
 
 TABLE = Furniture.box("table", 2.9, 3.0, width_m=0.6, depth_m=0.3)
+
+
+@given(limit=st.floats(1.0, 90.0), bearing=st.floats(0.0, 1.0))
+def test_no_other_pose_than_within_the_limits_of_a_wish_is_tried(limit, bearing):
+    curve = MovedCurve(Tent(0.0, 90.0, 45.0), 0.0, Interval(0.0, limit))
+    tried = wish(bearing * limit, direction_desirability=curve).candidates()
+    assert tried
+    assert all(abs(towards) <= limit for _, towards in tried)
 
 
 def test_the_wanted_pose_wins_where_it_is_free_however_little_it_is_desired() -> None:

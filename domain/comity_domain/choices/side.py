@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from comity_domain.choices.ties import tie_break
 from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice, Curve
+from comity_fis.defuzzification.moved_curve import MovedCurve
 from comity_fis.inference.value import Inference, ParameterValue
 
 FRONT_HALF_WIDTH_DEG = 22.5
@@ -40,11 +41,22 @@ class Side:
 
 
 def sides(values: Inference) -> Mapping[str, Side]:
-    """The sides that a person accepts, by name; what was asked for explicitly leaves no other."""
+    """The sides that a person accepts, by name; what was asked for explicitly leaves no other.
+
+    What was asked for and lies beyond `widest_deg` leaves none.
+    """
     direction = values["approach_direction"]
     if is_setting(direction):
+        if WIDEST_DEG > widest_deg(values) < direction.number:
+            return {}
         return {side.name: side for side in _asked_for(direction.number)}
     return {side.name: side for side in _inferred(direction)}
+
+
+def widest_deg(values: Inference) -> float:
+    """How far round from a person's front the robot may stand [deg]: their direction's limits, at most 90."""
+    curve = _curve(values["approach_direction"])
+    return min(WIDEST_DEG, curve.limits.high) if isinstance(curve, MovedCurve) else WIDEST_DEG
 
 
 def _asked_for(angle_deg: float) -> tuple[Side, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from comity_fis.defuzzification.curve import Curve
+from comity_fis.defuzzification.moved_curve import MovedCurve
 from comity_fis.errors import WrongValueError
 from comity_sim2d.kinds import require_kinds, wrong
 from comity_sim2d.navigation.docking import (
@@ -39,7 +40,7 @@ class Wish:
     bearing_deg: float
     distance_desirability: Curve
     direction_desirability: Curve
-    """Over unsigned degrees from the person's front."""
+    """Over unsigned degrees from the person's front; the limits of a `MovedCurve` are those of the pose."""
 
     def __post_init__(self) -> None:
         require_text("wish", "person", self.person)
@@ -67,6 +68,12 @@ class Wish:
         return 1.0 if self.keeps_distance else self.distance_desirability(distance_m)
 
     @property
+    def widest_deg(self) -> float:
+        """No other pose farther round from the person's front is taken, whatever else is free."""
+        curve = self.direction_desirability
+        return min(WIDEST_DEG, curve.limits.high) if isinstance(curve, MovedCurve) else WIDEST_DEG
+
+    @property
     def keeps_distance(self) -> bool:
         """Whether the distance was asked for outright: the curve does not know it, so it is not traded."""
         return self.distance_desirability(self.distance_m) <= 0.0
@@ -82,7 +89,7 @@ class Wish:
         "Refinements of the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and
         Systems 81, 1996).
         """
-        steps = int(WIDEST_DEG / BEARING_STEP_DEG)
+        steps = int(self.widest_deg / BEARING_STEP_DEG)
         bearings = {self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))}
         # Each curve is asked once for each place on it, not for each of hundreds of pairs.
         towards = {b: self._towards(b) for b in bearings}
@@ -117,7 +124,8 @@ def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | Non
     """The wanted pose if it is free and reachable, else the free and reachable one of highest desirability.
 
     Returns:
-        None where no pose within 90 degrees of the person's front is free and reachable.
+        None where no pose within 90 degrees of the person's front, or within the limits of the wish, is free
+        and reachable.
     """
     require_kinds("choice of a pose", route_map=(route_map, RouteMap), wish=(wish, Wish))
     require_points("choice of a pose", "start", (start,))
