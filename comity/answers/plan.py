@@ -303,7 +303,7 @@ class PlanAnswer(Answer):
     notes: tuple[str, ...] = Field(
         default=(),
         description="Behaviour parameters that no action reads, and people whom the sensor would not show "
-        "from where the robot is to stand.",
+        "from where the robot is to stand, or to whom something is said that they do not hear.",
     )
     validation: ValidationAnswer | None = Field(
         default=None, description="With `--validate`: what unified-planning's validator says of the plan."

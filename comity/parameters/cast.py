@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING
 from comity.parameters.acquaintance import learnt_with, situation_of
 from comity.parameters.consent import refuse_unguarded_contact
 from comity.parameters.in_run import infer_in_run
+from comity.parameters.perception import noting_say
 from comity.parameters.speaking import require_words, speaker_of
 from comity.parameters.values import refuse_unknown
 from comity.parameters.which_rulebook import ChosenRulebook, chosen_rulebook
 from comity.people.profile import Declared, Profile, ProfileGiven, day_for, declared_by, load_profile
+from comity.specification.goals import agenda_of
 from comity_fis import InputError, Where, closest, load_rulebook
 
 if TYPE_CHECKING:
@@ -55,11 +57,15 @@ class Cast:
         profile = declared.profile.model_copy(update={"settings": dict(settings)})
         return self._values(name, replace(declared, profile=profile))
 
+    def noting_say(self, name: str, values: Inference) -> Inference:
+        """One person's values, with a note where something is to be said to them that they do not hear."""
+        return noting_say(values, agenda_of(self.file.scenario.goals, name))
+
     def _values(self, name: str, declared: Declared) -> Inference:
         person, book = self.file.scenario.people[name], self.rulebook
         try:
             refuse_unknown(person.situation, book, f"the situation of {name}")
-            return infer_in_run(
+            values = infer_in_run(
                 declared,
                 book,
                 situation=situation_of(person),
@@ -67,6 +73,7 @@ class Cast:
                 learnt=self.learnt.get(name),
                 site=self.speaker.site,
             )
+            return self.noting_say(name, values)
         except InputError as error:
             raise error.at(self.file.where("people", name)) from None
 

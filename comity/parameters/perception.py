@@ -7,23 +7,26 @@ project's own choice, tried on nobody.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.people.dated import held
+from comity_domain import Say
 from comity_fis import Choice, Contribution, InputError, Interval
 from comity_fis.defuzzification.moved_curve import MovedCurve
 
 if TYPE_CHECKING:
     from comity.people.profile import Profile
+    from comity_domain import Task
     from comity_fis import Inference
 
 NOT_HEARING = frozenset({"none", "no", "deaf", "deafblind"})
 NOT_SEEING = frozenset({"none", "no", "blind", "deafblind"})
 """A person's own words for it; whatever else they say, such as `impaired`, excludes nothing."""
+WORDS_READ: Mapping[str, frozenset[str]] = MappingProxyType({"hearing": NOT_HEARING, "sight": NOT_SEEING})
 NOTHING: Mapping[str, object] = MappingProxyType({})
 HEARING, SIGHT = "hearing", "sight"
 DIRECTION, MODALITY = "approach_direction", "greeting_modality"
@@ -33,6 +36,7 @@ NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached with
 NOTE_OF_BLIND = (
     "does not see: never greeted by a gesture alone, and told in words when the robot comes, stops and leaves"
 )
+NOTE_OF_SAY = "does not hear what the robot is to say to them: tell them in another way, too"
 NOTE_OF_DEAFBLIND = "neither hears nor sees: no act that is shipped reaches them; let a person go instead"
 
 
@@ -64,8 +68,20 @@ def lacks_sight(values: Inference) -> bool:
 
 def is_read(name: str, fact: object) -> bool:
     """Whether a fact says that a person does not hear or see."""
-    words = {"hearing": NOT_HEARING, "sight": NOT_SEEING}.get(name, frozenset())
-    return str(fact).casefold() in words
+    return str(fact).strip().casefold() in WORDS_READ.get(name, ())
+
+
+def hint_of(names: Iterable[str]) -> str:
+    """Which words count, as the end of a note about facts that change nothing; empty for other facts.
+
+    Args:
+        names: Of the facts.
+    """
+    return "".join(
+        f" Of {name} only the words {', '.join(sorted(WORDS_READ[name]))} count: write `none` for no {name}."
+        for name in names
+        if name in WORDS_READ
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +159,18 @@ def perceiving(
     return values if hearing else _within_view(values)
 
 
+def noting_say(values: Inference, agenda: Sequence[Task]) -> Inference:
+    """The same with a note where something is to be said to who does not hear.
+
+    Args:
+        values: A person's parameters, as `perceiving` gives them.
+        agenda: What is to be done at their visit.
+    """
+    if not lacks_hearing(values) or not any(isinstance(task, Say) for task in agenda):
+        return values
+    return replace(values, notes=(*values.notes, NOTE_OF_SAY))
+
+
 def _within_view(values: Inference) -> Inference:
     """The same with no direction from which the robot is not seen; a wish for one stays, unmet."""
     direction = values.parameters.get(DIRECTION)
@@ -159,4 +187,4 @@ def _within_view(values: Inference) -> Inference:
 
 def _word(told: object, day: date | None) -> str:
     word, _ = held(told, day or date.today())
-    return "" if word is None else str(word).casefold()
+    return "" if word is None else str(word).strip().casefold()

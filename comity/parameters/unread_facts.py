@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from comity.parameters.perception import is_read
+from comity.parameters.perception import WORDS_READ, hint_of, is_read
 from comity.parameters.used import ADDRESS, reads_languages, used_facts
 
 if TYPE_CHECKING:
@@ -32,15 +32,20 @@ def notes_of_unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> tup
     it, changes = ("it", "it changes") if len(unread) == 1 else ("them", "they change")
     return (
         f"{', '.join(unread)}: no rule of {rulebook.name} that is on reads {it}, so that {changes} "
-        f"nothing here.{meant}",
+        f"nothing here.{meant}{hint_of(unread)}",
     )
 
 
 def notes_for_a_run(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str, ...]:
-    """The same without names: a run keeps of a profile only what a rule or a wish used."""
+    """The same without names: a run keeps of a profile only what a rule or a wish used.
+
+    Which words count for hearing and sight is said to everybody, lest it tell who said something of them.
+    """
     count = len(unread_facts(told, rulebook))
     facts = "fact of the profile is" if count == 1 else "facts of the profile are"
-    return (f"{count} {facts} read by no rule here, and not kept in the run.",) if count else ()
+    if not count:
+        return ()
+    return (f"{count} {facts} read by no rule here, and not kept in the run.{hint_of(WORDS_READ)}",)
 
 
 def unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> list[str]:

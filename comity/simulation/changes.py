@@ -155,9 +155,10 @@ def _by_time(file: ScenarioFile) -> list[tuple[int, Change]]:
 def _values(cast: Cast, i: int, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
     try:
         refuse_unknown(situation, cast.rulebook, f"the situation of {name}")
-        return infer_in_run(
+        values = infer_in_run(
             declared, cast.rulebook, situation=situation, at=cast.day, learnt=cast.learnt.get(name)
         )
+        return cast.noting_say(name, values)
     except InputError as error:
         raise error.at(cast.file.where("changes", i)) from None
 

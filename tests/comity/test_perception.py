@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from datetime import date
 
 import pytest
@@ -10,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import comity
-from comity.parameters.perception import hears, perceiving, sees
+from comity.parameters.perception import NOT_HEARING, NOT_SEEING, NOTE_OF_SAY, hears, perceiving, sees
 from comity.people.profile import Profile
 from comity.planning.companies import companies
 from comity.preparation import prepare
@@ -222,3 +223,40 @@ def test_a_robot_does_not_go_to_somebody_whom_none_of_its_acts_reaches(here, com
     assert "let a person go instead" in told
     steps = comity("plan", "one.scenario.yaml", "--json").json["steps"]
     assert {person for step in steps for person in step["people"]} == {"ben"}
+
+
+@pytest.mark.parametrize(("sense", "is_noted"), [("hearing: deaf", True), ("sight: blind", False)])
+def test_that_something_is_said_to_who_does_not_hear_is_noted(here, comity, sense, is_noted):
+    path = here / "one.scenario.yaml"
+    text = SCENARIO.format(sense=sense, culture="DEU", facing=180)
+    goals = "goals: [{greet: anna}, {say: The drill starts now, to: anna}]"
+    path.write_text(text.replace("goals: [{greet: anna}]", goals), encoding="utf-8")
+    planned = comity("plan", "one.scenario.yaml", "--json").json
+    assert (f"anna: {NOTE_OF_SAY}" in planned["notes"]) == is_noted
+    ran = comity("run", "one.scenario.yaml", "--json", "--out", "run", "--no-pictures").json
+    assert (NOTE_OF_SAY in ran["values"]["anna"]["notes"]) == is_noted
+
+
+@pytest.mark.parametrize(
+    ("fact", "said", "words"),
+    [
+        ("hearing", "deaf since birth", NOT_HEARING),
+        ("hearing", "cannot hear", NOT_HEARING),
+        ("sight", "legally blind", NOT_SEEING),
+    ],
+)
+def test_a_synonym_gets_a_note_with_the_words_that_count(fact, said, words):
+    (note,) = [note for note in comity.infer({fact: said}).notes if note.startswith(f"{fact}: ")]
+    assert words <= set(re.findall(r"[a-z]+", note))
+    assert f"write `none` for no {fact}" in note
+
+
+def test_in_a_run_the_words_that_count_are_said_whoever_said_what(here):
+    """It tells nothing of who said something of hearing or sight: that is not kept in a run."""
+    notes = []
+    for sense in ("hearing: cannot hear", "sight: legally blind", "mobility: wheelchair"):
+        path = here / "one.scenario.yaml"
+        path.write_text(SCENARIO.format(sense=sense, culture="DEU", facing=0), encoding="utf-8")
+        notes.append(prepare(load_scenario(str(path))).values["anna"].notes)
+    assert notes[0] == notes[1] == notes[2]
+    assert any("deafblind" in note and "blind" in note for note in notes[0])

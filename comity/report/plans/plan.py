@@ -7,6 +7,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import PlanAnswer, StepAnswer
+from comity.parameters.perception import NOTE_OF_SAY
 from comity.parameters.unread import notes_of_unread
 from comity.report.plans.proof import quality
 from comity.report.plans.side import SIDES
@@ -41,7 +42,7 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
             "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
             "unmet": [asdict(goal) for goal in prepared.unmet],
             "already": _already(prepared.file),
-            "notes": (*notes_of_unread(prepared.rulebook), *_unverified(prepared)),
+            "notes": (*notes_of_unread(prepared.rulebook), *_unverified(prepared), *_unheard(prepared)),
         }
     )
 
@@ -55,6 +56,14 @@ def _unverified(prepared: Prepared) -> Iterator[str]:
             reason = too_short_for(robot.sensor, robot.radius_m + distance_m)
             if reason is not None:
                 yield f"{step.person}: {reason}"
+
+
+def _unheard(prepared: Prepared) -> Iterator[str]:
+    """The people who are to be told something and do not hear."""
+    visited = {name for step in prepared.plan.steps for name in step.people}
+    for name in prepared.values:
+        if name in visited and NOTE_OF_SAY in prepared.values[name].notes:
+            yield f"{name}: {NOTE_OF_SAY}"
 
 
 def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswer, ...]:
