@@ -53,6 +53,7 @@ class ObserveAnswer(Answer):
     values: Mapping[str, SettledAnswer] = Field(
         description="By person: how near the robot comes from now on, in the situation of the last of these."
     )
+    notes: tuple[str, ...] = Field(description="Of meetings before the person had agreed to learn.")
 
 
 class YearValueAnswer(Answer):

@@ -64,6 +64,8 @@ def consent(
         _show(name, deleted)
         if withdraw and (not asked or {"remember", "record"} & set(asked)):
             print(f"Runs that hold them are yours to delete: `comity profile delete {name}` finds them.")
+            if Store().keeps(name):
+                print(f"It asks first: answer no, and delete the runs it names; yes forgets {name}, too.")
 
 
 def _show(name: str, deleted: tuple[str, ...]) -> None:

@@ -62,6 +62,11 @@ class Consent(BaseModel):
         """Whether it is in force on a day."""
         return self.from_ <= day and not (self.until and day >= self.until) and self.withdrawn is None
 
+    def covered(self, day: date) -> bool:
+        """Whether what was on a day had been agreed to then, also where that ended since."""
+        ends = [end for end in (self.until, self.withdrawn) if end]
+        return self.from_ <= day < min(ends, default=date.max)
+
     def in_words(self, day: date) -> str:
         """`since 2026-11-27, recorded by Kim, until 2027-01-01`."""
         since = f"since {self.from_}" if self.from_ <= day else f"from {self.from_} on"
@@ -102,6 +107,12 @@ def is_covered(name: str, scope: Scope) -> bool:
     """Whether a person agrees to something today."""
     known = consents_of(name)
     return known is not None and scope in known.holding(date.today())
+
+
+def was_covered(name: str, scope: Scope, day: date) -> bool:
+    """Whether a person had agreed to something on a day."""
+    known = consents_of(name)
+    return known is not None and any(one.scope == scope and one.covered(day) for one in known.consents)
 
 
 def require_consent(name: str, scope: Scope) -> None:
@@ -223,10 +234,15 @@ def _consent(scope: Scope, day: date, by: str, until: date | None) -> Consent:
     """One that is checked, with the command line named in complaints."""
     from pydantic import ValidationError
 
+    if until is not None and until <= day:
+        raise InputError(
+            expected=f"an end after {day}, the day on which they agreed",
+            got=str(until),
+            remedy="Give a later --until, or with --at the day on which they agreed.",
+            where=Where("--until"),
+        )
     try:
         return Consent.model_validate({"scope": scope, "from": day, "recorded_by": by, "until": until})
-    except WrongValueError as error:
-        raise error.at(Where("profile consent")) from None
     except ValidationError:
         raise InputError(
             expected="who records it: 1 to 200 characters",

@@ -149,6 +149,41 @@ def test_taking_back_consent_to_touch_withholds_it_in_the_profile(comity):
     assert shown["parameters"]["greeting_gesture"]["value"] != "handshake"
 
 
+@pytest.mark.parametrize("at", [[], ["--at", "2020-01-01"], ["--at", "2020-06-01"]])
+def test_an_end_before_the_beginning_is_refused_as_what_it_is(comity, home, at):
+    said = comity(
+        "profile", "consent", "amal", "remember", "record", "--by", "Kim", "--until", "2020-01-01", *at
+    )
+    assert (said.code, said.out) == (2, "")
+    assert "--until" in said.err
+    assert "an end after" in said.err
+    assert "Kim" not in said.err
+    assert not Store().keeps("amal")
+
+
+def test_taking_back_consent_to_record_says_what_the_search_would_forget(comity):
+    agreed(comity, *SCOPES)
+    said = comity("profile", "consent", "amal", "record", "--withdraw")
+    assert "yes forgets amal, too" in said.out
+    assert Store().keeps("amal")
+    assert "yes forgets" not in comity("profile", "consent", "amal", "--withdraw").out
+
+
+@given(consents(), days)
+def test_what_was_on_a_day_is_covered_by_what_held_then(one, day):
+    held = one.from_ <= day and (one.until is None or day < one.until)
+    assert one.covered(day) == (held and (one.withdrawn is None or day < one.withdrawn))
+
+
+def test_a_meeting_before_the_consent_to_learn_is_kept_with_a_note(comity):
+    agreed(comity, "remember", "learn", options=["--at", "2026-01-10"])
+    seen = ["profile", "observe", "amal", "--signal", "stepped_back", "--distance", "0.8"]
+    assert comity(*seen, "--at", "2026-01-10", "--json").json["notes"] == []
+    (note,) = comity(*seen, "--at", "2026-01-09", "--json").json["notes"]
+    assert "amal had not agreed to learn on 2026-01-09" in note
+    assert "had not agreed" in comity(*seen, "--at", "2020-01-01").out
+
+
 @pytest.mark.parametrize("words", [["remember", "--withdraw"], ["--withdraw"]])
 def test_taking_back_all_forgets_the_person(comity, home, words):
     agreed(comity, *SCOPES)

@@ -6,11 +6,13 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from comity.answers import ObservationAnswer, ObserveAnswer, SettledAnswer
+from comity.people.consents import was_covered
 from comity.report.text import number, words
 from comity_fis.learning.signals import SAID
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from datetime import date
 
     from rich.console import RenderableType
 
@@ -30,11 +32,28 @@ def observe_answer(
         undone: What was taken back.
         values: By person, from now on.
     """
+    observed = tuple(observed)
     return ObserveAnswer(
+        notes=tuple(_notes(observed)),
         observed=tuple(_row(name, seen) for name, seen in observed),
         undone=tuple(_row(name, seen) for name, seen in undone),
         values={name: _settled(value) for name, value in values.items()},
     )
+
+
+def _notes(observed: Iterable[Named]) -> Iterator[str]:
+    """Of each person, the days on which they had not agreed yet that meetings teach about them."""
+    early: dict[str, set[date]] = {}
+    for name, seen in observed:
+        if not was_covered(name, "learn", seen.day):
+            early.setdefault(name, set()).add(seen.day)
+    for name, days in early.items():
+        first, more = min(days), len(days) - 1
+        on = f"{first}{f' and {more} more days' if more > 1 else ' and 1 more day' if more else ''}"
+        yield (
+            f"{name} had not agreed to learn on {on}: keep it if they agree to that, too; "
+            f"`comity profile observe {name} --undo` takes it back."
+        )
 
 
 def observe_text(answer: ObserveAnswer) -> Iterator[RenderableType]:
@@ -43,6 +62,7 @@ def observe_text(answer: ObserveAnswer) -> Iterator[RenderableType]:
         yield f"{row.how.capitalize():5} {_line(row)}"
     for row in answer.undone:
         yield f"Undone: {row.how}, {_line(row)}"
+    yield from (f"Note: {note}" for note in answer.notes)
     for name, value in answer.values.items():
         yield f"{name} is met at {number(value.value, 'm', digits=2)} from now on:"
         for part in value.contributions:
