@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity.planning.agenda import places_for
 from comity.planning.barring import opened
 from comity.planning.request import spots_of, why_unserved
+from comity_domain import sides
 from comity_sim2d import PastPeople
 
 if TYPE_CHECKING:
@@ -40,7 +41,8 @@ def what_may_help(
     alone = opened(scene, shut).without(others)
     if _is_served(alone, visitee):
         return f"others near {visitee.name} may go"
-    if visitee.name in met and not spots_of(scene, PastPeople(scene), visitee):
+    turns = visitee.name in met and sides(visitee.values)  # who accepts no side does not, however they stand
+    if turns and not spots_of(scene, PastPeople(scene), visitee):
         return f"{visitee.name}, who could be reached before, may move"
     return None
 

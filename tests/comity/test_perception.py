@@ -260,3 +260,31 @@ def test_in_a_run_the_words_that_count_are_said_whoever_said_what(here):
         notes.append(prepare(load_scenario(str(path))).values["anna"].notes)
     assert notes[0] == notes[1] == notes[2]
     assert any("deafblind" in note and "blind" in note for note in notes[0])
+
+
+@pytest.mark.parametrize(
+    ("at_first", "then", "clash"),
+    [
+        ("hearing: none", "says: {approach_direction: 85}", "hearing: none with approach_direction: 85"),
+        (
+            "settings: {approach_direction: 85}",
+            "situation: {hearing: none}",
+            "hearing: none with approach_direction: 85",
+        ),
+        (
+            "hearing: none",
+            "says: {greeting_modality: verbal}",
+            "hearing: none with greeting_modality: verbal",
+        ),
+    ],
+)
+def test_what_is_said_on_the_way_counts_too_and_is_not_waited_for(here, at_first, then, clash):
+    path = here / "room.scenario.yaml"
+    change = f"changes: [{{at_s: 2, person: per, {then}}}]\n"
+    path.write_text(ROOM.format(profile=at_first, x=4.5) + change, encoding="utf-8")
+    episode = comity.run(path, rulebook="evidence")
+    (visit,) = episode.visits
+    assert visit.outcome == "unreached"
+    assert visit.docked_at is None
+    assert any(clash in str(revision) for revision in episode.revisions)
+    assert episode.outcome == "failed"
