@@ -190,6 +190,6 @@ def profile(name: str, *, rulebook: str = "evidence") -> StoredProfile:
 
 
 def _day(at: date | str | None) -> date | None:
-    from comity.people.dated import day_in_words
+    from comity.people.dated import day_given
 
-    return day_in_words(at, "at") if isinstance(at, str) else at
+    return day_given(at)

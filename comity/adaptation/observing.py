@@ -15,7 +15,7 @@ from comity.parameters.values import infer_for
 from comity.parameters.which_rulebook import EVIDENCE
 from comity.people.adulthood import require_adult
 from comity.people.consents import require_consent
-from comity.people.dated import read_day
+from comity.people.dated import day_given, read_day
 from comity.people.learnt_file import PARAMETER, Observation
 from comity.people.profile import load_profile
 from comity.people.remembered import undo as forget_last
@@ -99,8 +99,7 @@ class StoredProfile:
             InputError: if the person did not agree to it, asks for a distance of their own, is a child, or
                 something given cannot be used; nothing is written.
         """
-        day = _day(at) if isinstance(at, str) else at
-        sight = Sight(self.name, signal_in_words(signal), distance(distance_m), day, situation)
+        sight = Sight(self.name, signal_in_words(signal), distance(distance_m), day_given(at), situation)
         (seen,) = observe([sight], load_rulebook(self.rulebook))
         return seen
 
@@ -252,6 +251,13 @@ def situation_of(
         InputError: for what is no situation, or no word or number for it.
     """
     told: dict[str, Fact] = {}
+    if not isinstance(words, Mapping):
+        raise InputError(
+            expected="a situation as variables with their values",
+            got=repr(words),
+            remedy="Write for example {'posture': 'seated'}.",
+            where=where or Where("situation"),
+        )
     for name, fact in words.items():
         variable = rulebook.variables.get(name)
         if variable is None or variable.kind != "situation":

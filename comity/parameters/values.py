@@ -27,7 +27,9 @@ from comity.people.culture import Belonging
 from comity.people.dated import UNKNOWN
 from comity.people.profile import PERSONAL
 from comity_domain import refuse_gesture_in_words
-from comity_fis import InputError, Interval, Part, closest, mixed
+from comity_fis import InputError, Interval, Part, Where, closest, mixed
+from comity_fis.errors import WrongValueError
+from comity_fis.validation.one_line import one_line
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared
@@ -69,6 +71,7 @@ def infer_for(
             is missing; with the line of the profile where it is the profile's.
     """
     told = situation or {}
+    _refuse_unspeakable(told)
     inference = _by_culture(declared, rulebook, told, mode=mode, at=at, learnt=learnt)
     if is_under_age(declared.profile, at, told.get("age")):
         inference = replace(inference, notes=(*inference.notes, NOTE))
@@ -80,6 +83,23 @@ def infer_for(
 
     inference = in_a_stated_language(inference, stated, site, without_culture)
     return perceiving(inference, declared.profile, at, told)
+
+
+def _refuse_unspeakable(told: Facts) -> None:
+    """Refuse words that are no single printable line, and a culture that is no word."""
+    for name, fact in told.items():
+        if isinstance(fact, str):
+            try:
+                one_line(fact)
+            except WrongValueError as error:
+                raise error.at(Where(name)) from None
+        elif name == "culture" and fact is not None:
+            raise InputError(
+                expected="one culture, such as 'SWE'",
+                got=repr(fact),
+                remedy="Write several into a profile, as in {'culture': {'EGY': 1, 'SWE': 2}}.",
+                where=Where(name),
+            )
 
 
 def _by_culture(

@@ -245,7 +245,7 @@ def _consent(scope: Scope, day: date, by: str, until: date | None) -> Consent:
         return Consent.model_validate({"scope": scope, "from": day, "recorded_by": by, "until": until})
     except ValidationError:
         raise InputError(
-            expected="who records it: 1 to 200 characters",
+            expected="who records it: 1 to 200 characters on one line",
             got=repr(by),
             remedy="Write for example --by Kim.",
             where=Where("--by"),

@@ -7,13 +7,22 @@ from dataclasses import dataclass
 from datetime import date
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_serializer, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    model_serializer,
+    model_validator,
+)
 
 from comity.people.dated import UNKNOWN, Day
 from comity_fis import country
 from comity_fis.errors import WrongValueError
+from comity_fis.validation.one_line import one_line
 
-CultureName = Annotated[str, StringConstraints(min_length=1, max_length=100)]
+CultureName = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(one_line)]
 Weight = Annotated[float, Field(strict=True, gt=0, le=1000)]
 
 
@@ -25,7 +34,9 @@ class Culture(BaseModel):
     name: CultureName = Field(
         description="A country by ISO 3166 code or English name, a region, or any words."
     )
-    role: str = Field(default="", max_length=100, description="For the reader: grew up, lives in, family.")
+    role: Annotated[str, AfterValidator(lambda role: role and one_line(role))] = Field(
+        default="", max_length=100, description="For the reader: grew up, lives in, family."
+    )
     weight: Weight = Field(default=1.0, description="Only proportions count.")
     region: CultureName | None = Field(
         default=None, description="The row of the table of scores that the person lets stand for it."

@@ -64,6 +64,26 @@ def day_in_words(words: str, option: str = "--at") -> date:
         raise error.at(Where(option)) from None
 
 
+def day_given(at: object, called: str = "at") -> date | None:
+    """The day that a program gives: a date, also with a time, or words; None stays None.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if at is None or type(at) is date:
+        return at
+    if isinstance(at, date):
+        return date(at.year, at.month, at.day)
+    if isinstance(at, str):
+        return day_in_words(at, called)
+    raise InputError(
+        expected="a date, or a day in words: YYYY-MM-DD",
+        got=repr(at),
+        remedy="Write for example '2026-11-27'.",
+        where=Where(called),
+    )
+
+
 Day = Annotated[
     date,
     BeforeValidator(read_day),

@@ -8,11 +8,13 @@ from pydantic import AfterValidator, BeforeValidator, Field, StringConstraints
 
 from comity.people.dated import Since
 from comity.people.language import read_language
+from comity_fis.validation.one_line import one_line
 
 Number = Annotated[float, Field(strict=True)]
 """No text that looks like one, and neither true nor false."""
 
-Word = Annotated[str, StringConstraints(min_length=1, max_length=200)]
+Word = Annotated[str, StringConstraints(min_length=1, max_length=200), AfterValidator(one_line)]
+"""On one line and printable, as it reaches the terminal."""
 Fact = Word | Number
 Level = Annotated[int, Field(strict=True, ge=0, le=8)]
 Latitude = Annotated[Number, Field(ge=-90, le=90)]

@@ -70,8 +70,10 @@ class Store:
 
     def keeps(self, name: str) -> bool:
         """Whether anything is kept of a person."""
-        return bool(NAME.fullmatch(name)) and any(
-            (self._folder(name) / file).is_file() for file in (PROFILE, LEARNT, CONSENT)
+        return (
+            isinstance(name, str)
+            and bool(NAME.fullmatch(name))
+            and any((self._folder(name) / file).is_file() for file in (PROFILE, LEARNT, CONSENT))
         )
 
     def path(self, name: str) -> Path | None:
@@ -248,8 +250,8 @@ class Store:
             InputError: if nothing is.
         """
         if not self.keeps(name):
-            kept = f" {closest(name, self.names)}" if self.names else ""
-            called = name if NAME.fullmatch(name) else "NAME"
+            kept = f" {closest(str(name), self.names)}" if self.names else ""
+            called = name if isinstance(name, str) and NAME.fullmatch(name) else "NAME"
             raise InputError(
                 expected="the name of somebody who is kept here",
                 got=repr(name),

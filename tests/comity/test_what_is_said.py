@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from datetime import date, timedelta
 
 import pytest
 import yaml
@@ -157,6 +158,15 @@ wordings:
     reviewed_by: Amal, a native speaker
     reviewed_on: 2026-11-20
 """
+
+
+def test_a_review_that_is_still_to_come_is_none(comity, here):
+    later = date.today() + timedelta(days=1)
+    (here / "w.wordings.yaml").write_text(REVIEWED.replace("2026-11-20", str(later)), encoding="utf-8")
+    said = comity("run", "johanna", "--wordings", "w.wordings.yaml")
+    assert (said.code, said.out) == (2, "")
+    assert "w.wordings.yaml:11" in said.err
+    assert "in the future" in said.err
 
 
 def test_a_real_robot_says_what_the_site_has_reviewed(meet, here):

@@ -45,6 +45,17 @@ class WordingEntry(BaseModel):
             return said
         raise WrongValueError(expected="a day", got=repr(said), remedy="Write for example 2026-11-27.")
 
+    @field_validator("reviewed_on")
+    @classmethod
+    def _been(cls, day: date | None) -> date | None:
+        if day is not None and day > date.today():
+            raise WrongValueError(
+                expected="the day of a review that has been",
+                got=f"{day}, in the future",
+                remedy="Write the day on which it was read, or leave the review out.",
+            )
+        return day
+
     def wording(self, language: str, script: str) -> Wording:
         """The same with the facts of the whole file.
 
