@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.cast import Cast, cast_of
 from comity.people.profile import Profile, ProfileGiven
-from comity.planning.circumstances import circumstances
+from comity.planning.circumstances import circumstances, require_gestures
 from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
 from comity.planning.punctuality import diagnose_deadlines
 from comity.planning.request import Asked, ask
@@ -113,6 +113,7 @@ def staged(
     """
     file = placed(file, seed)
     cast = cast_of(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt)
+    require_gestures(file, cast.rulebook)
     values = cast.values()
     visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
     scene = scene_of(file, values, seed)

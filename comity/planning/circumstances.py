@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.consent import asked_for_no_touch, gestures_of_contact, wishes_at_rest
 from comity.parameters.perception import hears, lacks_hearing, lacks_sight, sees
-from comity_domain import Circumstances
-from comity_fis import Choice
+from comity_domain import REACH_M, Circumstances
+from comity_fis import Choice, InputError, closest
 
 if TYPE_CHECKING:
     from datetime import date
 
     from comity.people.profile import Profile
-    from comity.scenario import Scenario
+    from comity.scenario import Scenario, ScenarioFile
     from comity_fis import Inference, Rulebook
 
 
@@ -65,3 +65,21 @@ def _withheld(values: Inference, rulebook: Rulebook) -> Mapping[str, str]:
         for category in categories
         if category.requires is not None and category.name not in permitted
     }
+
+
+def require_gestures(file: ScenarioFile, rulebook: Rulebook) -> None:
+    """Refuse the reach of a gesture that neither the rulebook nor Comity knows: most likely a slip.
+
+    Raises:
+        InputError: with its line.
+    """
+    own = getattr(rulebook.parameters.get("greeting_gesture"), "categories", ())
+    known = sorted({*REACH_M, *(one.name for one in own)})
+    for gesture in file.scenario.robot.gesture_reach_m if not file.real_robot else ():
+        if gesture not in known:
+            raise InputError(
+                expected=f"a gesture of the rulebook {rulebook.name}, or one that Comity knows",
+                got=repr(gesture),
+                remedy=closest(gesture, known),
+                where=file.where("robot", "gesture_reach_m", gesture),
+            )

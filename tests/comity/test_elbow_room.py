@@ -14,8 +14,8 @@ from comity.live.start import as_seen
 from comity.planning.request import spots_of
 from comity.preparation import prepare
 from comity.scenario import load_scenario
-from comity_domain import Spot, reach_of
-from comity_fis import InputError
+from comity_domain import REACH_M, Spot, reach_of
+from comity_fis import InputError, load_rulebook
 
 ROOM = (8.0, 6.0)
 ROBOT_M, PERSON_M, THICK_M = 0.25, 0.20, 0.10
@@ -115,6 +115,15 @@ def test_a_robot_may_state_how_far_its_gestures_reach(here, wall, stated, out):
     assert _hits(found.asked) == out
     reasons = found.asked.request.visitees[0].now.hits.values()
     assert all("wall 1 would be 0.15 m from the robot on the front side of anna" in each for each in reasons)
+
+
+def test_the_reach_of_a_gesture_that_nobody_knows_is_refused_with_its_line(here):
+    """Those of the rulebook in use are known, also where Comity has no reach of its own for them."""
+    own = load_rulebook("bruno2017").parameters["greeting_gesture"].categories
+    known = {*REACH_M, *(one.name for one in own)}
+    prepared_in(here, **USUAL, wall=0.2, stated="{" + ", ".join(f"{one}: 0.1" for one in sorted(known)) + "}")
+    with pytest.raises(InputError, match=r":\d+: expected a gesture of the rulebook bruno2017.*'moonwalk'"):
+        prepared_in(here, **USUAL, wall=0.2, stated="{moonwalk: 1}")
 
 
 def test_the_greeted_persons_own_body_counts_but_for_what_they_consented_to(here):
