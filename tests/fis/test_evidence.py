@@ -20,7 +20,7 @@ GRADES = {
     **{"greet-5": "moderate", "bow-1": "weak", "bow-2": "weak", "vol-1": "weak", "vol-2": "moderate"},
     **{"rate-1": "weak", "gaze-1": "contested", "gaze-2": "weak", "gest-1": "weak", "gest-2": "weak"},
     **{"dirv-1": "weak", "dirv-2": "weak", "form-1": "weak", "form-2": "weak"},
-    **{"rhet-1": "weak", "touch-1": "strong", "touch-2": "weak", "init-1": "weak", "init-2": "weak"},
+    **{"rhet-1": "weak", "touch-1": "norm", "touch-2": "weak", "init-1": "weak", "init-2": "weak"},
 }
 """Every finding that was collected, with its grade."""
 
@@ -54,9 +54,9 @@ def test_every_finding_is_there_with_its_grade(evidence):
     assert {rule.finding: rule.evidence for rule in evidence.rules} == GRADES
 
 
-def test_those_that_are_on_are_exactly_the_moderate_and_strong(evidence):
+def test_those_that_are_on_are_exactly_the_moderate_the_strong_and_the_norms(evidence):
     for rule in evidence.rules:
-        assert rule.enabled == (rule.evidence in ("moderate", "strong")), rule.text
+        assert rule.enabled == (rule.evidence in ("moderate", "strong", "norm")), rule.text
 
 
 def test_every_parameter_is_there_with_its_terms_in_order(evidence):
