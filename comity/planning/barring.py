@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_domain import in_the_way
-from comity_sim2d import PastPeople, room_at, shut_doors_between, topology
+from comity_sim2d import PastPeople
 from comity_sim2d.maps.doorways import turned
+from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, floor_plan
 
 if TYPE_CHECKING:

@@ -5,7 +5,6 @@ from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frame
 from comity_sim2d.maps.doorways import DoorTurn
 from comity_sim2d.maps.library import load_map, shipped_maps
 from comity_sim2d.maps.place_map import PlaceMap
-from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
 from comity_sim2d.metrics import (
     EPISODE,
     VISIT,
@@ -125,15 +124,12 @@ __all__ = [
     "pose_blocker",
     "random_spot",
     "read_frames_csv",
-    "room_at",
     "shipped_maps",
-    "shut_doors_between",
     "side_name",
     "speeds_m_s",
     "spot_pose",
     "standing_place",
     "stopping",
-    "topology",
     "wrap_angle",
     "write_frames_csv",
     "write_gif",

@@ -18,11 +18,9 @@ from comity_sim2d import (
     Room,
     World,
     load_map,
-    room_at,
     shipped_maps,
-    shut_doors_between,
-    topology,
 )
+from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
 from comity_sim2d.pictures.topology_picture import draw_topology
 
 WIDE_M = 4.0

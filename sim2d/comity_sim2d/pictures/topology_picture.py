@@ -50,9 +50,10 @@ def draw_topology(place: PlaceMap | Scene, *, title: str, format: str = "png") -
         wide, high = d.extent_m(place)
         scale = min(max(IN_PER_M, LEAST_IN / wide), MOST_IN / max(wide, high))
         size = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN)
-        figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF", layout="constrained")
+        figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
         FigureCanvasAgg(figure)
-        ax = figure.add_subplot()
+        beside, above = EDGE_IN / size[0], HEADER_IN / size[1]
+        ax = figure.add_axes((beside, 0.0, 1.0 - 2.0 * beside, 1.0 - above))
         ax.set_title(title, loc="left", size=15, weight="bold", color=d.INK)
         _draw(ax, graph, scale)
         buffer = BytesIO()
