@@ -67,7 +67,7 @@ def test_what_is_taken_away_is_away(call: Call) -> None:
         "trace run",
         "trace run --why johanna",
         "test johanna two-visits --profile paper --jobs 2",
-        "profile set amal age=71",
+        "profile consent amal remember --by us",
         "--version",
     ],
 )

@@ -15,9 +15,9 @@ MODULES = {
     *("termios", "tty"),
 }
 # What stays, because libraries call it where `sys.platform` is Linux's: `os.uname` (numpy), `os.getuid`
-# (platformdirs), `signal.SIGKILL` (subprocess).
+# (platformdirs), `os.fchmod` (filelock), `signal.SIGKILL` (subprocess).
 IN_OS = (
-    *("chown", "fchmod", "fchown", "fork", "forkpty", "getegid", "geteuid", "getgid", "getgroups"),
+    *("chown", "fchown", "fork", "forkpty", "getegid", "geteuid", "getgid", "getgroups"),
     *("getloadavg", "getpgid", "getpgrp", "getsid", "initgroups", "killpg", "lchown", "mkfifo", "mknod"),
     *("nice", "openpty", "pathconf", "posix_spawn", "sched_getaffinity", "sched_setaffinity", "setgid"),
     *("setpgid", "setsid", "setuid", "sync", "sysconf", "tcgetpgrp", "wait", "wait3", "wait4", "O_NONBLOCK"),
