@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from comity.monitoring.nudging import DISTANCE
 from comity.parameters.consent import CONSENT
 from comity.parameters.in_run import infer_in_run
-from comity.parameters.perception import noting_say
 from comity.people.profile import Declared
 from comity.simulation.changes import said_by
 from comity.specification.goals import agenda_of
@@ -39,8 +38,9 @@ def consenting(prepared: Prepared, own: Inference, person: str, *, given: bool, 
         situation={**situation, CONSENT: "given" if given else "withheld"},
         at=prepared.day,
         learnt=prepared.learnt.get(person),
+        site=prepared.speaker.site,
+        agenda=agenda_of(prepared.file.scenario.goals, person),
     )
-    values = noting_say(values, agenda_of(prepared.file.scenario.goals, person))
     if own[DISTANCE].origin != "operator":
         return values
     return replace(values, parameters={**values.parameters, DISTANCE: own[DISTANCE]})

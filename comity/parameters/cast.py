@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from comity.parameters.acquaintance import learnt_with, situation_of
 from comity.parameters.consent import refuse_unguarded_contact
 from comity.parameters.in_run import infer_in_run
-from comity.parameters.perception import noting_say
 from comity.parameters.speaking import require_words, speaker_of
 from comity.parameters.values import refuse_unknown
 from comity.parameters.which_rulebook import ChosenRulebook, chosen_rulebook
@@ -57,23 +56,27 @@ class Cast:
         profile = declared.profile.model_copy(update={"settings": dict(settings)})
         return self._values(name, replace(declared, profile=profile))
 
-    def noting_say(self, name: str, values: Inference) -> Inference:
-        """One person's values, with a note where something is to be said to them that they do not hear."""
-        return noting_say(values, agenda_of(self.file.scenario.goals, name))
+    def values_told(self, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
+        """One person's values by what they declare and what holds around them.
+
+        Raises:
+            InputError: for a wish that the rulebook does not grant.
+        """
+        return infer_in_run(
+            declared,
+            self.rulebook,
+            situation=situation,
+            at=self.day,
+            learnt=self.learnt.get(name),
+            site=self.speaker.site,
+            agenda=agenda_of(self.file.scenario.goals, name),
+        )
 
     def _values(self, name: str, declared: Declared) -> Inference:
-        person, book = self.file.scenario.people[name], self.rulebook
+        person = self.file.scenario.people[name]
         try:
-            refuse_unknown(person.situation, book, f"the situation of {name}")
-            values = infer_in_run(
-                declared,
-                book,
-                situation=situation_of(person),
-                at=self.day,
-                learnt=self.learnt.get(name),
-                site=self.speaker.site,
-            )
-            return self.noting_say(name, values)
+            refuse_unknown(person.situation, self.rulebook, f"the situation of {name}")
+            return self.values_told(name, declared, situation_of(person))
         except InputError as error:
             raise error.at(self.file.where("people", name)) from None
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.consent import in_this_meeting
+from comity.parameters.perception import notes_of_unheard
 from comity.parameters.unread import noting_unread
 from comity.parameters.unread_facts import notes_for_a_run
 from comity.parameters.used import used_of
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from datetime import date
 
     from comity.people.profile import Declared
+    from comity_domain import Task
     from comity_fis import Inference, Learnt, Rulebook
 
 
@@ -26,11 +28,21 @@ def infer_in_run(
     situation: Facts,
     at: date | None,
     learnt: Mapping[str, Learnt] | None,
-    site: str | None = None,
+    site: str | None,
+    agenda: Sequence[Task],
 ) -> Inference:
     """The same values as `infer_for` gives; inputs and notes tell nothing that no rule reads.
 
     But for consent to touch, which is what is said of it in the situation: a run is a meeting.
+
+    Args:
+        declared: The person.
+        rulebook: The rules.
+        situation: What holds here and now, by variable.
+        at: The day of the facts.
+        learnt: What earlier meetings taught, by parameter.
+        site: The language of the site by its ISO 639-3 code.
+        agenda: What is to be done at the visit; empty for a person whom no goal names.
 
     Raises:
         InputError: as `infer_for` does, also for a fact that no rule reads.
@@ -43,4 +55,5 @@ def infer_in_run(
     )
     profile = declared.profile
     unread = notes_for_a_run({"culture": profile.culture, **profile.facts(at)}, rulebook)
-    return replace(values, notes=(*values.notes, *stored, *unread))
+    unheard = notes_of_unheard(values, agenda)
+    return replace(values, notes=(*values.notes, *stored, *unread, *unheard))

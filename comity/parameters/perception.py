@@ -57,13 +57,13 @@ def sees(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHIN
 
 
 def lacks_hearing(values: Inference) -> bool:
-    """Whether a person does not hear, as their values say: what they said on the way is in them."""
-    return not {NOTE_OF_DEAF, NOTE_OF_DEAFBLIND}.isdisjoint(values.notes)
+    """Whether a person does not hear, by the inputs of their values: what was said on the way is in them."""
+    return is_read(HEARING, values.inputs.get(HEARING, ""))
 
 
 def lacks_sight(values: Inference) -> bool:
     """The same of sight."""
-    return not {NOTE_OF_BLIND, NOTE_OF_DEAFBLIND}.isdisjoint(values.notes)
+    return is_read(SIGHT, values.inputs.get(SIGHT, ""))
 
 
 def is_read(name: str, fact: object) -> bool:
@@ -142,7 +142,7 @@ def refuse_clash(profile: Profile, day: date | None) -> None:
 def perceiving(
     values: Inference, profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING
 ) -> Inference:
-    """A person's parameters with what follows from what they do not hear or see.
+    """A person's parameters with what follows from what they do not hear or see, which is among the inputs.
 
     Args:
         values: What rules and wishes give.
@@ -155,20 +155,21 @@ def perceiving(
         return values
     note = NOTE_OF_DEAFBLIND if not (hearing or seeing) else NOTE_OF_BLIND if hearing else NOTE_OF_DEAF
     clash = clash_of(wishes_of(values), hears=hearing, sees=seeing)
-    values = replace(values, notes=(*values.notes, note, *([clash.words] if clash else [])))
+    lacking = {name: "none" for name, has in ((HEARING, hearing), (SIGHT, seeing)) if not has}
+    notes = (*values.notes, note, *([clash.words] if clash else []))
+    values = replace(values, inputs={**values.inputs, **lacking}, notes=notes)
     return values if hearing else _within_view(values)
 
 
-def noting_say(values: Inference, agenda: Sequence[Task]) -> Inference:
-    """The same with a note where something is to be said to who does not hear.
+def notes_of_unheard(values: Inference, agenda: Sequence[Task]) -> tuple[str, ...]:
+    """A note where something is to be said to a person who does not hear.
 
     Args:
-        values: A person's parameters, as `perceiving` gives them.
-        agenda: What is to be done at their visit.
+        values: The person's parameters, as `perceiving` gives them.
+        agenda: What is to be done at the visit.
     """
-    if not lacks_hearing(values) or not any(isinstance(task, Say) for task in agenda):
-        return values
-    return replace(values, notes=(*values.notes, NOTE_OF_SAY))
+    is_unheard = lacks_hearing(values) and any(isinstance(task, Say) for task in agenda)
+    return (NOTE_OF_SAY,) if is_unheard else ()
 
 
 def _within_view(values: Inference) -> Inference:

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import situation_of
-from comity.parameters.in_run import infer_in_run
 from comity.parameters.passing import asked_speed_m_s, own_distance_m
 from comity.parameters.values import refuse_unknown
 from comity.schedule import Announced
@@ -155,10 +154,7 @@ def _by_time(file: ScenarioFile) -> list[tuple[int, Change]]:
 def _values(cast: Cast, i: int, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
     try:
         refuse_unknown(situation, cast.rulebook, f"the situation of {name}")
-        values = infer_in_run(
-            declared, cast.rulebook, situation=situation, at=cast.day, learnt=cast.learnt.get(name)
-        )
-        return cast.noting_say(name, values)
+        return cast.values_told(name, declared, situation)
     except InputError as error:
         raise error.at(cast.file.where("changes", i)) from None
 

@@ -12,9 +12,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import comity
+from comity.monitoring.consenting import consenting
 from comity.parameters.values import infer_for
 from comity.people.language import ALSO
 from comity.people.profile import Declared, Profile
+from comity.preparation import prepare
+from comity.scenario import load_scenario
 from comity_executor import Speaker
 from comity_fis import load_rulebook
 
@@ -308,3 +311,19 @@ def test_an_expectation_takes_words_in_their_script_or_in_latin_letters(comity, 
     (here / "said.scenario.yaml").write_text(yaml.safe_dump(scenario, allow_unicode=True), encoding="utf-8")
     said = comity("test", "said.scenario.yaml")
     assert said.code == 0, said.out
+
+
+def test_what_is_said_on_the_way_and_consent_leave_the_language_of_the_site(here):
+    """A wish on the way, and an operator's word, are one inference more: it knows the site, too."""
+    text = (
+        SCENARIO.replace("rulebook: bruno2017", "rulebook: evidence").rstrip() + "\nsite_language: Swedish\n"
+    )
+    changes = "changes: [{at_s: 1, person: guest, says: {conversational_distance: 1.0}}]\n"
+    (here / "one.scenario.yaml").write_text(text + changes)
+    prepared = prepare(load_scenario("one.scenario.yaml"))
+    episode = comity.run("one.scenario.yaml")
+    (revision,) = [one for one in episode.revisions if one.was_asked_for]
+    assert revision.values["guest"]["conversational_distance"].value == 1.0
+    assert revision.values["guest"]["greeting_language"].value == "swe"
+    consented = consenting(prepared, prepared.values["guest"], "guest", given=True, t=2.0)
+    assert consented["greeting_language"].value == "swe"

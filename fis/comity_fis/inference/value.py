@@ -153,7 +153,7 @@ class Inference(Mapping[str, ParameterValue]):
     mode: str
     """How the centre of area was computed: exact, matlab or skfuzzy."""
     inputs: Mapping[str, Known | None]
-    """Every variable of the rulebook; None where it was not disclosed."""
+    """Every variable of the rulebook, None where it was not disclosed; and what else was read."""
     parameters: Mapping[str, ParameterValue]
     coercions: Mapping[str, Coercion] = field(default_factory=dict)
     """Of the variables that are used above their own level of measurement."""
