@@ -29,7 +29,6 @@ from comity.specification.matrix import Markers, Matrix
 from comity.specification.on_foot import PassersBy, Walks
 from comity.specification.scenario_check import NameCheck
 from comity.system import library
-from comity_executor.speech.wordings_file import WordingsFile
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.learning.signals import SIGNALS, Signal
@@ -332,7 +331,7 @@ class Scenario(BaseModel):
         description="The language of the place, by code or name: what the robot speaks to a person who "
         "stated none that it has words in; English without it.",
     )
-    wordings: tuple[Name | WordingsFile, ...] = Field(
+    wordings: tuple[Name | Mapping[str, Any], ...] = Field(
         default=(),
         max_length=50,
         description="Wordings of the site's own, each a file or written out; they go before those that ship.",

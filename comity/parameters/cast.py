@@ -133,7 +133,8 @@ def rulebook_of(
     Raises:
         InputError: if there is none, or it is no YAML.
     """
-    return chosen_rulebook(file, _declared(file, profiles or {}), other).file
+    is_named = other is not None or file.scenario.rulebook is not None
+    return chosen_rulebook(file, {} if is_named else _declared(file, profiles or {}), other).file
 
 
 def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[str, Declared]:

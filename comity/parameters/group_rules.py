@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from comity_fis import NominalVariable, Rulebook
+from comity.parameters.standing import reads_culture
+from comity_fis import Rulebook
 
 GENDER, NATIONALITY = "gender", "nationality"
 
@@ -14,22 +15,9 @@ def group_rules(rulebook: Rulebook) -> Mapping[str, tuple[int, ...]]:
 
     A rule reads nationality where it reads a culture, or a score that a table gives a culture.
     """
+    read = {GENDER: {GENDER}, NATIONALITY: {variable.name for variable in reads_culture(rulebook)}}
     found = {
-        group: tuple(
-            rule.number
-            for rule in rulebook.rules
-            if rule.enabled and any(_group(rulebook, name) == group for name in rule.reads)
-        )
-        for group in (GENDER, NATIONALITY)
+        group: tuple(rule.number for rule in rulebook.rules if rule.enabled and names & set(rule.reads))
+        for group, names in read.items()
     }
     return {group: numbers for group, numbers in found.items() if numbers}
-
-
-def _group(rulebook: Rulebook, name: str) -> str | None:
-    variable = rulebook.variables.get(name)
-    if name == GENDER:
-        return GENDER
-    if isinstance(variable, NominalVariable) and variable.tells_culture:
-        return NATIONALITY
-    derived = getattr(variable, "derived_from", None)
-    return NATIONALITY if derived is not None and derived.table is not None else None

@@ -12,7 +12,6 @@ from comity_domain.classical.initial_state import visit_names
 from comity_domain.classical.pddl import domain_pddl, problem_pddl
 from comity_domain.classical.tour_of import tour_of
 from comity_domain.labelling.skipping import left_out, skip_steps
-from comity_domain.own.engines.by_name import require_installed, solve_pddl
 from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.request import VisitRequest
@@ -39,6 +38,8 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     """
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
+    from comity_domain.own.engines.by_name import require_installed, solve_pddl
+
     require_installed(engine)
     _require_all_said(engine, request)
     left = left_out(request)

@@ -43,31 +43,35 @@ class _Grounding:
         self._due = {person.name: list(tasks(person)) for person in people}
         self._things = {task: thing for person in people for task, thing in brought(person)}
 
-    def arguments(self, step: PlanStep) -> Sequence[Word]:  # noqa: PLR0911  (one for each action)
+    def arguments(self, step: PlanStep) -> Sequence[Word]:
         """All but the robot."""
         user = Word("user", step.person)
+        words: Sequence[Word]
         match step.action:
             case actions.REACH:
                 self._side = step.arguments[2]
-                return (user, Word("side", self._side), *_origin(step), self._holds)
+                words = (user, Word("side", self._side), *_origin(step), self._holds)
             case actions.RETURN:
                 task = self._due[step.person][0]
-                return (user, Word("side", step.arguments[2]), task, self._holds, *_origin(step))
+                words = (user, Word("side", step.arguments[2]), task, self._holds, *_origin(step))
             case actions.FETCH:
                 task = next(task for task in self._due[step.person] if task in self._things)
                 self._holds = self._things[task]
                 place, side = spot_words(location(step.arguments[3]))
-                return (user, task, self._holds, place, side, *_origin(step), NOTHING)
+                words = (user, task, self._holds, place, side, *_origin(step), NOTHING)
             case actions.GREET:
-                return (user, *_way(step), *self._turn(1), self._holds)
+                words = (user, *_way(step), *self._turn(1), self._holds)
             case actions.GREET_TOGETHER:
                 company = Word("company", step.arguments[2])
-                return (company, user, Word("side", self._side), *_way(step), *self._turn(len(step.people)))
-        task = self._due[step.person].pop(0)
-        if step.action == actions.OFFER:
-            held_, self._holds = self._holds, NOTHING
-            return (user, task, held_, NOTHING)
-        return (user, task, *_way(step), self._holds) if step.action == actions.LEAVE else (user, task)
+                words = (company, user, Word("side", self._side), *_way(step), *self._turn(len(step.people)))
+            case actions.OFFER:
+                words = (user, self._due[step.person].pop(0), self._holds, NOTHING)
+                self._holds = NOTHING
+            case actions.LEAVE:
+                words = (user, self._due[step.person].pop(0), *_way(step), self._holds)
+            case _:
+                words = (user, self._due[step.person].pop(0))
+        return words
 
     def _turn(self, people: int) -> tuple[Word, Word]:
         """How many were greeted before and after, where that is a matter."""

@@ -46,7 +46,7 @@ class Visitee:
     in_hand: bool = False
     """The robot holds what is offered first: whoever it is for is visited before all others."""
     after: str | None = None
-    """Who is greeted before this one, where the scenario wants it so; none if they are not visited."""
+    """The person to be greeted before, if the scenario asks for an order; ignored if nobody visits them."""
     not_from: frozenset[str] = frozenset()
     """Sides that the scenario rules out."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, islice, pairwise
 from typing import TYPE_CHECKING
 
@@ -51,14 +51,14 @@ def topology(place: PlaceMap | Scene, doors: Iterable[Door] | None = None) -> To
         if shapes[room].intersection(shapes[next_room]).area > 0.0:
             graph.add_edge(room, next_room, key="open", kind="open", is_open=True)
     for door in place.doors if doors is None else doors:
-        one, other = (room_at(place, xy) for xy in _beside(door))
+        one, other = (_room_in(shapes, xy) for xy in _beside(door))
         if one is not None and other is not None:
             width_m = Point(door.start).distance(Point(door.end))
             facts = {"width_m": width_m, "is_open": door.is_open, "at": _middle(door)}
             graph.add_edge(one, other, key=door.name, kind="door", **facts)
     for location in place.locations:
         node = f"place {location.name}" if location.name in shapes else location.name
-        if (around := room_at(place, location.xy)) is not None:
+        if (around := _room_in(shapes, location.xy)) is not None:
             graph.add_node(node, kind="place", name=location.name, at=location.xy)
             graph.add_edge(around, node, key="in", kind="in", is_open=True)
     return graph
@@ -66,10 +66,7 @@ def topology(place: PlaceMap | Scene, doors: Iterable[Door] | None = None) -> To
 
 def room_at(place: PlaceMap | Scene, xy: XY) -> str | None:
     """The room that a point is in, the first of those that overlap there; None outside of all."""
-    from shapely import Point
-
-    point = Point(xy)
-    return next((name for name, shape in _shapes(place).items() if shape.covers(point)), None)
+    return _room_in(_shapes(place), xy)
 
 
 def shut_doors_between(graph: Topology, here: str, there: str) -> Iterator[Sequence[str]]:
@@ -105,6 +102,13 @@ def _shut_on(graph: Topology, way: Sequence[str]) -> Sequence[str]:
 
 def _shapes(place: PlaceMap | Scene) -> dict[str, Polygon]:
     return {area.name: shape_of(area) for area in place.areas}
+
+
+def _room_in(shapes: Mapping[str, Polygon], xy: XY) -> str | None:
+    from shapely import Point
+
+    point = Point(xy)
+    return next((name for name, shape in shapes.items() if shape.covers(point)), None)
 
 
 def _middle(door: Door) -> XY:
