@@ -25,12 +25,13 @@ from comity.commands.options import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
     from rich.console import RenderableType
 
     from comity.live.operator import Operator
     from comity.recording import Recorded, View
+    from comity.sharing.extra import Extra
     from comity_executor import MapRobot
 
 Out = Annotated[
@@ -131,54 +132,38 @@ def run(
     kept. With --robot a robot of your own carries it out, on the scenario's map and from
     where it is and sees people. Exit code 1: a person could not be served.
     """
-    from comity.adaptation.learning import in_words, keep, observed, refuse_nobody_kept
+    from comity.adaptation.learning import refuse_nobody_kept
     from comity.commands.progress import watching
     from comity.live.start import as_seen, for_adults, slowed
     from comity.output.run_folder import place_for
     from comity.parameters.speaking import at_site
     from comity.preparation import prepare
-    from comity.recording import record
-    from comity.report.episodes.run import reached_text, summary
-    from comity.report.text import show
     from comity.scenario import load_scenario
-    from comity.sharing.run import FOLDER, record_shared
-    from comity_fis import InputError
+    from comity.sharing.run import FOLDER
 
-    if with_ and not pseudonyms:
-        raise InputError(
-            expected="--pseudonyms", got="--with without it", remedy="Add --pseudonyms, or leave --with out."
-        )
+    _require_pseudonyms(with_, pseudonyms)
     file = for_adults(slowed(load_scenario(scenario), max_speed), adults_only=adults_only)
-    if site_language is not None or wordings:
-        file = at_site(file, language=site_language, wordings=wordings)
-    place_for(
-        out, FOLDER if pseudonyms else file.scenario.name
-    )  # before the planning: a folder that cannot be used costs no wait
+    file = at_site(file, language=site_language, wordings=wordings)
+    # Before the planning: a folder that cannot be used costs no wait.
+    place_for(out, FOLDER if pseudonyms else file.scenario.name)
+    needs = {
+        "--adults-only": adults_only,
+        "--unreviewed-wordings": unreviewed_wordings,
+        "--shadow": shadow,
+        "--operator": operator,
+    }
     with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
-        needs = {
-            "--adults-only": adults_only,
-            "--unreviewed-wordings": unreviewed_wordings,
-            "--shadow": shadow,
-            "--operator": operator,
-        }
         base = _robot(robot, needs=needs, shadow=shadow)
         if base is not None:
             file = as_seen(file, base)
+        people = pairs(as_, "--as", "guest=german_man")
         with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
-            people = pairs(as_, "--as", "guest=german_man")
             prepared = prepare(
-                file,
-                profiles=people,
-                rulebook=rulebook,
-                at=day(at),
-                learn=learn,
-                seed=seed,
-                engine=engine,
+                file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed, engine=engine
             )
             if learn:
                 refuse_nobody_kept(prepared)
-            write = partial(record_shared, extras=with_) if pseudonyms else record
-            recorded = write(
+            recorded = _recording(with_, pseudonyms)(
                 prepared,
                 seed=seed,
                 out=out,
@@ -189,22 +174,50 @@ def run(
                 called=f"{robot} (shadow: nothing was commanded)" if shadow else robot,
                 unreviewed_wordings=unreviewed_wordings,
             )
-    seen = observed(recorded.episode, day(at)) if learn else {}
-    kept = keep(seen)
+    _tell(recorded, _learnt(recorded, at) if learn else (), pseudonyms=pseudonyms, as_json=as_json)
+    if open_:
+        _open(recorded)
+    raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
+
+
+def _require_pseudonyms(extras: Sequence[Extra], pseudonyms: bool) -> None:
+    from comity_fis import InputError
+
+    if extras and not pseudonyms:
+        raise InputError(
+            expected="--pseudonyms", got="--with without it", remedy="Add --pseudonyms, or leave --with out."
+        )
+
+
+def _recording(extras: Sequence[Extra], pseudonyms: bool) -> Callable[..., Recorded]:
+    """What carries the episode out and writes it down."""
+    from comity.recording import record
+    from comity.sharing.run import record_shared
+
+    return partial(record_shared, extras=extras) if pseudonyms else record
+
+
+def _learnt(recorded: Recorded, at: str | None) -> Iterable[RenderableType]:
+    """Remember what was noticed of people, and say so."""
+    from comity.adaptation.learning import in_words, keep, observed
+
+    seen = observed(recorded.episode, day(at))
+    return in_words(seen, keep(seen))
+
+
+def _tell(recorded: Recorded, learnt: Iterable[RenderableType], *, pseudonyms: bool, as_json: bool) -> None:
+    from comity.report.episodes.run import reached_text, summary
+    from comity.report.text import show
+
     if as_json:
         print_json(recorded.answer)
     else:
         told = reached_text(recorded.answer) if pseudonyms else summary(recorded.answer, recorded.episode)
-        show(*told, *_written(recorded))
-        if learn:
-            show(*in_words(seen, kept))
+        show(*told, *_written(recorded), *learnt)
     if recorded.folder.is_open_to_others():
         path = recorded.folder.path
         note = f"others on this machine may look into {path}, not into its files"
         print(f"Note: {note}; `chmod 700 {path}` ends it.", file=sys.stderr)
-    if open_:
-        _open(recorded)
-    raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
 
 
 def _robot(name: str | None, *, needs: Mapping[str, bool], shadow: bool) -> MapRobot | None:
