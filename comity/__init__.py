@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from typing import Any
 
-    from comity.adaptation.observing import StoredProfile
+    from comity.adaptation.stored_profile import StoredProfile
     from comity.episode import Episode
     from comity.people.profile import ProfileGiven
     from comity_domain import PlanningFailed
@@ -29,7 +29,7 @@ _LAZY = {
     "Plan": "comity_domain",
     "PlanningFailed": "comity_domain.errors",
     "Rulebook": "comity_fis",
-    "StoredProfile": "comity.adaptation.observing",
+    "StoredProfile": "comity.adaptation.stored_profile",
 }
 """What the functions here return and raise, by name, with the module that is loaded when it is asked for."""
 
@@ -184,7 +184,7 @@ def profile(name: str, *, rulebook: str = "evidence") -> StoredProfile:
     Raises:
         InputError: if nobody of that name is kept.
     """
-    from comity.adaptation.observing import StoredProfile
+    from comity.adaptation.stored_profile import StoredProfile
 
     return StoredProfile(name, rulebook)
 

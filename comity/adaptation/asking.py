@@ -8,19 +8,18 @@ from datetime import date
 from typing import TYPE_CHECKING, Literal
 
 from comity.adaptation.editing import Books, checked, edited, keep_edited
-from comity.parameters.acquaintance import learnt_about, model_m, usual_situation
-from comity.parameters.values import infer_for
+from comity.parameters.acquaintance import met_at, model_m, usual_situation
 from comity.people.adulthood import require_adult
 from comity.people.consents import require_consent
 from comity.people.learnt_file import PARAMETER, Stated
-from comity.people.profile import day_for, load_profile
+from comity.people.profile import load_profile
 from comity.people.remembered import forget_answers, remember_answer
 from comity.people.store import Store
 
 if TYPE_CHECKING:
     from comity.people.fact import Fact
     from comity.people.profile import Declared
-    from comity_fis import ParameterValue, Rulebook
+    from comity_fis import ParameterValue
 
 CountsAs = Literal["setting", "observation"]
 """A setting goes before everything but safety; an observation is weighed with what the person shows."""
@@ -71,24 +70,20 @@ class Question:
         stated = Stated(
             day=self.day,
             situation=dict(self.situation),
-            model_m=round(model_m(self._value(_without_wish(load_profile(self.name)))), 4),
+            model_m=round(model_m(self._prior()), 4),
             likes_m=float(wish),
         )
         remember_answer(self.name, stated)
         return stated.likes_m
 
+    def _prior(self) -> ParameterValue:
+        """What culture and situation give, without a wish."""
+        without = _without_wish(load_profile(self.name))
+        return met_at(without, self.judges.first, self.situation, self.day)
+
     def met_at(self) -> ParameterValue:
         """How near the robot comes in this situation from now on, with what that is made of."""
-        return self._value(load_profile(self.name))
-
-    def _value(self, declared: Declared) -> ParameterValue:
-        book = self.judges.first
-        learnt = learnt_about(declared, book, self.situation, self.day)
-        at = day_for(self.day, declared.profile)
-        return infer_for(declared, book, situation=self._told(book), at=at, learnt=learnt)[PARAMETER]
-
-    def _told(self, book: Rulebook) -> Mapping[str, Fact]:
-        return {name: fact for name, fact in self.situation.items() if name in book.variables}
+        return met_at(load_profile(self.name), self.judges.first, self.situation, self.day)
 
 
 def ask_in(name: str, judges: Books, day: date, told: Mapping[str, Fact]) -> Question:

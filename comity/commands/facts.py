@@ -129,25 +129,6 @@ def precise_facts_in_words(words: Iterable[str], book: Rulebook) -> dict[str, fl
     return told
 
 
-def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float | str]:
-    """What `VARIABLE=VALUE` words say of the situation.
-
-    Raises:
-        InputError: for a word about anything else than the situation.
-    """
-    told = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "posture=seated").items()}
-    for name in told:
-        if name not in book.variables or book.variables[name].kind != "situation":
-            situations = [name for name, variable in book.variables.items() if variable.kind == "situation"]
-            raise InputError(
-                expected="something that describes the situation",
-                got=repr(name),
-                remedy=f"{closest(name, situations)} What a person declares is kept by `comity profile set`.",
-                where=Where("--set"),
-            )
-    return {name: fact for name, fact in told.items() if isinstance(fact, float | str)}
-
-
 def _fact(book: Rulebook, name: str, value: str) -> Fact:
     variable = book.variables.get(name)
     if variable is None and name in {*PERSONAL, *book.facts}:

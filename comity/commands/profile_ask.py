@@ -13,6 +13,7 @@ from comity.commands.options import (
     KeptName,
     Set,
     day,
+    pairs,
     print_json,
     require_terminal,
 )
@@ -52,12 +53,18 @@ def ask(
 
     from comity.adaptation.asking import ask_in
     from comity.adaptation.editing import books
-    from comity.commands.facts import situation_in_words
+    from comity.adaptation.observers_words import situation_told
     from comity.report.people.asking import ask_answer, ask_text
     from comity.report.text import show
+    from comity_fis import Where
 
     judges = books(rulebook)
-    question = ask_in(name, judges, day(at) or date.today(), situation_in_words(set_, judges.first))
+    question = ask_in(
+        name,
+        judges,
+        day(at) or date.today(),
+        situation_told(pairs(set_, "--set", "posture=seated"), judges.first, Where("--set")),
+    )
     said, counts_as = _heard(name, answer, counts_as, judges.first)
     answer_m = _keep(question, said, counts_as) if counts_as else None
     value = question.met_at() if counts_as else None

@@ -58,8 +58,9 @@ def observe(
 
     For example: comity profile observe amal --signal stepped_back --distance 0.8 --situation posture=seated
     """
+    from comity.adaptation.observations_table import read_sights
+    from comity.adaptation.observers_words import situation_told
     from comity.adaptation.observing import observe as write_down
-    from comity.adaptation.observing import read_sights, situation_of
     from comity.people.remembered import undo as take_back
     from comity.people.store import Store
     from comity.report.people.observing import observe_answer, observe_text
@@ -80,7 +81,7 @@ def observe(
             sights = read_sights(table, book, name=name, day=day(at))
         else:
             told = pairs(situation or [], "--situation", "posture=seated")
-            held = situation_of(told, book, Where("--situation"))
+            held = situation_told(told, book, Where("--situation"))
             sights = (_sight(name or "", signal or "", distance, held, at),)
         names = [sight.name for sight in sights]
         observed = list(zip(names, write_down(sights, book), strict=True))
@@ -94,8 +95,9 @@ def observe(
 def _sight(
     name: str, signal: str, distance: str | None, situation: Mapping[str, float | str], at: str | None
 ) -> Sight:
-    from comity.adaptation.observing import Sight, signal_in_words
-    from comity.adaptation.observing import distance as metres
+    from comity.adaptation.observers_words import distance as metres
+    from comity.adaptation.observers_words import signal_in_words
+    from comity.adaptation.observing import Sight
 
     return Sight(
         name=name,
@@ -110,9 +112,13 @@ def _values(rows: list[tuple[str, Observation]], book: Rulebook) -> dict[str, Pa
     """How near each of these people is met from now on, in the situation of their last row."""
     from datetime import date
 
-    from comity.adaptation.observing import met_at
+    from comity.parameters.acquaintance import met_at
+    from comity.people.profile import load_profile
 
-    return {name: met_at(name, book, seen.situation, date.today()) for name, seen in dict(rows).items()}
+    return {
+        name: met_at(load_profile(name), book, seen.situation, date.today())
+        for name, seen in dict(rows).items()
+    }
 
 
 def _check(

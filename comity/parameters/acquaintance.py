@@ -7,9 +7,11 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.parameters.own_words import in_the_rulebooks_case
+from comity.parameters.values import infer_for
 from comity.people.adulthood import is_under_age
 from comity.people.dated import held
 from comity.people.learnt_file import PARAMETER, Observation, learnt_on
+from comity.people.profile import day_for
 from comity.people.remembered import remembered
 from comity_fis import Learnt, NumericParameter
 
@@ -65,6 +67,23 @@ def learnt_about(
         return {}
     learnt = learnt_on(day or date.today(), document.in_situation(situation), parameter.spread)
     return {PARAMETER: learnt} if learnt else {}
+
+
+def met_at(
+    declared: Declared, rulebook: Rulebook, situation: Mapping[str, Fact], day: date
+) -> ParameterValue:
+    """How near the robot comes to a stored person in a situation, with what that is made of.
+
+    Args:
+        declared: The person.
+        rulebook: The rules.
+        situation: By variable; what the rulebook does not know is left out.
+        day: Of the facts.
+    """
+    told = {name: fact for name, fact in situation.items() if name in rulebook.variables}
+    learnt = learnt_about(declared, rulebook, situation, day)
+    at = day_for(day, declared.profile)
+    return infer_for(declared, rulebook, situation=told, at=at, learnt=learnt)[PARAMETER]
 
 
 def learnt_here(

@@ -14,7 +14,9 @@ from hypothesis import strategies as st
 
 import comity as front_door
 from comity.adaptation.learning import keep, observed
-from comity.adaptation.observing import PAST, Sight, StoredProfile, observe
+from comity.adaptation.observers_words import PAST
+from comity.adaptation.observing import Sight, observe
+from comity.adaptation.stored_profile import StoredProfile
 from comity.adaptation.visits import acquainted, interval_in_words, meet
 from comity.live_episode import execute
 from comity.people.consents import SCOPES, give

@@ -1,0 +1,95 @@
+"""Observations of many meetings in a CSV file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from datetime import date
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.adaptation.observers_words import signal_in_words, situation_told
+from comity.adaptation.observing import Sight
+from comity.people.dated import read_day
+from comity_fis import Where
+from comity_fis.errors import WrongValueError
+from comity_fis.validation.csv_table import CsvTable, Row, read_csv
+
+if TYPE_CHECKING:
+    from comity_fis import Rulebook
+
+NEEDED = ("signal", "distance_m")
+MOST_ROWS = 10_000
+
+
+def read_sights(
+    path: Path, rulebook: Rulebook, *, name: str | None = None, day: date | None = None
+) -> tuple[Sight, ...]:
+    """The rows of a CSV file: `signal`, `distance_m`, and `name`, `date` and situations where they are told.
+
+    Args:
+        path: Of the file.
+        rulebook: Its variables that describe a situation may be headings.
+        name: Of whom all rows tell, where there is no column of names.
+        day: Of rows without a date; None for today.
+
+    Raises:
+        InputError: with the line of whatever cannot be used.
+    """
+    situations = [key for key, variable in rulebook.variables.items() if variable.kind == "situation"]
+    known = [*NEEDED, "name", "date", *situations]
+    with read_csv(path, known) as table:
+        _check_heading(table, known, name)
+        rows = tuple(_sights(table, rulebook, situations, name, day))
+    if not rows:
+        raise table.refusal("at least one row below the headings", "none", "Add what was seen and heard.")
+    return rows
+
+
+def _check_heading(table: CsvTable, known: Iterable[str], name: str | None) -> None:
+    needed = NEEDED if name else ("name", *NEEDED)
+    for heading in needed:
+        if heading not in table.heading:
+            remedy = "Add it" + ("." if heading != "name" else ", or name the person on the command line.")
+            raise table.refusal(
+                f"the headings {', '.join(needed)}", f"none called {heading!r}", remedy, table.line
+            )
+    for heading in table.heading:
+        if heading not in known or table.heading.count(heading) > 1:
+            got = f"{heading!r} twice" if heading in known else repr(heading)
+            raise table.refusal(f"headings of {', '.join(known)}", got, "Rename or remove it.", table.line)
+
+
+def _sights(
+    table: CsvTable, rulebook: Rulebook, situations: Iterable[str], name: str | None, day: date | None
+) -> Iterator[Sight]:
+    place = {heading: index for index, heading in enumerate(table.heading)}
+    for count, row in enumerate(table.rows):
+        if count == MOST_ROWS:
+            raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file.", row.line)
+        where = Where(table.file, row.line)
+        told = {key: row.cell(place[key]) for key in situations if key in place and row.cell(place[key])}
+        yield Sight(
+            name=_name(table, row, place, name),
+            signal=signal_in_words(row.cell(place["signal"]), where),
+            distance_m=table.number(row.cell(place["distance_m"]), row.line, "a distance in metres"),
+            day=_day(row.cell(place["date"]), where) if "date" in place and row.cell(place["date"]) else day,
+            situation=situation_told(told, rulebook, where),
+            where=where,
+        )
+
+
+def _name(table: CsvTable, row: Row, place: Mapping[str, int], name: str | None) -> str:
+    told = row.cell(place["name"]) if "name" in place else ""
+    if told and name and told != name:
+        remedy = "Leave the name on the command line out, or split the file."
+        raise table.refusal(f"rows about {name}", repr(told), remedy, row.line)
+    if not (told or name):
+        raise table.refusal("who it was", "an empty cell", "Write the name.", row.line)
+    return told or str(name)
+
+
+def _day(words: str, where: Where) -> date:
+    try:
+        return read_day(words)
+    except WrongValueError as error:
+        raise error.at(where) from None
