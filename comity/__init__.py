@@ -79,10 +79,10 @@ def run(
             the rulebook. Each is a class or function of the name of its node and the person.
         robot: A real robot in the place of the simulated one, on the scenario's map, from where it is and
             sees people (`comity_executor.MapRobot` says what it needs).
-        adults_only: Whether you know that nobody whose age is not known is under 18; a real robot goes to
-            nobody else.
-        unreviewed_wordings: Whether a real robot says wordings that nobody who speaks the language has
-            reviewed; else it says the name and the plainest word for it in the language of the site.
+        adults_only: State `True` if every person of unknown age is 18 or older; a real robot goes to adults
+            alone.
+        unreviewed_wordings: Let a real robot say wordings that no speaker of the language has reviewed. Else
+            the robot says the name and a plain greeting in the language of the site.
         site_language: The language of the place, by code or name, instead of the scenario's.
         wordings: Files of wordings, before those that ship.
 
@@ -107,7 +107,7 @@ def run(
         raise InputError(
             expected="True or False for adults_only",
             got=repr(adults_only),
-            remedy="State True only where you know that nobody is under 18 whose age is not known.",
+            remedy="State True only if every person of unknown age is 18 or older.",
         )
     file = load_scenario(str(scenario))
     if robot is not None:
@@ -149,8 +149,7 @@ def infer(
     Args:
         profile: A shipped or stored profile's name, a file, or a profile written out, as in
             `{"culture": "SWE", "age": 70}`; None where nothing was disclosed.
-        rulebook: A shipped name or a file; without it `evidence` for somebody who is kept on this machine,
-            else `bruno2017`.
+        rulebook: A shipped name or a file; without it `evidence` for a stored profile, else `bruno2017`.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
         at: The day on which dated facts are taken; today without it, where some fact needs it.
         **facts: Values of the rulebook's variables; they go before the profile, None takes a fact back.
@@ -175,14 +174,14 @@ def infer(
 
 
 def profile(name: str, *, rulebook: str = "evidence") -> StoredProfile:
-    """Somebody who is kept on this machine: `comity.profile("amal").observe("stepped_back", 0.8)`.
+    """Stored person, to add observations to: `comity.profile("amal").observe("stepped_back", 0.8)`.
 
     Args:
-        name: Under which they are kept.
+        name: Of the stored profile.
         rulebook: It says what culture and situation alone give; a shipped name or a file.
 
     Raises:
-        InputError: if nobody of that name is kept.
+        InputError: if there is no stored profile of that name.
     """
     from comity.adaptation.stored_profile import StoredProfile
 

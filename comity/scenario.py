@@ -321,7 +321,7 @@ class Scenario(BaseModel):
     rulebook: Name | Mapping[str, Any] | None = Field(
         default=None,
         description="A shipped rulebook, a file, or a rulebook written out. Without it `evidence` where a "
-        "real robot, or somebody who is kept on this machine, takes part; else `bruno2017`.",
+        "real robot or a stored profile takes part; else `bruno2017`.",
     )
     at: Day | None = Field(
         default=None, description="The day on which dated facts are taken; without it the day of the run."

@@ -46,7 +46,7 @@ PersonsRulebookName = Annotated[
     typer.Option(
         "--rulebook",
         metavar="R",
-        help="A shipped one or a file; without it evidence for people who are kept here, else bruno2017.",
+        help="A shipped one or a file; without it evidence for a stored profile, else bruno2017.",
         autocompletion=_rulebooks,
     ),
 ]

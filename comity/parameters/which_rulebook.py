@@ -1,8 +1,8 @@
 """Which rulebook decides: one a run, and why that one.
 
 The paper's own rules rest on contested evidence: for the same culture they keep most men farther away than
-women. They are what the paper is about, so an example without anybody real goes by them; as soon as somebody
-who is kept on this machine, or a real robot, takes part, only what studies support decides.
+women. They are what the paper is about, so an example goes by them. As soon as a stored profile or a real
+robot takes part, only what studies support decides.
 """
 
 from __future__ import annotations
@@ -56,8 +56,8 @@ def which_rulebook(people: Iterable[Declared], *, real_robot: bool = False) -> W
         return Which(EVIDENCE, "a real robot takes part")
     kept = next((declared.kept_as for declared in people if declared.kept_as), None)
     if kept is not None:
-        return Which(EVIDENCE, f"{kept} is kept on this machine")
-    return Which(PAPER, "the paper's, as nobody real takes part")
+        return Which(EVIDENCE, f"the stored profile {kept} takes part")
+    return Which(PAPER, "the paper's, as no stored profile and no real robot takes part")
 
 
 def chosen_rulebook(

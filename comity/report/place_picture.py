@@ -53,7 +53,7 @@ class Drawing:
 
     def graph(self, form: str) -> bytes:
         """The same of its rooms, named places and doors as a graph."""
-        return draw_topology(self.place, title=self.name, format=form)
+        return draw_topology(self.place, title=self.name, form=form)
 
 
 def format_of(out: Path | None) -> str:

@@ -33,7 +33,7 @@ def test_an_example_goes_by_the_paper(here):
 def test_people_who_are_kept_are_met_by_evidence(here, amal):
     assert decided(load_scenario("johanna"), profiles={"johanna": amal}) == (
         "evidence",
-        "amal is kept on this machine",
+        "the stored profile amal takes part",
     )
 
 

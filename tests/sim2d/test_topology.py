@@ -106,7 +106,7 @@ def test_a_world_tells_its_doors_as_they_are_now():
 @pytest.mark.parametrize("form", ["png", "svg"])
 def test_its_picture_is_the_same_in_every_run(form):
     place = load_map("apartment")
-    assert draw_topology(place, title="a", format=form) == draw_topology(place, title="a", format=form)
+    assert draw_topology(place, title="a", form=form) == draw_topology(place, title="a", form=form)
 
 
 def test_the_command_draws_it(comity, here):

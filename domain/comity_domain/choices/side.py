@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from comity_domain.choices.ties import tie_break
 from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice, Curve
-from comity_fis.defuzzification.moved_curve import MovedCurve
+from comity_fis.defuzzification.moved_curve import upper_limit
 from comity_fis.inference.value import Inference, ParameterValue
 
 FRONT_HALF_WIDTH_DEG = 22.5
@@ -55,8 +55,7 @@ def sides(values: Inference) -> Mapping[str, Side]:
 
 def widest_deg(values: Inference) -> float:
     """How far round from a person's front the robot may stand [deg]: their direction's limits, at most 90."""
-    curve = _curve(values["approach_direction"])
-    return min(WIDEST_DEG, curve.limits.high) if isinstance(curve, MovedCurve) else WIDEST_DEG
+    return upper_limit(_curve(values["approach_direction"]), WIDEST_DEG)
 
 
 def _asked_for(angle_deg: float) -> tuple[Side, ...]:

@@ -56,3 +56,8 @@ class MovedCurve:
         """Where a value was before the move; rounding takes no end of the domain out of it."""
         low, high = self.curve.domain
         return min(max(x - self.by, low), high)
+
+
+def upper_limit(curve: Curve, otherwise: float) -> float:
+    """The largest value that a curve's limits allow; at most `otherwise`, which holds without limits."""
+    return min(otherwise, curve.limits.high) if isinstance(curve, MovedCurve) else otherwise

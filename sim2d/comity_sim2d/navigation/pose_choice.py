@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from comity_fis.defuzzification.curve import Curve
-from comity_fis.defuzzification.moved_curve import MovedCurve
+from comity_fis.defuzzification.moved_curve import upper_limit
 from comity_fis.errors import WrongValueError
 from comity_sim2d.kinds import require_kinds, wrong
 from comity_sim2d.navigation.docking import (
@@ -70,8 +70,7 @@ class Wish:
     @property
     def widest_deg(self) -> float:
         """No other pose farther round from the person's front is taken, whatever else is free."""
-        curve = self.direction_desirability
-        return min(WIDEST_DEG, curve.limits.high) if isinstance(curve, MovedCurve) else WIDEST_DEG
+        return upper_limit(self.direction_desirability, WIDEST_DEG)
 
     @property
     def keeps_distance(self) -> bool:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from io import BytesIO
 from itertools import pairwise
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -13,8 +12,8 @@ import numpy as np
 
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.door_drawing import leaf, swing
-from comity_sim2d.pictures.lettering import lettering
 from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.page import DPI, as_bytes, in_per_m, own_page
 from comity_sim2d.pictures.readable_names import legible, names_in, substitutes, with_names
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene.footpath import Footpaths
@@ -36,7 +35,6 @@ EDGE_IN, HEADER_IN, SCALE_IN = 0.25, 0.75, 0.45
 LEAST_IN, MOST_IN = 7.0, 18.0
 IN_PER_M = 1.0
 """A map in the size in which its words fit, unless that is too small or too large a page."""
-DPI = {"png": 120, "svg": 72}
 FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
 MOST_CHARACTERS = 400
 """No page of ours is so wide: the rest need not be measured."""
@@ -64,7 +62,6 @@ def draw_map(
         seed: Of the run whose passers-by are drawn where they start.
         format: `png` or `svg`.
     """
-    from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -73,22 +70,16 @@ def draw_map(
         place = with_names(place, names)
     title, subtitle = legible(title, names), legible(subtitle, names)
     wide, high = d.extent_m(place)
-    scale = min(max(IN_PER_M, LEAST_IN / wide), MOST_IN / max(wide, high))
+    scale = in_per_m((wide, high), IN_PER_M, least_in=LEAST_IN, most_in=MOST_IN)
     size = (max(wide * scale, LEAST_IN) + 2 * EDGE_IN, high * scale + HEADER_IN + SCALE_IN)
-    with (
-        lettering([*names_in(place), title, subtitle]),
-        rc_context({"svg.hashsalt": "Comity", "svg.fonttype": "path"}),
-    ):
+    with own_page([*names_in(place), title, subtitle]):
         figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])
         ax = figure.add_axes((*area, high * scale / size[1]))
         _write_frame(canvas, title, subtitle, area[0], scale)
         _draw(ax, MapLabels(ax, canvas), place, rings, seed)
-        buffer = BytesIO()
-        known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
-        figure.savefig(buffer, format=format, dpi=DPI[format], metadata=known)
-    return buffer.getvalue()
+        return as_bytes(figure, format)
 
 
 def _draw(

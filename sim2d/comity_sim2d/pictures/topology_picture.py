@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 from comity_sim2d.maps.topology import topology
 from comity_sim2d.pictures import drawing as d
-from comity_sim2d.pictures.lettering import lettering
+from comity_sim2d.pictures.page import DPI, as_bytes, in_per_m, own_page
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -17,7 +16,6 @@ if TYPE_CHECKING:
     from comity_sim2d.maps.place_map import PlaceMap
     from comity_sim2d.scene.scene import Scene
 
-DPI = {"png": 120, "svg": 72}
 EDGE_IN, HEADER_IN = 0.4, 0.5
 LEAST_IN, MOST_IN = 7.0, 16.0
 IN_PER_M = 0.6
@@ -25,41 +23,34 @@ ROOM, LIGHT, SHUT = "#0B6E6E", "#8FA3A3", "#B3261E"
 BOX = {"boxstyle": "round,pad=0.1", "fc": "#FFFFFF", "ec": "none", "alpha": 0.8}
 
 
-def draw_topology(place: PlaceMap | Scene, *, title: str, format: str = "png") -> bytes:  # noqa: A002
+def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> bytes:
     """Rooms where they are, doors as lines with their names; a shut door is a dashed red line.
 
     Args:
         place: A map, or a scene with rooms.
         title: The headline.
-        format: `png` or `svg`.
+        form: `png` or `svg`.
 
     Raises:
         ValueError: The place has no rooms.
     """
-    from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     graph = topology(place)
     if not graph:
         raise ValueError("a place without rooms has no graph")
-    with (
-        lettering([*graph, title]),
-        rc_context({"svg.hashsalt": "Comity", "svg.fonttype": "path"}),
-    ):
-        wide, high = d.extent_m(place)
-        scale = min(max(IN_PER_M, LEAST_IN / wide), MOST_IN / max(wide, high))
-        size = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN)
-        figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
+    wide, high = d.extent_m(place)
+    scale = in_per_m((wide, high), IN_PER_M, least_in=LEAST_IN, most_in=MOST_IN)
+    size = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN)
+    with own_page([*graph, title]):
+        figure = Figure(figsize=size, dpi=DPI[form], facecolor="#FFFFFF")
         FigureCanvasAgg(figure)
         beside, above = EDGE_IN / size[0], HEADER_IN / size[1]
         ax = figure.add_axes((beside, 0.0, 1.0 - 2.0 * beside, 1.0 - above))
         ax.set_title(title, loc="left", size=15, weight="bold", color=d.INK)
         _draw(ax, graph, scale)
-        buffer = BytesIO()
-        known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
-        figure.savefig(buffer, format=format, dpi=DPI[format], metadata=known)
-    return buffer.getvalue()
+        return as_bytes(figure, form)
 
 
 def _draw(ax: Axes, graph: nx.MultiGraph[str], scale: float) -> None:
