@@ -12,11 +12,10 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, model_serializer, model_validator
 
-from comity.people.dated import Day
+from comity.people.dated import Day, require_some_time
 from comity.people.fact import Word
 from comity.people.store import Store, refuse_name
 from comity_fis import InputError, Where
-from comity_fis.errors import WrongValueError
 from comity_fis.validation.yaml_file import YamlFile
 
 Scope = Literal["remember", "learn", "record", "touch"]
@@ -44,12 +43,7 @@ class Consent(BaseModel):
 
     @model_validator(mode="after")
     def _some_time(self) -> Consent:
-        if self.until and self.until <= self.from_:
-            raise WrongValueError(
-                expected="`until` after `from`",
-                got=f"from {self.from_} until {self.until}",
-                remedy="Change one of the two.",
-            )
+        require_some_time(self.from_, self.until)
         return self
 
     @model_serializer

@@ -17,9 +17,8 @@ from pydantic import (
     model_validator,
 )
 
-from comity.people.dated import UNKNOWN, Day
+from comity.people.dated import UNKNOWN, Day, require_some_time
 from comity_fis import country
-from comity_fis.errors import WrongValueError
 from comity_fis.validation.one_line import one_line
 
 CultureName = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(one_line)]
@@ -54,12 +53,7 @@ class Culture(BaseModel):
 
     @model_validator(mode="after")
     def _some_time(self) -> Culture:
-        if self.from_ and self.until and self.until <= self.from_:
-            raise WrongValueError(
-                expected="`until` after `from`",
-                got=f"from {self.from_} until {self.until}",
-                remedy="Change one of the two.",
-            )
+        require_some_time(self.from_, self.until)
         return self
 
     @model_serializer

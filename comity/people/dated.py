@@ -64,6 +64,20 @@ def day_in_words(words: str, option: str = "--at") -> date:
         raise error.at(Where(option)) from None
 
 
+def require_some_time(from_: date | None, until: date | None) -> None:
+    """Refuse a time that ends before it begins.
+
+    Raises:
+        WrongValueError: `until` is not after `from`.
+    """
+    if from_ and until and until <= from_:
+        raise WrongValueError(
+            expected="`until` after `from`",
+            got=f"from {from_} until {until}",
+            remedy="Change one of the two.",
+        )
+
+
 def day_given(at: object, called: str = "at") -> date | None:
     """The day that a program gives: a date, also with a time, or words; None stays None.
 
