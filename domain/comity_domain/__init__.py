@@ -10,6 +10,8 @@ from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_i
 from comity_domain.choices.side import Side, sides, widest_deg
 from comity_domain.classical.pddl import plan_pddl
 from comity_domain.classical.problem import problem_of, to_unified_planning
+from comity_domain.classical.solving import solve
+from comity_domain.classical.timing import Timing, timing_of
 from comity_domain.classical.validation import Validation, validate
 from comity_domain.contrast import Contrast, from_other_sides
 from comity_domain.errors import NoPlan, PlanningFailed
@@ -78,6 +80,7 @@ __all__ = [
     "Survey",
     "TakeLeave",
     "Task",
+    "Timing",
     "Travel",
     "Validation",
     "VisitRequest",
@@ -114,6 +117,8 @@ __all__ = [
     "ruled_out",
     "same_choices",
     "sides",
+    "solve",
+    "timing_of",
     "to_unified_planning",
     "unheard",
     "validate",

@@ -7,14 +7,11 @@ from time import monotonic
 
 from comity_domain.choices.options import Options
 from comity_domain.explanation.around import options_around
-from comity_domain.labelling.search import cheapest_or_proof
 from comity_domain.labelling.skipping import SKIP, leaving, skip_steps
-from comity_domain.ordering.insertion import quick_order
-from comity_domain.ordering.local_search import improved
+from comity_domain.ordering.best_order import best_order
 from comity_domain.ordering.measuring import measured_options
-from comity_domain.ordering.none_found import none_found, require_free_hands
 from comity_domain.ordering.order import Order
-from comity_domain.ordering.settling import LATE_S, settled
+from comity_domain.ordering.settling import settled
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
@@ -48,7 +45,7 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
     ends_s = monotonic() + time_limit_s
     left = leaving(request, ends_s=ends_s - time_limit_s / 2)
     served = request.without(left.names) if left.names else request
-    found = settled(served, _order, time_limit_s=time_limit_s, ends_s=ends_s)
+    found = settled(served, best_order, time_limit_s=time_limit_s, ends_s=ends_s)
     bounded, choices = found.choices, measured_options(found.choices, found.request)
     visits = best_tour(found.order.stops, choices)
     in_time = left.in_time and monotonic() <= ends_s
@@ -72,22 +69,3 @@ def _plan(order: Order, steps: Sequence[PlanStep], bounded: Options, *, reproduc
         bound=bound,
         steps=tuple(steps),
     )
-
-
-def _order(choices: Options, time_limit_s: float) -> Order:
-    """The stops of the best plan; where the search proves nothing, made cheaper by moves."""
-    ends_s = monotonic() + time_limit_s
-    found, proven = cheapest_or_proof(choices, ends_s=ends_s)
-    if found is not None and found.exact:
-        return Order(found.stops, proven=True, reproducible=True, bound=found.cost)
-    stops, in_time = (found.stops, found.in_time) if found else (None, monotonic() <= ends_s)
-    if choices.has_order and stops is not None:  # moves know of no order
-        return Order(stops, proven=False, reproducible=in_time)
-    if stops is None and not choices.has_order:
-        require_free_hands(choices)
-        stops = quick_order(choices, ends_s=ends_s + LATE_S)
-        in_time = in_time and (stops is not None or monotonic() <= ends_s)
-    if stops is None:
-        raise none_found(time_limit_s, in_time=in_time, proven=proven)
-    stops, ended = improved(stops, choices, ends_s=ends_s)
-    return Order(stops, proven=False, reproducible=in_time and ended)

@@ -1,4 +1,4 @@
-"""A plan in the words of the domain, with the turns, things and tasks that people never see."""
+"""The visits of a tour in the words of the domain, with the turns, things and tasks that people never see."""
 
 from __future__ import annotations
 
@@ -16,75 +16,79 @@ from comity_domain.classical.initial_state import (
 )
 from comity_domain.classical.naming import Word
 from comity_domain.plans import actions
-from comity_domain.plans.plan import Plan, PlanStep
-from comity_domain.problem.request import Spot, location
+from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.request import START, Spot
+from comity_domain.tours.tour import Visit, served
+
+Ground = tuple[str, Sequence[Word]]
+"""The name of an action, and all its arguments but the robot."""
 
 
-def grounded(plan: Plan, choices: Options) -> Iterator[tuple[str, Sequence[Word]]]:
-    """Each action by its name, with all its arguments; who is left out has none.
+def grounded(visits: Sequence[Visit], choices: Options) -> Iterator[tuple[str, Sequence[Word]]]:
+    """Each action by its name, with all its arguments.
 
     Args:
-        plan: Its steps.
-        choices: What they were chosen from.
+        visits: A tour.
+        choices: What it was chosen from.
     """
-    ground = _Grounding(choices)
-    for step in plan.steps:
-        if step.person in choices.people:
-            yield step.action, (Word("robot", choices.robot), *ground.arguments(step))
+    robot, ground = Word("robot", choices.robot), _Grounding(choices)
+    for visit in visits:
+        for action, words in ground.visit(visit):
+            yield action, (robot, *words)
 
 
 class _Grounding:
-    """What changes as the steps are gone through: the hands, how many were greeted, what comes next."""
+    """What changes from visit to visit: the position, the hands, and how many people were greeted."""
 
     def __init__(self, choices: Options) -> None:
-        people = choices.people.values()
+        self._choices = choices
         self._turns = turns_of(choices)
-        self._holds, self._greeted, self._side = held(choices), 0, ""
-        self._due = {person.name: list(tasks(person)) for person in people}
-        self._things = {task: thing for person in people for task, thing in brought(person)}
+        self._here, self._holds, self._greeted = START, held(choices), 0
 
-    def arguments(self, step: PlanStep) -> Sequence[Word]:
-        """All but the robot."""
-        user = Word("user", step.person)
-        words: Sequence[Word]
-        match step.action:
-            case actions.REACH:
-                self._side = step.arguments[2]
-                words = (user, Word("side", self._side), *_origin(step), self._holds)
-            case actions.RETURN:
-                task = self._due[step.person][0]
-                words = (user, Word("side", step.arguments[2]), task, self._holds, *_origin(step))
-            case actions.FETCH:
-                task = next(task for task in self._due[step.person] if task in self._things)
-                self._holds = self._things[task]
-                place, side = spot_words(location(step.arguments[3]))
-                words = (user, task, self._holds, place, side, *_origin(step), NOTHING)
-            case actions.GREET:
-                words = (user, *_way(step), *self._turn(1), self._holds)
-            case actions.GREET_TOGETHER:
-                company = Word("company", step.arguments[2])
-                words = (company, user, Word("side", self._side), *_way(step), *self._turn(len(step.people)))
-            case actions.OFFER:
-                words = (user, self._due[step.person].pop(0), self._holds, NOTHING)
-                self._holds = NOTHING
-            case actions.LEAVE:
-                words = (user, self._due[step.person].pop(0), *_way(step), self._holds)
-            case _:
-                words = (user, self._due[step.person].pop(0))
-        return words
+    def visit(self, visit: Visit) -> Iterator[Ground]:
+        person = self._choices.people[visit.spot.place]
+        user, words, things = Word("user", person.name), tasks(person), dict(brought(person))
+        if visit.bringing and not person.in_hand:
+            first = next(word for word in words if word in things)
+            yield self._fetch(user, first, things[first], person.fetched_at[0])
+        yield actions.REACH, (user, Word("side", visit.spot.side), *spot_words(self._here), self._holds)
+        self._here = visit.spot
+        if visit.way is not None:
+            yield self._greet(user, visit, visit.way)
+        trips = zip(
+            person.fetched_at[len(person.fetched_at) - len(visit.returns) :], visit.returns, strict=True
+        )
+        for task, word in zip(person.agenda, words, strict=True):
+            if isinstance(task, Offer) and self._holds == NOTHING:
+                kept, spot = next(trips)
+                yield self._fetch(user, word, things[word], kept)
+                yield actions.RETURN, (user, Word("side", spot.side), word, self._holds, *spot_words(kept))
+                self._here = spot
+            yield self._task(user, task, word, visit)
 
-    def _turn(self, people: int) -> tuple[Word, Word]:
-        """How many were greeted before and after, where that is a matter."""
+    def _fetch(self, user: Word, task: Word, thing: Word, kept: Spot) -> Ground:
+        origin, self._here, self._holds = self._here, kept, thing
+        return actions.FETCH, (user, task, thing, *spot_words(kept), *spot_words(origin), NOTHING)
+
+    def _greet(self, user: Word, visit: Visit, way: tuple[str, str]) -> Ground:
+        people = len(served(visit, self._choices))
         last, before = len(self._turns) - 1, self._greeted
         self._greeted += people
-        return self._turns[min(before, last)], self._turns[min(self._greeted, last)]
+        turns = self._turns[min(before, last)], self._turns[min(self._greeted, last)]
+        if visit.company is None:
+            return actions.GREET, (user, *way_words(way), *turns, self._holds)
+        company, side = Word("company", visit.company), Word("side", visit.spot.side)
+        return actions.GREET_TOGETHER, (company, user, side, *way_words(way), *turns)
 
-
-def _origin(step: PlanStep) -> tuple[Word, Word]:
-    assert step.origin is not None  # the robot moves
-    return spot_words(Spot(*step.origin))
-
-
-def _way(step: PlanStep) -> tuple[Word, Word]:
-    modality, gesture = step.arguments[-2:]
-    return way_words((modality, gesture))
+    def _task(self, user: Word, task: Task, word: Word, visit: Visit) -> Ground:
+        match task:
+            case Say():
+                return actions.SAY, (user, word)
+            case Wait():
+                return actions.WAIT, (user, word)
+            case Offer():
+                thing, self._holds = self._holds, NOTHING
+                return actions.OFFER, (user, word, thing, NOTHING)
+            case TakeLeave():
+                assert visit.farewell is not None  # there is one where the agenda has it
+                return actions.LEAVE, (user, word, *way_words(visit.farewell), self._holds)

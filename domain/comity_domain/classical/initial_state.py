@@ -80,7 +80,14 @@ def brought(person: PersonOptions) -> Iterator[tuple[Word, Word]]:
 
 
 def initial_state(options: Options) -> Iterator[Fact]:
-    """All that holds, and every cost."""
+    """All that is true at first, every cost, and the parameters that the actions bind."""
+    yield from state_and_costs(options)
+    for person in options.people.values():
+        yield from _parameters(person)
+
+
+def state_and_costs(options: Options) -> Iterator[Fact]:
+    """The same without the parameters: all that a search looks at."""
     robot, turns = Word(ROBOT, options.robot), turns_of(options)
     yield Fact("at", (robot, *spot_words(START)))
     yield Fact("free", (robot,))
@@ -115,22 +122,27 @@ def held(options: Options) -> Word:
 
 
 def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
-    user, values = Word(USER, person.name), person.values
+    user = Word(USER, person.name)
     yield Fact("suits", (NOTHING, user))
     if person.greeted:
         yield Fact("greeted", (user,))
         yield Fact("begun", (user,))
-    yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
-    yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
-    for name, side in person.sides.items():
-        yield Fact("reachable", (user, Word(SIDE, name)))
-        # Without its sign, which Fast Downward would refuse: the side says it.
-        yield Fact("direction_mdeg", (user, Word(SIDE, name)), _thousandths(abs(side.bearing_deg)))
+    yield from (Fact("reachable", (user, Word(SIDE, name))) for name in person.sides)
     for greeting, cost in person.greetings.items():
         words = (user, *way_words(greeting.way))
         yield Fact("permitted", words)
         for before, turn in enumerate(turns):
             yield Fact("greet_cost", (*words, turn), cost + person.priority * before)
+
+
+def _parameters(person: PersonOptions) -> Iterator[Fact]:
+    """What the actions bind, rounded: no condition and no cost depends on it."""
+    user, values = Word(USER, person.name), person.values
+    yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
+    yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
+    for name, side in person.sides.items():
+        # Without its sign, which Fast Downward would refuse: the side says it.
+        yield Fact("direction_mdeg", (user, Word(SIDE, name)), _thousandths(abs(side.bearing_deg)))
 
 
 def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:

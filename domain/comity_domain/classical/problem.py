@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from comity_domain.choices.options import Options, options
 from comity_domain.classical.grounding import grounded
 from comity_domain.classical.initial_state import Fact, goals, initial_state, visit_names
 from comity_domain.classical.naming import Names
+from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.skipping import left_out
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.survey import fully_measured
+from comity_domain.tours.tour import Visit
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -41,17 +44,25 @@ def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, Seq
         plan: A plan for the request.
         request: What was asked.
     """
-    from unified_planning.plans import ActionInstance, SequentialPlan
-
     choices = _choices(request)
     names = visit_names(choices)
     problem = _problem(choices, names)
+    visits = [visit for visit in visits_of(plan) if visit.spot.place in choices.people]
+    return problem, sequential_plan(problem, visits, choices, names)
+
+
+def sequential_plan(
+    problem: Problem, visits: Sequence[Visit], choices: Options, names: Names
+) -> SequentialPlan:
+    """A tour as a plan for the problem that states its choices."""
+    from unified_planning.plans import ActionInstance, SequentialPlan
+
     make = problem.environment.expression_manager.ObjectExp
     actions = [
         ActionInstance(problem.action(name), [make(problem.object(names.ids[word])) for word in words])
-        for name, words in grounded(plan, choices)
+        for name, words in grounded(visits, choices)
     ]
-    return problem, SequentialPlan(actions)
+    return SequentialPlan(actions)
 
 
 def _choices(request: VisitRequest) -> Options:

@@ -1,0 +1,257 @@
+"""The choices that a problem of the visit domain states, read back from its initial values and goals.
+
+What is read is stated again and compared with the problem: a fact or a goal that this domain's search would
+overlook is refused, never planned without.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from comity_domain.choices.companies import CompanyOptions
+from comity_domain.choices.greeting import Greeting
+from comity_domain.choices.options import Options, PersonOptions, Priced
+from comity_domain.choices.side import Side
+from comity_domain.classical.initial_state import (
+    brought,
+    goals,
+    state_and_costs,
+    tasks,
+    turns_of,
+)
+from comity_domain.classical.naming import Names, Word
+from comity_domain.classical.timing import NO_TIMING, Timing
+from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.request import Spot
+from comity_fis.errors import InputError, Where
+from comity_fis.inference.value import Inference
+
+if TYPE_CHECKING:
+    from unified_planning.model import FNode, Problem
+
+Atom = tuple[str, *tuple[str, ...]]
+"""A fluent and its arguments, by their names in the problem."""
+SIDES = ("front", "left", "right")
+"""As the law of ties has them (`choices.ties`)."""
+BOUND = frozenset(("distance_mm", "speed_mm_s", "direction_mdeg"))
+"""What actions bind, and no condition and no cost depends on."""
+NO_VALUES = Inference("none", "exact", {}, {})
+"""A problem says what everything costs, and not why."""
+
+
+def choices_of(problem: Problem, timing: Timing = NO_TIMING) -> tuple[Options, Names]:
+    """What a plan may be made of, and what each choice is called in the problem.
+
+    Args:
+        problem: As `problem_of` makes it, of any names; costs in cm.
+        timing: What the problem cannot say.
+
+    Raises:
+        InputError: The problem says something else than `problem_of` can say.
+    """
+    _require_visit_domain(problem)
+    stated = _Stated(problem)
+    choices = stated.choices(timing)
+    names = stated.names(choices)
+    _require_same(
+        {atom: value for atom, value in stated.values.items() if atom[0] not in BOUND},
+        {(f.fluent, *(names.ids[word] for word in f.arguments)): f.value for f in state_and_costs(choices)},
+        "initial value",
+    )
+    _require_same(
+        dict.fromkeys(_wanted(problem), True),
+        {(f.fluent, *(names.ids[word] for word in f.arguments)): f.value for f in goals(choices)},
+        "goal",
+    )
+    return choices, names
+
+
+class _Stated:
+    """The initial values of a problem."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._kinds = {each.name: each.type.name for each in problem.all_objects}
+        self._users = [name for name, kind in self._kinds.items() if kind == "user"]
+        self.values = {
+            _atom(atom): value.constant_value()
+            for atom, value in problem.explicit_initial_values.items()
+            if value.constant_value()
+        }
+        """All that is true, and all numbers but 0."""
+        self._by_fluent: dict[str, dict[tuple[str, ...], int]] = defaultdict(dict)
+        for (fluent, *arguments), value in self.values.items():
+            self._by_fluent[fluent][tuple(arguments)] = value
+        self._turns = self._all_turns()
+        self._agendas = {user: self._tasks(user) for user in self._users}
+
+    def choices(self, timing: Timing) -> Options:
+        """See `choices_of`."""
+        people = {user: self._person(user, timing) for user in self._users}
+        companies = {name: self._company(name, people) for (name,) in self._by_fluent["whole"]}
+        spots = [spot for person in people.values() for spot in person.spots()]
+        robot = next((name for name, kind in self._kinds.items() if kind == "robot"), "")
+        legs = dict(self._legs())
+        return Options(robot, people, companies, legs, dict.fromkeys(spots, 0), timing.durations_s)
+
+    def names(self, choices: Options) -> Names:
+        """What each word of the choices is called: all but tasks, things and turns call themselves so."""
+        ids = {Word(kind, name): name for name, kind in self._kinds.items()}
+        ids |= zip(turns_of(choices), self._turns, strict=False)
+        for person in choices.people.values():
+            ids |= zip(tasks(person), self._agendas[person.name], strict=True)
+            for task, thing in brought(person):
+                ids[thing] = self._one("brings", ids[task])
+        return Names(ids, {name: word for word, name in ids.items()})
+
+    def _facts(self, fluent: str, *first: str) -> Iterator[tuple[tuple[str, ...], int]]:
+        """The other arguments and the value wherever the first arguments are these."""
+        for arguments, value in self._by_fluent[fluent].items():
+            if arguments[: len(first)] == first:
+                yield arguments[len(first) :], value
+
+    def _one(self, fluent: str, *first: str) -> str:
+        """The last argument of a fact of which there is one at most; empty where there is none."""
+        return next((arguments[-1] for arguments, _ in self._facts(fluent, *first)), "")
+
+    def _chain(self, fluent: str, first: str) -> list[str]:
+        """What follows what, each once."""
+        found: list[str] = []
+        while first and first not in found:
+            found.append(first)
+            first = self._one(fluent, first)
+        return found
+
+    def _all_turns(self) -> list[str]:
+        return self._chain("then", self._one("now"))
+
+    def _tasks(self, user: str) -> list[str]:
+        return self._chain("follows", self._one("opens", user))
+
+    def _legs(self) -> Iterator[tuple[tuple[Spot, Spot], int]]:
+        numbers = self._by_fluent
+        for start, side, user, to in numbers["route"]:
+            yield (Spot(start, side), Spot(user, to)), numbers["travel_cost"].get((start, side, user, to), 0)
+        for start, side, place, there in numbers["way_to"]:
+            yield (Spot(start, side), Spot(place, there)), numbers["fetch_cost"].get((start, side, place), 0)
+
+    def _person(self, user: str, timing: Timing) -> PersonOptions:
+        sides = [side for (side,), _ in self._facts("reachable", user)]
+        sides.sort(key=lambda side: (SIDES.index(side) if side in SIDES else len(SIDES), side))
+        agenda: Agenda = tuple(self._task(task, timing) for task in self._agendas[user])
+        things = [thing for task in self._agendas[user] if (thing := self._one("brings", task))]
+        greetings, priority = self._greetings(user)
+        bringing = {
+            greeting: cost
+            for greeting, cost in greetings.items()
+            if things and (things[0], greeting.gesture) in self._by_fluent["leaves_open"]
+        }
+        return PersonOptions(
+            user,
+            NO_VALUES,
+            {side: Side(side, 0.0, 1.0, inferred=True) for side in sides},
+            {},
+            greetings,
+            {},
+            priority,
+            timing.by_s.get(user),
+            agenda=agenda,
+            bringing=bringing or None,
+            greeted=(user,) in self._by_fluent["greeted"],
+            in_hand=bool(things) and self._one("holds") == things[0],
+            after=timing.after.get(user),
+            is_told=user in timing.announced,
+        )
+
+    def _greetings(self, user: str) -> tuple[Priced, int]:
+        """What each costs as the first one, and what each person costs who is greeted before."""
+        costs = self._by_fluent["greet_cost"]
+        first, *later = self._turns or [""]
+        prices = {
+            Greeting(modality, gesture, 1.0, 0): costs.get((user, modality, gesture, first), 0)
+            for (modality, gesture), _ in self._facts("permitted", user)
+        }
+        sorted_prices = dict(sorted(prices.items(), key=lambda priced: (priced[1], priced[0].rank)))
+        if not later or not prices:
+            return sorted_prices, 0
+        modality, gesture = next(iter(prices)).way
+        return sorted_prices, costs.get((user, modality, gesture, later[0]), 0) - next(iter(prices.values()))
+
+    def _task(self, task: str, timing: Timing) -> Task:
+        if thing := self._one("brings", task):
+            return Offer(thing, self._one("kept", thing))
+        if (task,) in self._by_fluent["pause"]:
+            return Wait(self._by_fluent["cap_ms"].get((task,), 0) / 1000.0)
+        return TakeLeave() if (task,) in self._by_fluent["farewell"] else Say(timing.messages.get(task, task))
+
+    def _company(self, name: str, people: Mapping[str, PersonOptions]) -> CompanyOptions:
+        members = tuple(user for (user, company) in self._by_fluent["member"] if company == name)
+        spots = [Spot(user, side) for (user, side), _ in self._facts("overlooks", name)]
+        ways = [(modality, gesture) for (modality, gesture), _ in self._facts("welcome", name)]
+        costs, first = self._by_fluent["greet_together_cost"], self._turns[:1]
+
+        def cost(spot: Spot, way: tuple[str, str]) -> int:
+            return costs.get((name, spot.place, spot.side, *way, *first), 0)
+
+        # Only the sum is stated, of what the spot costs and what the greeting does.
+        prices = {spot: min(cost(spot, way) for way in ways) for spot in spots if ways}
+        least = next(iter(prices.items()), None)
+        beyond = {way: cost(least[0], way) - least[1] if least else 0 for way in ways}
+        return CompanyOptions(
+            name, members, prices, dict(sorted(beyond.items(), key=lambda priced: (priced[1], priced[0])))
+        )
+
+
+def _require_visit_domain(problem: Problem) -> None:
+    from comity_domain.classical.visit_domain import empty_problem
+
+    ours = empty_problem("visit")
+    for what, theirs, known in (
+        ("fluent", problem.fluents, ours.fluents),
+        ("action", problem.actions, ours.actions),
+        ("metric", problem.quality_metrics, ours.quality_metrics),
+    ):
+        for one in (*theirs, *known):
+            if one not in known or one not in theirs:
+                _refuse(f"the {what}s of the visit domain", f"the {what} {getattr(one, 'name', one)}")
+
+
+def _wanted(problem: Problem) -> Iterator[Atom]:
+    """The goals, which are one fact each, or joined by `and`."""
+    waiting = list(problem.goals)
+    while waiting:
+        goal = waiting.pop()
+        if goal.is_and():
+            waiting += goal.args
+        elif goal.is_fluent_exp():
+            yield _atom(goal)
+        else:
+            _refuse("that everybody is greeted and every task done as goals", str(goal))
+
+
+def _atom(node: FNode) -> Atom:
+    return (node.fluent().name, *(argument.object().name for argument in node.args))
+
+
+def _require_same(theirs: Mapping[Atom, int], ours: Mapping[Atom, int], what: str) -> None:
+    """Every fact of either, and the numbers of ours: others belong to actions that no fact allows."""
+    facts = (atom for atom, value in theirs.items() if value is True)
+    for atom in (*facts, *ours):
+        if theirs.get(atom, 0) != ours.get(atom, 0):
+            expected, got = (f"{_shown(atom)} = {values.get(atom, 0)}" for values in (ours, theirs))
+            _refuse(f"{expected} as {what}, as `problem_of` states such visits", got)
+
+
+def _shown(atom: Atom) -> str:
+    fluent, *arguments = atom
+    return f"{fluent}({', '.join(arguments)})"
+
+
+def _refuse(expected: str, got: str) -> None:
+    raise InputError(
+        expected=expected,
+        got=got,
+        remedy="Make the problem by `problem_of`, or have it planned by another engine.",
+        where=Where("comity"),
+    )

@@ -1,0 +1,43 @@
+"""The exact search as a function of a unified-planning problem."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity_domain.classical.problem import sequential_plan
+from comity_domain.classical.reading import choices_of
+from comity_domain.classical.timing import NO_TIMING, Timing
+from comity_domain.ordering.best_order import best_order
+from comity_domain.tours.tour import best_tour
+
+if TYPE_CHECKING:
+    from unified_planning.model import Problem
+    from unified_planning.plans import SequentialPlan
+
+
+def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0) -> SequentialPlan:
+    """The cheapest plan of a visit problem; its actions cost as much as those of `make_plan`.
+
+    Of several plans that cost the same, it is one: a problem does not say which is the most desirable.
+
+    Args:
+        problem: As `problem_of` makes it.
+        timing: What it cannot say, as `timing_of` makes it.
+        time_limit_s: Wall-clock seconds, > 0. Where they do not suffice, the plan is the best found so far.
+
+    Raises:
+        InputError: The problem says something else than `problem_of` can say.
+        NoPlan: There is none.
+        PlanningFailed: None was found; `cut_off` where the limit is the reason.
+    """
+    return solve_or_prove(problem, timing, time_limit_s=time_limit_s)[0]
+
+
+def solve_or_prove(
+    problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0
+) -> tuple[SequentialPlan, bool]:
+    """The same, and whether it is proven that no plan costs less."""
+    choices, names = choices_of(problem, timing)
+    order = best_order(choices, time_limit_s)
+    visits = best_tour(order.stops, choices)
+    return sequential_plan(problem, visits, choices, names), order.proven

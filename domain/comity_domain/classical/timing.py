@@ -1,0 +1,63 @@
+"""What no classical problem can say of the visits: deadlines, an order, and how long everything takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from comity_domain.choices.options import Options, options
+from comity_domain.classical.initial_state import tasks, visit_names
+from comity_domain.classical.naming import Word
+from comity_domain.labelling.skipping import left_out
+from comity_domain.problem.agenda import Say
+from comity_domain.problem.request import VisitRequest, Way
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """Everything is named as in the problem, by the names of its objects."""
+
+    by_s: Mapping[str, float] = field(default_factory=dict)
+    """By user, the latest time at which the greeting may end, from the start [s], > 0."""
+    after: Mapping[str, str] = field(default_factory=dict)
+    """By user, the user to be greeted before."""
+    durations_s: Mapping[Way, float] = field(default_factory=dict)
+    """From a user, a location or the start (None) to a user or a location [s], >= 0; needed for each route
+    where there is a deadline."""
+    messages: Mapping[str, str] = field(default_factory=dict)
+    """By task, the text that is said, which decides how long that takes."""
+    announced: frozenset[str] = frozenset()
+    """Users who are told in words that the robot comes, which takes longer."""
+
+    def __bool__(self) -> bool:
+        """Whether it restricts the plans: no other engine keeps it then."""
+        return bool(self.by_s or self.after)
+
+
+NO_TIMING = Timing()
+
+
+def timing_of(request: VisitRequest) -> Timing:
+    """What `problem_of(request)` leaves out."""
+    choices = options(request.without(left_out(request)))
+    names, people = visit_names(choices), choices.people
+    ids = {name: names.id("user", name) for name in people}
+    places = ids | {at.place: names.id("location", at.place) for at in choices.locations}
+    return Timing(
+        {ids[name]: person.by_s for name, person in people.items() if person.by_s is not None},
+        {ids[name]: ids[person.after] for name, person in people.items() if person.after in ids},
+        {
+            (None if start is None else places[start], places[end]): seconds
+            for (start, end), seconds in choices.durations_s.items()
+            if end in places and (start is None or start in places)
+        },
+        dict(_messages(choices, names.ids)),
+        frozenset(ids[name] for name, person in people.items() if person.is_told),
+    )
+
+
+def _messages(choices: Options, ids: Mapping[Word, str]) -> Iterator[tuple[str, str]]:
+    for person in choices.people.values():
+        for task, word in zip(person.agenda, tasks(person), strict=True):
+            if isinstance(task, Say):
+                yield ids[word], task.text

@@ -1,0 +1,120 @@
+"""The exact search is an engine of unified-planning: a problem in, a plan out, at the cost of `make_plan`."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from unified_planning.engines import PlanGenerationResultStatus, SequentialPlanValidator
+from unified_planning.io import PDDLReader
+from unified_planning.shortcuts import OneshotPlanner, get_environment
+
+from comity_domain import NoPlan, Timing, make_plan, plan_pddl, problem_of, solve, timing_of
+from comity_domain.engine import register
+from comity_fis import InputError
+
+SEEDS = range(6)
+
+
+def cost(problem, plan) -> int:
+    """By unified-planning's validator, which knows nothing of the search."""
+    result = SequentialPlanValidator().validate(problem, plan)
+    assert result, result.reason
+    (metric,) = problem.quality_metrics
+    return int(result.metric_evaluations[metric])
+
+
+def id_of(name: str) -> str:
+    """The object that stands for a person of these requests."""
+    return name.replace(" ", "_")
+
+
+def served(request):
+    """The same with nobody left out at a price, which is decided before there is a problem."""
+    return replace(request, visitees=tuple(replace(each, skip_m=None) for each in request.visitees))
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("people", [1, 3])
+def test_a_problem_is_solved_at_the_cost_of_the_plan(agenda_request, rich_request, people, seed):
+    for make in (agenda_request, rich_request):
+        request = served(make(people, seed))
+        problem = problem_of(request)
+        assert cost(problem, solve(problem, timing_of(request))) == make_plan(request).cost
+
+
+def test_a_deadline_is_kept_that_the_problem_cannot_say(rich_request):
+    """Where it makes the plan more expensive, the timing alone makes the difference."""
+    found = 0
+    for seed in range(40):
+        request = served(rich_request(3, seed))
+        problem, timing = problem_of(request), timing_of(request)
+        if not timing.by_s:
+            continue
+        with_it, without_it = (cost(problem, solve(problem, each)) for each in (timing, Timing()))
+        assert with_it == make_plan(request).cost >= without_it
+        found += with_it > without_it
+    assert found
+
+
+def test_an_order_is_kept_that_the_problem_cannot_say(rich_request):
+    request = served(rich_request(3, 1))
+    free = [replace(each, by_s=None) for each in request.visitees]
+    last = free[-1].name
+    turned = replace(request, companies=(), visitees=(replace(free[0], after=last), *free[1:]))
+    plan = solve(problem_of(turned), timing_of(turned))
+    reached = [str(one.actual_parameters[1]) for one in plan.actions if one.action.name == "Reach_user"]
+    assert reached.index(id_of(last)) < reached.index(id_of(free[0].name))
+    assert cost(problem_of(turned), plan) == make_plan(turned).cost
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_factory_has_it_as_comity(rich_request, seed):
+    register()
+    request = served(rich_request(2, seed))
+    request = replace(request, visitees=tuple(replace(each, by_s=None) for each in request.visitees))
+    problem = problem_of(request)
+    with OneshotPlanner(name="comity") as planner:
+        assert planner.supports(problem.kind)
+        result = planner.solve(problem)
+    assert result.status is PlanGenerationResultStatus.SOLVED_OPTIMALLY
+    assert cost(problem, result.plan) == make_plan(request).cost
+
+
+def test_a_problem_that_was_written_and_read_again_is_solved(rich_request):
+    request = served(rich_request(2, 3))
+    request = replace(request, visitees=tuple(replace(each, by_s=None) for each in request.visitees))
+    domain, text = plan_pddl(request)
+    problem = PDDLReader(get_environment()).parse_problem_string(domain, text)
+    with pytest.raises(InputError, match="of the visit domain"):
+        solve(problem)  # PDDL knows no capitals and keeps total-cost: it is another domain
+
+
+def test_nothing_that_is_stated_is_overlooked(rich_request):
+    """A cost that depends on the turn otherwise, a goal or a fact of another kind: refused, and named."""
+    request = served(rich_request(2, 3))
+    problem = problem_of(request)
+    user = problem.object(id_of(request.visitees[0].name))
+    changed = problem.clone()
+    changed.add_goal(problem.fluent("docked")(next(problem.objects(problem.user_type("robot"))), user))
+    with pytest.raises(InputError, match=r"docked"):
+        solve(changed)
+    changed = problem.clone()
+    changed.set_initial_value(problem.fluent("begun")(user), True)
+    with pytest.raises(InputError, match=r"begun"):
+        solve(changed)
+    changed = problem.clone()
+    changed.add_object("second", problem.user_type("robot"))
+    changed.set_initial_value(problem.fluent("free")(changed.object("second")), True)
+    with pytest.raises(InputError, match=r"free"):
+        solve(changed)
+
+
+def test_a_problem_without_a_route_has_no_plan(rich_request):
+    request = served(rich_request(2, 3))
+    problem = problem_of(request)
+    for atom, value in problem.explicit_initial_values.items():
+        if atom.fluent().name == "route" and value.is_true():
+            problem.set_initial_value(atom, False)
+    with pytest.raises(NoPlan):
+        solve(problem)
