@@ -8,7 +8,7 @@ from importlib.util import find_spec
 import pytest
 
 from comity_domain import NoPlan, VisitRequest, plan_pddl
-from comity_domain.own.engines.fast_downward import Search, search
+from comity_domain.custom.engines.fast_downward import Search, search
 
 PROOF = Search(
     "iterated([eager_wastar([ff()],w=1),eager_wastar([lmcut()],w=2),astar(lmcut())],pass_bound=false)"

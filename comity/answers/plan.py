@@ -49,7 +49,7 @@ class StepAnswer(Answer):
     cost: int | None = Field(description="Null where the engine tells no costs.")
     cost_parts: Mapping[str, int] = Field(
         description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
-        "or `farewell`, or `skip`. In a domain of the user's own `domain`, and each option such as `?how`."
+        "or `farewell`, or `skip`. In a custom domain `domain`, and each option such as `?how`."
     )
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
     start_s: float | None = Field(default=None, description="Null where the plan is a mere order.")
@@ -64,7 +64,7 @@ class UnreachableAnswer(Answer):
     reason: str
 
 
-class OwnDomainAnswer(Answer):
+class CustomDomainAnswer(Answer):
     """What `comity plan --domain` planned."""
 
     domain: str
@@ -237,7 +237,7 @@ class PlanFlipAnswer(Answer):
     """A factor of the weights at which another plan is cheaper."""
 
     weight: str = Field(
-        description="`side`, `greeting` or `both`; in a domain of the user's own an option, such as "
+        description="`side`, `greeting` or `both`; in a custom domain an option, such as "
         "`greet ?how`, or `all`."
     )
     factor: float
@@ -265,11 +265,11 @@ class ValidationAnswer(Answer):
 class PlanAnswer(Answer):
     """`comity plan --json`."""
 
-    scenario: str | None = Field(description="Null for a domain of the user's own.")
-    own: OwnDomainAnswer | None = None
+    scenario: str | None = Field(description="Null for a custom domain.")
+    own: CustomDomainAnswer | None = None
     rulebook: str | None = Field(
         default=None,
-        description="Whose rules decide; null without a plan, and for an own domain.",
+        description="Whose rules decide; null without a plan, and for a custom domain.",
     )
     rulebook_reason: str | None = Field(default=None, description="Why that one.")
     solved: bool = Field(description="False where no plan meets the goals of those who can be served.")

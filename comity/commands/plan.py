@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from comity.commands.custom_plan import CustomQuestion, plan_custom_domain, refuse_beside_domain
 from comity.commands.options import (
     As,
     AsJson,
@@ -20,13 +21,12 @@ from comity.commands.options import (
     pairs,
     print_json,
 )
-from comity.commands.own_plan import OwnQuestion, plan_own_domain, refuse_beside_domain
 from comity_fis.errors import InputError, Where
 
-OwnDomain = Annotated[
-    Path | None, typer.Option(metavar="FILE", help="A PDDL domain of your own, instead of a scenario.")
+CustomDomain = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="A custom PDDL domain, instead of a scenario.")
 ]
-OwnProblem = Annotated[Path | None, typer.Option(metavar="FILE", help="A PDDL problem for --domain.")]
+CustomProblem = Annotated[Path | None, typer.Option(metavar="FILE", help="A PDDL problem for --domain.")]
 Bind = Annotated[
     Path | None,
     typer.Option(
@@ -75,13 +75,13 @@ def plan(
     pddl: Pddl = None,
     engine: EngineName = "comity",
     validate: Validate = False,
-    domain: OwnDomain = None,
-    problem: OwnProblem = None,
+    domain: CustomDomain = None,
+    problem: CustomProblem = None,
     bind: Bind = None,
     limit: Limit = None,
     as_json: AsJson = False,
 ) -> None:
-    """Plan a scenario, or PDDL of your own, and say why each step is so.
+    """Plan a scenario, or custom PDDL, and say why each step is so.
 
     Exit code 1: a goal cannot be met; the answer says which, and what stands in its way. Examples:
     `comity plan two-visits --why 2`, `comity plan two-visits --as guest=german_man --diff`,
@@ -90,7 +90,7 @@ def plan(
     own = {"--domain": domain, "--problem": problem, "--bind": bind}
     if any(own.values()):
         refuse_beside_domain(next(option for option, file in own.items() if file), scenario, seed)
-        own_question = OwnQuestion(
+        custom_question = CustomQuestion(
             domain=domain,
             problem=problem,
             binding=bind,
@@ -105,7 +105,7 @@ def plan(
             engine=engine,
             as_json=as_json,
         )
-        plan_own_domain(own_question)
+        plan_custom_domain(custom_question)
         return
     scenario = _scenario_alone(scenario, limit)
     ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed, engine)

@@ -1,4 +1,4 @@
-"""A binding file: which arguments and costs of a user's own domain come from which person's parameters."""
+"""A binding file: which arguments and costs of a custom domain come from which person's parameters."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 from comity.people.dated import Day
 from comity.people.fact import Fact, Number
 from comity.people.profile import Profile
-from comity_domain.own import ActionBinding, Binding, FluentBinding, Option
+from comity_domain.custom import ActionBinding, Binding, FluentBinding, Option
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 

@@ -38,7 +38,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     """
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
-    from comity_domain.own.engines.by_name import require_installed, solve_pddl
+    from comity_domain.custom.engines.by_name import require_installed, solve_pddl
 
     require_installed(engine)
     _require_all_said(engine, request)

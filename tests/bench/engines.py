@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from comity_domain.own.engines.fast_downward import driver
-from comity_domain.own.engines.process import run_limited
+from comity_domain.custom.engines.fast_downward import driver
+from comity_domain.custom.engines.process import run_limited
 from tests.bench.environment import interpreter
 from tests.downward import PROOF
 

@@ -18,7 +18,7 @@ SILENT = "ignore:only soft file lock"
 """filelock warns of a Linux without `fcntl`."""
 LATE = """
 from pathlib import Path
-from comity_domain.own.engines.fast_downward import Search, search
+from comity_domain.custom.engines.fast_downward import Search, search
 texts = [Path(name).read_text("utf-8") for name in ("d.pddl", "p.pddl")]
 search(*texts, time_limit_s=0.001, search_for=Search("astar(blind())"))
 """

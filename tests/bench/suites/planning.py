@@ -14,10 +14,10 @@ from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
 
-from comity.own_domain import bound_domain
+from comity.custom_domain import bound_domain
 from comity_domain import START, Plan, Spot, Visitee, VisitRequest, make_plan, plan_pddl, rebind
-from comity_domain.own import own_pddl, plan_own
-from comity_domain.own.solving.searching import search_for
+from comity_domain.custom import custom_pddl, plan_custom
+from comity_domain.custom.solving.searching import search_for
 from comity_fis import load_rulebook
 from tests.bench.contest import Bench, in_turn
 from tests.bench.engines import LIMIT_S, Engine, fast_downward, first_plan, symk
@@ -25,7 +25,7 @@ from tests.bench.environment import NotInstalledError
 from tests.bench.rows import Row
 
 SIDES = ("front", "left", "right")
-PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "use-your-own-domain.md"
+PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "use-a-custom-domain.md"
 REBINDINGS = 10
 """For one turn: a single one is too short for the clock."""
 
@@ -93,7 +93,7 @@ def _quality(cost: int | None, optimum: int) -> str:
 
 
 def _waiter(bench: Bench) -> list[Row]:
-    """A domain of one's own: files read, bound and planned, against the bare engine on what is exported."""
+    """A custom domain: files read, bound and planned, against the bare engine on what is exported."""
     blocks = re.findall(r"^```\w+ (\S+)\n(.*?)^```$", PAGE.read_text("utf-8"), re.MULTILINE | re.DOTALL)
     with TemporaryDirectory(prefix="comity-bench-") as name:
         folder = Path(name)
@@ -101,11 +101,11 @@ def _waiter(bench: Bench) -> list[Row]:
             (folder / file).write_text(text, encoding="utf-8")
         files = folder / "waiter.pddl", folder / "evening.pddl", folder / "waiter.yaml"
         bound = bound_domain(*files)
-        texts, search = own_pddl(bound), search_for(bound.problem, LIMIT_S).text
+        texts, search = custom_pddl(bound), search_for(bound.problem, LIMIT_S).text
         turns = {
             "bare Fast Downward": partial(_run, fast_downward(search), (texts.domain, texts.problem)),
-            "comity, bound already": partial(_seconds, lambda: plan_own(bound)),
-            "comity, from the files": partial(_seconds, lambda: plan_own(bound_domain(*files))),
+            "comity, bound already": partial(_seconds, lambda: plan_custom(bound)),
+            "comity, from the files": partial(_seconds, lambda: plan_custom(bound_domain(*files))),
         }
         return in_turn(turns, rounds=_rounds(bench, 2), suite="planning", task="the waiter", per="plan")
 

@@ -1,0 +1,69 @@
+"""How far the weights of a binding can change before another plan is cheaper."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from comity.answers import PlanFlipAnswer, StabilityAnswer
+from comity_domain.custom import ALL, weigh
+from comity_domain.explanation.stability import HIGHEST, LOWEST
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from comity_domain.custom import Bound, CustomPlan
+    from comity_domain.custom.weighing import Steps
+
+
+def custom_stability(bound: Bound, found: CustomPlan, limit_s: float) -> StabilityAnswer:
+    """The answer of `comity plan --domain ... --stability`.
+
+    Args:
+        bound: What was planned.
+        found: Its plan.
+        limit_s: Seconds for each engine call.
+    """
+    weighed = weigh(bound, found, time_limit_s=limit_s)
+    planned = tuple((step.action, step.arguments) for step in found.plan.steps)
+    return StabilityAnswer(
+        lowest=LOWEST,
+        highest=HIGHEST,
+        stable=not weighed.flips,
+        exact=weighed.exact,
+        flips=tuple(
+            PlanFlipAnswer(
+                weight=flip.weight,
+                factor=round(flip.factor, 3),
+                changes=tuple(_changes(planned, flip.steps)),
+            )
+            for flip in weighed.flips
+        ),
+    )
+
+
+def _changes(planned: Steps, other: Steps) -> Iterator[str]:
+    were, are = Counter(planned), Counter(other)
+    for action, arguments in (were - are).elements():
+        yield f"no longer {action}({', '.join(arguments)})"
+    for action, arguments in (are - were).elements():
+        yield f"instead {action}({', '.join(arguments)})"
+
+
+def custom_stability_text(found: StabilityAnswer) -> Iterator[RenderableType]:
+    """The same, for a person to read."""
+    from rich.padding import Padding
+
+    span = f"from {found.lowest:g} to {found.highest:g} times the weights"
+    cut = "" if found.exact else " (not every search ended within the limit)"
+    if found.stable:
+        yield f"\nStability: no other plan is cheaper {span}{cut}"
+        return
+    yield f"\nStability: another plan is cheaper somewhere {span}{cut}"
+    for flip in found.flips:
+        weight = "all weights" if flip.weight == ALL else f"the weight of {flip.weight}"
+        beyond = "below" if flip.factor < 1 else "from"
+        changes = "; ".join(flip.changes) or "costs less by its order alone"
+        yield Padding(f"{beyond} {flip.factor:.2f} times {weight}: {changes}", (0, 0, 0, 2))

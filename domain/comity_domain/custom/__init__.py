@@ -1,0 +1,42 @@
+"""Planning in a custom domain: PDDL read with care, and costs that come from what people like.
+
+`read_custom` reads a domain and a problem, `bind` builds a `Binding` and people's inferred parameters
+into them, and `plan_custom` finds the plan.
+"""
+
+from comity_domain.custom.binding.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
+from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.refusal import BindingRefusedError, Location
+from comity_domain.custom.export import CustomPddl, custom_pddl
+from comity_domain.custom.forbidding import Without, without
+from comity_domain.custom.pddl.reading import CustomProblem, Kind, read_custom
+from comity_domain.custom.solving.bound import Bound, bind
+from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_custom
+from comity_domain.custom.weighing import ALL, CustomFlip, Stability, weigh
+
+__all__ = [
+    "ALL",
+    "ActionBinding",
+    "Binding",
+    "BindingRefusedError",
+    "Bound",
+    "CustomFlip",
+    "CustomPddl",
+    "CustomPlan",
+    "CustomProblem",
+    "FluentBinding",
+    "Kind",
+    "Location",
+    "Option",
+    "OptionValue",
+    "People",
+    "Stability",
+    "Without",
+    "bind",
+    "custom_pddl",
+    "diagnosed",
+    "plan_custom",
+    "read_custom",
+    "weigh",
+    "without",
+]

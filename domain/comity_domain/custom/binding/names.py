@@ -1,0 +1,46 @@
+"""Whether the names in a binding are those of the domain, the problem and the rulebook."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.refusal import Location, refused
+from comity_domain.custom.pddl.reading import CustomProblem, Kind
+from comity_fis.errors import closest
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """Refuses names that nothing bears; each would silently bind nothing."""
+
+    own: CustomProblem
+    people: People
+
+    def once(self, names: Iterable[str], place: Location) -> None:
+        """Refuse what differs in capitals only: PDDL does not tell them apart, and one would silently win."""
+        seen: dict[str, str] = {}
+        for name in names:
+            if (first := seen.setdefault(name.lower(), name)) != name:
+                remedy = "Keep one of them: PDDL does not tell capitals apart."
+                raise refused((*place, name), f"one of {first} and {name}", name, remedy)
+
+    def argument(self, argument: str, known: Iterable[str], action: str, place: Location) -> None:
+        """One of an action."""
+        if argument.lower() not in known:
+            remedy = closest(argument.lower().lstrip("?"), known)
+            raise refused(place, f"an argument of the action {action}", argument, remedy)
+
+    def parameter(self, name: str, place: Location) -> None:
+        """One of the rulebook."""
+        rulebook = self.people.rulebook
+        if name not in rulebook.parameters:
+            remedy = closest(name, rulebook.parameters)
+            raise refused(place, f"a parameter of the rulebook {rulebook.name}", name, remedy)
+
+    def known(self, kind: Kind, name: str, known: Iterable[str], what: str, place: Location) -> None:
+        """One of the names that there are; `what` says of what."""
+        names = list(known)
+        if self.own.own_name(kind, name) not in names:
+            raise refused(place, what, name, closest(name, map(self.own.as_written, names)))

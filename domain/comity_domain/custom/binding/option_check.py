@@ -1,0 +1,88 @@
+"""Whether the options of a binding mean something: categories and numbers that their parameter can be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.binding.binding import Binding, Option, OptionValue
+from comity_domain.custom.binding.names import Names
+from comity_domain.custom.binding.refusal import BindingRefusedError, Location, refused
+from comity_fis import NominalParameter, NumericParameter
+from comity_fis.errors import closest
+
+if TYPE_CHECKING:
+    from unified_planning.model import Type
+
+
+def check_option(names: Names, argument: str, option: Option, type_: Type, place: Location) -> None:
+    """Refuse what an object cannot stand for.
+
+    Args:
+        names: Of all that there is.
+        argument: Of the action.
+        option: That is bound to it.
+        type_: The argument's.
+        place: Of the option in the binding.
+
+    Raises:
+        BindingRefusedError: at the first one.
+    """
+    names.parameter(option.parameter, (*place, "parameter"))
+    possible = [one.name for one in names.own.problem.objects(type_)]
+    names.once(option.objects, (*place, "objects"))
+    for name in option.objects:
+        what = f"an object that ?{argument} may be"
+        names.known("object", name, possible, what, (*place, "objects", name))
+    parameter = names.people.rulebook.parameters[option.parameter]
+    if not isinstance(parameter, NominalParameter):
+        for name, meaning in option.objects.items():
+            _in_range(meaning, parameter, (*place, "objects", name))
+        return
+    for name, meaning in option.full(names.own, possible).objects.items():
+        if isinstance(meaning, str) and meaning not in parameter.terms:
+            remedy = closest(meaning, parameter.terms)
+            raise refused(
+                place,
+                f"a category of {option.parameter} for the object {names.own.as_written(name)}",
+                meaning,
+                f"{remedy} Say under `objects` what it stands for; `null` is nothing to like or dislike.",
+            )
+
+
+def refuse_options(binding: Binding, beyond: str) -> None:
+    """Refuse all options: engines of numeric and durative domains do not add up costs of actions.
+
+    Args:
+        binding: Any.
+        beyond: What is more than classical about the domain, in words.
+
+    Raises:
+        BindingRefusedError: at the first one, which would silently have no weight.
+    """
+    for name in _with_options(binding):
+        raise refused(
+            ("actions", name, "options"),
+            "options only in a classical domain",
+            f"options beside {beyond}",
+            "Remove one of the two; `parameters` and `fluents` work in every domain.",
+        )
+
+
+def _with_options(binding: Binding) -> Iterator[str]:
+    return (name for name, action in binding.actions.items() if action.options)
+
+
+def _in_range(meaning: OptionValue, parameter: NumericParameter, place: Location) -> None:
+    """Refuse numbers that the parameter never has: nobody could like them."""
+    low = min(parameter.rules.low, parameter.ask.low)
+    high = max(parameter.rules.high, parameter.ask.high)
+    ends = meaning if isinstance(meaning, tuple) else (meaning,)
+    for end in ends:
+        if isinstance(end, int | float) and not low <= end <= high:
+            raise BindingRefusedError(
+                place,
+                expected=f"numbers from {low:g} to {high:g} {parameter.unit}, which {parameter.name} can be",
+                got=f"{end:g}",
+                remedy=f"Measure in {parameter.unit}, and keep to what the parameter can be.",
+            )

@@ -1,0 +1,53 @@
+"""Whether what a binding calls a person can be one: PDDL itself does not say which objects are people."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.binding.people import People
+from comity_domain.custom.pddl.reading import CustomProblem
+
+if TYPE_CHECKING:
+    from unified_planning.model import Type
+
+MOST_NAMED = 3
+
+
+def strangers(own: CustomProblem, people: People, type_: Type) -> tuple[str, ...]:
+    """The objects of a type that are nobody, as the files name them.
+
+    An object is somebody who is named, or of the type of somebody who is. Where nobody is named, all may be
+    people of whom nothing is known.
+
+    Args:
+        own: The problem.
+        people: Those who are named, all of them objects of the problem.
+        type_: Of an argument that is bound as a person.
+    """
+    named = [own.problem.object(own.own_name("object", name)) for name in people.known]
+    somebody = {one.name for person in named for one in own.problem.objects(person.type)}
+    return tuple(
+        own.as_written(one.name) for one in own.problem.objects(type_) if named and one.name not in somebody
+    )
+
+
+def can_be_people(own: CustomProblem, people: People, types: Mapping[str, Type]) -> tuple[str, ...]:
+    """The arguments that can only be people.
+
+    Args:
+        own: The problem.
+        people: As for `strangers`.
+        types: Of all arguments.
+    """
+    return tuple(
+        name
+        for name, type_ in types.items()
+        if any(True for _ in own.problem.objects(type_)) and not strangers(own, people, type_)
+    )
+
+
+def listed(names: tuple[str, ...]) -> str:
+    """Some names in words."""
+    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    return ", ".join(names[:MOST_NAMED]) + more

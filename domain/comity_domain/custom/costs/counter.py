@@ -1,0 +1,91 @@
+"""A metric of any name that actions only increase, such as `(minimize (walked))`, as what actions cost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.costs.cost import functions_in
+from comity_domain.custom.pddl.effects import TOTAL_COST
+
+if TYPE_CHECKING:
+    from unified_planning.model import FNode, InstantaneousAction, Problem
+
+
+def counter_as_costs(problem: Problem) -> Problem:
+    """The problem with the increases of such a function as costs of actions; otherwise the problem itself.
+
+    unified-planning's reader takes `total-cost` alone for costs. Any function is one that no action does
+    anything to but increase, on no condition, and that no condition reads: a plan's last value is its first,
+    which no plan changes, plus what the actions add.
+
+    Args:
+        problem: As unified-planning reads it.
+    """
+    from unified_planning.model.metrics import MinimizeActionCosts
+
+    counter = _minimized(problem)
+    if counter is None or not _only_increased(problem, counter):
+        return problem
+    counted = problem.clone()
+    costs = {action: _taken_out(action, counter) for action in counted.actions}
+    counted.clear_quality_metrics()
+    counted.add_quality_metric(MinimizeActionCosts(costs, environment=problem.environment))
+    return counted
+
+
+def _minimized(problem: Problem) -> str | None:
+    """The function without arguments that the metric is, if it is one."""
+    metrics = problem.quality_metrics
+    if len(metrics) != 1 or not metrics[0].is_minimize_expression_on_final_state():
+        return None
+    expression = metrics[0].expression
+    if not expression.is_fluent_exp() or expression.args or problem.has_name(TOTAL_COST):
+        return None
+    return str(expression.fluent().name)
+
+
+def _only_increased(problem: Problem, counter: str) -> bool:
+    from unified_planning.model import InstantaneousAction
+
+    if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
+        return False
+    if not all(isinstance(action, InstantaneousAction) for action in problem.actions):
+        return False
+    if any(counter in functions_in(one) for one in _read(problem)):
+        return False
+    changes = (effect for action in problem.actions for effect in action.effects)
+    return all(
+        effect.is_increase() and not effect.is_conditional() and not effect.is_forall()
+        for effect in changes
+        if effect.fluent.fluent().name == counter
+    )
+
+
+def _read(problem: Problem) -> Iterator[FNode]:
+    """All that decides whether something is done or holds, or what a number becomes."""
+    yield from problem.goals
+    for action in problem.actions:
+        yield from action.preconditions
+        for effect in action.effects:
+            yield from (effect.value, effect.condition)
+
+
+def _taken_out(action: InstantaneousAction, counter: str) -> FNode:
+    """Remove the increases from an action.
+
+    Returns:
+        What they add up to.
+    """
+    effects = list(action.effects)
+    manager = action.environment.expression_manager
+    action.clear_effects()
+    added = []
+    for effect in effects:
+        if effect.fluent.fluent().name == counter:
+            added.append(effect.value)
+        else:
+            action._add_effect_instance(effect)
+    if len(added) < 2:
+        return added[0] if added else manager.Int(0)
+    return manager.Plus(*added)

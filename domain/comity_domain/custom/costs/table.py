@@ -1,0 +1,239 @@
+"""What every action costs for every combination of objects, liking included, and what is ruled out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.binding.binding import ActionBinding, Binding
+from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.refusal import BindingRefusedError
+from comity_domain.custom.costs.cost import (
+    Assignment,
+    Values,
+    arguments_in,
+    atoms_in,
+    evaluated,
+    groundings,
+    initial_numbers,
+    objects_for,
+    own_costs,
+)
+from comity_domain.custom.costs.liking import Liking, likings
+from comity_domain.custom.pddl.places import Atom
+from comity_domain.custom.pddl.reading import CustomProblem
+from comity_fis.errors import InputError, Where, WrongValueError
+
+if TYPE_CHECKING:
+    from unified_planning.model import Action, FNode
+
+
+MOST_SCALE = 1_000_000
+MOST_COST = 10_000_000
+"""Of one action, as the planner counts: it adds 200 of them up in 32 bits."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One combination of objects that is not ruled out."""
+
+    cost: int
+    """As the planner counts it."""
+    base: float
+    """What it would cost without any dislike, in units of the domain's own cost."""
+    likings: Mapping[str, Liking] = field(default_factory=dict)
+    """Of the person, by option argument."""
+
+    @property
+    def dislike(self) -> float:
+        """What all choices are disliked, in the same units."""
+        return sum(liking.dislike for liking in self.likings.values())
+
+    def parts(self) -> Mapping[str, int]:
+        """What the cost is made of: `domain`, and each option by its argument; they add up to it."""
+        exact = {"domain": self.base} | {f"?{name}": one.dislike for name, one in self.likings.items()}
+        total = sum(exact.values()) or 1.0
+        counted = {name: self.cost * part / total for name, part in exact.items()}
+        whole = {name: math.floor(part) for name, part in counted.items()}
+        nearest = sorted(counted, key=lambda name: whole[name] - counted[name])
+        for name in nearest[: self.cost - sum(whole.values())]:
+            whole[name] += 1
+        return whole
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """One action."""
+
+    arguments: tuple[str, ...]
+    """Those that decide, in the action's order."""
+    rows: Mapping[tuple[str, ...], Row]
+    """By the objects for `arguments`; what is ruled out is not there."""
+    unpriced: Mapping[tuple[str, ...], Atom | None]
+    """What has no cost, with the first function that has no value; None where something is divided by 0."""
+    complete: bool
+    """Nothing is ruled out."""
+
+
+def tables(own: CustomProblem, binding: Binding, people: People | None) -> Mapping[str, Table]:
+    """The table of every action, by its name in the problem.
+
+    Raises:
+        InputError: a cost below 0, or more combinations than can be written out.
+        BindingRefusedError: an option that cannot be priced.
+    """
+    pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
+    bound = {own.own_name("action", name): name for name in binding.actions}
+    return {
+        action.name: pricing.bound(action, bound[action.name], binding.actions[bound[action.name]])
+        if action.name in bound
+        else pricing.plain(action)
+        for action in own.problem.actions
+    }
+
+
+def natural_scale(own: CustomProblem) -> int:
+    """The least factor that makes the domain's own costs whole numbers.
+
+    Raises:
+        InputError: if it is too large for the planner.
+    """
+    values, scale = initial_numbers(own.problem), 1
+    for name, formula in own_costs(own.problem).items():
+        action = own.problem.action(name)
+        where = own.places.of_cost(name)
+        for assignment in groundings(own.problem, action, arguments_in(formula, action), where):
+            cost = evaluated(formula, assignment, values) or Fraction(0)
+            scale = math.lcm(scale, cost.denominator)
+            if scale > MOST_SCALE:
+                atoms = atoms_in(formula, assignment)
+                finest = max(atoms, key=lambda atom: values[atom].denominator, default=None)
+                raise InputError(
+                    expected=f"costs that are multiples of {1 / MOST_SCALE:.6f}",
+                    got=f"{float(cost):.15g} for {own.as_written(name)}",
+                    remedy="Round it, or bind it with a `cost_scale`: the planner counts in whole numbers.",
+                    where=own.places.numbers.get(finest, where) if finest else where,
+                )
+    return scale
+
+
+Likings = Mapping[str, Mapping[str, Mapping[str, Liking]]]
+"""By option argument, person and object."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Pricing:
+    own: CustomProblem
+    scale: int
+    people: People | None
+    formulas: Mapping[str, FNode | None]
+    values: Values
+
+    def plain(self, action: Action) -> Table:
+        """The table of an action that nobody's preference is bound to."""
+        formula = self.formulas[action.name]
+        deciding = arguments_in(formula, action)
+        rows, unpriced = {}, {}
+        for assignment in self.groundings(action, deciding):
+            cost = evaluated(formula, assignment, self.values)
+            if cost is None:  # PDDL has no action whose cost has no value
+                unpriced[tuple(assignment.values())] = self.missing(formula, assignment)
+            else:
+                rows[tuple(assignment.values())] = Row(
+                    self.whole(float(cost), action, formula, assignment), float(cost)
+                )
+        return Table(deciding, rows, unpriced, complete=not unpriced)
+
+    def bound(self, action: Action, bound_as: str, binding: ActionBinding) -> Table:
+        """The table of an action whose person likes its options more or less."""
+        formula = self.formulas[action.name] if binding.base is None else None
+        fixed = Fraction(binding.base or 0)
+        likings = self.likings(action, bound_as, binding)
+        person = binding.person.lower()
+        chosen = {person, *likings, *arguments_in(formula, action)}
+        deciding = tuple(one.name for one in action.parameters if one.name in chosen)
+        rows, unpriced, count = {}, {}, 0
+        for assignment in self.groundings(action, deciding):
+            count += 1
+            cost = evaluated(formula, assignment, self.values)
+            if cost is None:
+                unpriced[tuple(assignment.values())] = self.missing(formula, assignment)
+                continue
+            seen = {name: by[assignment[person]][assignment[name]] for name, by in likings.items()}
+            if all(one.permitted for one in seen.values()):
+                base = float(cost + fixed)
+                total = base + sum(one.dislike for one in seen.values())
+                if base * self.scale < MOST_COST <= total * self.scale:
+                    raise _too_heavy(bound_as, binding, seen, MOST_COST / self.scale)
+                price = self.whole(total, action, formula, assignment)
+                rows[tuple(assignment.values())] = Row(price, base, seen)
+        return Table(deciding, rows, unpriced, complete=len(rows) == count)
+
+    def groundings(self, action: Action, deciding: Sequence[str]) -> Iterator[Assignment]:
+        """Every combination of the objects that decide."""
+        return groundings(self.own.problem, action, deciding, self.own.places.of_cost(action.name))
+
+    def missing(self, formula: FNode | None, assignment: Assignment) -> Atom | None:
+        """The first function of a formula that has no value."""
+        return next((atom for atom in atoms_in(formula, assignment) if atom not in self.values), None)
+
+    def likings(self, action: Action, bound_as: str, binding: ActionBinding) -> Likings:
+        """How everybody who may be the action's person sees what may be chosen."""
+        assert self.people is not None
+        people = self.people
+        persons = [one.name for one in objects_for(self.own.problem, action, binding.person.lower())]
+        found = {}
+        for argument, option in binding.options.items():
+            objects = [one.name for one in objects_for(self.own.problem, action, argument.lower())]
+            full = option.full(self.own, objects)
+            try:
+                found[argument.lower()] = {
+                    person: likings(full, people[written][option.parameter], written)
+                    for person in persons
+                    if (written := self.own.as_written(person))
+                }
+            except WrongValueError as refusal:
+                raise BindingRefusedError(
+                    ("actions", bound_as, "options", argument),
+                    expected=refusal.expected,
+                    got=refusal.got,
+                    remedy=refusal.remedy,
+                ) from None
+        return found
+
+    def whole(self, cost: float, action: Action, formula: FNode | None, assignment: Assignment) -> int:
+        """A cost as the planner counts it."""
+        if 0.0 <= cost * self.scale < MOST_COST:
+            return round(cost * self.scale)
+        names = ", ".join(map(self.own.as_written, assignment.values()))
+        raise InputError(
+            expected=f"costs from 0 to less than {MOST_COST / self.scale:g}",
+            got=f"{cost:g} for {self.own.as_written(action.name)}" + (f" with {names}" if names else ""),
+            remedy="Planners look for the least sum: state costs as what is lost, from 0 up."
+            if cost < 0.0
+            else "Measure costs in a larger unit, such as metres instead of millimetres, or bind them with a "
+            "smaller `cost_scale`.",
+            where=self.blamed(formula, assignment, lowest=cost < 0.0) or self.own.places.of_cost(action.name),
+        )
+
+    def blamed(self, formula: FNode | None, assignment: Assignment, *, lowest: bool) -> Where | None:
+        """Where the lowest, or the highest, of the numbers of a cost stands; None where it reads none."""
+        stated = [atom for atom in atoms_in(formula, assignment) if atom in self.own.places.numbers]
+        by_value = sorted(stated, key=lambda atom: self.values[atom])
+        return self.own.places.numbers[by_value[0 if lowest else -1]] if by_value else None
+
+
+def _too_heavy(
+    bound_as: str, binding: ActionBinding, seen: Mapping[str, Liking], limit: float
+) -> BindingRefusedError:
+    """A weight that makes a cost larger than the planner can count."""
+    worst = max(binding.options, key=lambda name: seen[name.lower()].dislike)
+    return BindingRefusedError(
+        ("actions", bound_as, "options", worst, "weight"),
+        expected=f"a weight with which {bound_as} costs less than {limit:g}",
+        got=f"{binding.options[worst].weight:g}",
+        remedy="Give a smaller weight, or a smaller `cost_scale`.",
+    )

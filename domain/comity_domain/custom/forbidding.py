@@ -1,0 +1,93 @@
+"""What the plan would be without one choice of it: the engine is asked again, with that choice forbidden."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.engines.fast_downward import MEMORY_MB, GroundAction
+from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew
+from comity_domain.custom.solving.planning import CustomPlan, plan_custom
+from comity_domain.custom.solving.swap import argument_of
+from comity_domain.errors import NoPlan, PlanningFailed
+
+if TYPE_CHECKING:
+    from unified_planning.model import Problem
+
+
+@dataclass(frozen=True, slots=True)
+class Without:
+    """The best plan without a choice."""
+
+    forbidden: str
+    """The choice, as the files name it."""
+    extra_cost: int | None
+    """In plan cost units; None where there is no such plan, or none was found."""
+    proven: bool
+    """No plan without that choice costs less, or none is possible."""
+    no_longer: tuple[str, ...]
+    """Steps of the plan that are not in this one."""
+    instead: tuple[str, ...]
+    """Steps of this one that are not in the plan."""
+
+
+def without(
+    bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB
+) -> Without:
+    """The best plan without what one step chooses: the options of its person, or else the step as it is.
+
+    Args:
+        bound: A classical problem.
+        found: Its plan.
+        index: Of the step, from 0.
+        time_limit_s: Wall-clock seconds for the engine, > 0.
+        memory_mb: Megabytes for it, > 0.
+    """
+    step = found.plan.steps[index]
+    own_name = bound.own.own_name
+    action = GroundAction(
+        own_name("action", step.action), tuple(own_name("object", one) for one in step.arguments)
+    )
+    chosen = _chosen(action, bound)
+    names = [bound.own.as_written(argument_of(action, name, bound)) for name in chosen]
+    forbidden = f"{step.action}({', '.join(names)})"
+    other = replace(bound, problem=_forbidding(bound.problem, action, chosen, bound))
+    try:
+        plan = plan_custom(other, time_limit_s=time_limit_s, memory_mb=memory_mb, diagnose=False).plan
+    except NoPlan:
+        return Without(forbidden, None, True, (), ())
+    except PlanningFailed:
+        return Without(forbidden, None, False, (), ())
+    were = Counter(f"{one.action}({', '.join(one.arguments)})" for one in found.plan.steps)
+    are = Counter(f"{one.action}({', '.join(one.arguments)})" for one in plan.steps)
+    return Without(
+        forbidden,
+        plan.cost - found.plan.cost,
+        plan.optimal and found.plan.optimal,
+        tuple((were - are).elements()),
+        tuple((are - were).elements()),
+    )
+
+
+def _chosen(action: GroundAction, bound: Bound) -> Sequence[str]:
+    """The arguments that make the choice, in the action's order."""
+    names = [parameter.name for parameter in bound.problem.action(action.name).parameters]
+    for written, binding in bound.binding.actions.items():
+        if bound.own.own_name("action", written) == action.name and binding.options:
+            wanted = {binding.person.lower(), *map(str.lower, binding.options)}
+            return [name for name in names if name in wanted]
+    return names
+
+
+def _forbidding(problem: Problem, action: GroundAction, chosen: Sequence[str], bound: Bound) -> Problem:
+    forbidding = problem.clone()
+    costs = {one.name: forbidding.quality_metrics[0].get_action_cost(one) for one in forbidding.actions}
+    declared = forbidding.action(action.name)
+    forbidden = new_fluent(f"forbidden_{action.name}", "bool", declared, chosen, forbidding)
+    objects = [forbidding.object(argument_of(action, name, bound)) for name in chosen]
+    forbidding.set_initial_value(forbidden(*objects), True)
+    manager = problem.environment.expression_manager
+    declared.add_precondition(manager.Not(forbidden(*map(declared.parameter, chosen))))
+    return priced_anew(forbidding, costs)  # costs are found by actions as they stand

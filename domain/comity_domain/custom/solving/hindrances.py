@@ -1,0 +1,203 @@
+"""Which goal has no plan, and which condition of an action stands in its way.
+
+As for visits (`relaxing`), goals and conditions are lifted one at a time, each time looking for any plan.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.engines.fast_downward import GroundAction, solve
+from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.elsewhere import solve_elsewhere
+from comity_domain.custom.solving.ruled_out import reason, ruled_out_steps
+from comity_domain.custom.solving.searching import ANY_PLAN
+from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
+from comity_domain.explanation.relaxing import in_the_way
+
+if TYPE_CHECKING:
+    from unified_planning.model import Action, FNode, Problem
+
+MOST_NAMED = 3
+"""Of the steps that are ruled out."""
+EACH_S, ALL_S = 5.0, 30.0
+"""For one look, and for all of them (our choice); what takes longer is not claimed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Needed:
+    """One condition of one action."""
+
+    action: str
+    condition: FNode
+
+
+def no_plan(bound: Bound, *, patience_s: float = ALL_S, memory_mb: int) -> NoPlan:
+    """That there is no plan, with the goals that fail and what would have to be otherwise.
+
+    Args:
+        bound: A problem without a plan.
+        patience_s: Wall-clock seconds for all of them, > 0.
+        memory_mb: Megabytes for each look.
+    """
+    return _Search(bound, memory_mb, time.monotonic() + patience_s).told()
+
+
+def goals_tried(bound: Bound, failed: OutOfTime, *, patience_s: float = ALL_S, memory_mb: int) -> OutOfTime:
+    """That no plan was found in time, with what came of each goal when it was tried by itself.
+
+    Args:
+        bound: The problem.
+        failed: What was said of all goals together.
+        patience_s: Wall-clock seconds for all of them, > 0.
+        memory_mb: Megabytes for each look.
+    """
+    return _Search(bound, memory_mb, time.monotonic() + patience_s).tried(failed)
+
+
+@dataclass(frozen=True, slots=True)
+class _Search:
+    bound: Bound
+    memory_mb: int
+    until: float
+
+    def told(self) -> NoPlan:
+        goals = _parts(self.bound.problem.goals)
+        failing = [goal for goal in goals if not self.reaches([goal])]
+        if not failing:
+            return self._conflict(goals)
+        names = " and ".join(map(self.words, failing))
+        never = [goal for goal in failing if goal.is_fluent_exp() and not self._is_made(goal)]
+        if never:
+            remedy = f"No action makes {self.words(never[0])} true: add one, or state it in the problem."
+            return NoPlan(f"no plan reaches the goal {names}", remedy=remedy)
+        return NoPlan(f"no plan reaches the goal {names}", remedy=self._remedy(failing))
+
+    def tried(self, failed: OutOfTime) -> OutOfTime:
+        """Each goal by itself."""
+        goals = _parts(self.bound.problem.goals)
+        if len(goals) == 1:
+            what = f"Its only goal is {self.words(goals[0])}: see whether its conditions can be met at all"
+            return OutOfTime(failed.reason, remedy=f"{what}, or allow more time.")
+        reached = [goal for goal in goals if self.reaches([goal])]
+        names = " and ".join(self.words(goal) for goal in goals if goal not in reached)
+        one_by_one = f"the goals were then tried one by one, for {EACH_S:g} s each"
+        if not names:
+            reason = f"{failed.reason}; {one_by_one}, and each has a plan of its own"
+            return OutOfTime(reason, remedy="Look for what one of them uses up, or allow more time.")
+        reason = f"{failed.reason}; {one_by_one}, and no plan was found for {names}"
+        return OutOfTime(reason, remedy=f"Look at {names} first, plan without, or allow more time.")
+
+    def _conflict(self, goals: Sequence[FNode]) -> NoPlan:
+        """Each goal has a plan, and all of them together have none."""
+        found = in_the_way(goals, lambda lifted: self.reaches([one for one in goals if one not in lifted]))
+        names = " or ".join(map(self.words, found.any_of)) or " and ".join(map(self.words, found.all_of))
+        if not names:
+            return NoPlan(
+                "no plan reaches all goals",
+                remedy="Each of them has a plan of its own: look for what one of them uses up.",
+            )
+        return NoPlan(
+            "each goal has a plan, and no plan reaches all of them",
+            remedy=f"It would be possible without {names}.",
+        )
+
+    def _remedy(self, failing: Sequence[FNode]) -> str:
+        ruled_out = ruled_out_steps(
+            self.bound, failing, time_limit_s=max(1.0, self.left_s / 2), memory_mb=self.memory_mb
+        )
+        if ruled_out:
+            return self._if_open(ruled_out)
+        needed = [
+            Needed(action.name, condition)
+            for action in self.bound.problem.actions
+            if self.bound.classical
+            for condition in _parts(action.preconditions)
+        ]
+        found = [one for one in needed if self.reaches(failing, [one])]
+        texts = [f"{self._name(one.action)} did not need {self.words(one.condition)}" for one in found]
+        if texts:
+            return f"It would be possible if {', or if '.join(texts)}."
+        return "No single condition of an action stands in the way: look for what several of them need."
+
+    def _if_open(self, steps: Sequence[GroundAction]) -> str:
+        """That the plan stands and falls with steps whose costs are missing, or that are not permitted."""
+        reasons = dict(reason(step, self.bound) for step in steps)
+        conditions = " and ".join([*reasons][:MOST_NAMED])
+        more = f" and {len(reasons) - MOST_NAMED} more" if len(reasons) > MOST_NAMED else ""
+        return f"It would be possible if {conditions}{more}. {next(iter(reasons.values()))}"
+
+    @property
+    def left_s(self) -> float:
+        """What is left for all looks."""
+        return self.until - time.monotonic()
+
+    def reaches(self, goals: Sequence[FNode], without: Sequence[Needed] = ()) -> bool:
+        """Whether some plan is found for these goals, and without these conditions of actions."""
+        if self.left_s <= 0.0:
+            return False
+        problem = self.bound.problem.clone()
+        problem.clear_goals()
+        problem.clear_quality_metrics()  # any plan will do
+        for goal in goals:
+            problem.add_goal(goal)
+        for one in without:
+            _lift(problem.action(one.action), one.condition)
+        return self._has_plan(problem, min(EACH_S, self.left_s))
+
+    def _has_plan(self, problem: Problem, limit_s: float) -> bool:
+        try:
+            if self.bound.classical:
+                solve(problem, time_limit_s=limit_s, memory_mb=self.memory_mb, search_for=ANY_PLAN)
+            else:
+                solve_elsewhere(problem, time_limit_s=limit_s, memory_mb=self.memory_mb)
+        except PlanningFailed:
+            return False
+        return True
+
+    def _is_made(self, goal: FNode) -> bool:
+        """Whether some action makes it true of anything."""
+        return (
+            any(
+                effect.fluent.fluent() == goal.fluent() and not effect.value.is_false()
+                for action in self.bound.problem.actions
+                for effect in getattr(action, "effects", [])
+            )
+            or not self.bound.classical
+        )
+
+    def words(self, node: FNode) -> str:
+        """A condition as PDDL has it."""
+        if node.is_fluent_exp():
+            return f"({' '.join((self._name(node.fluent().name), *map(self.words, node.args)))})"
+        if node.is_parameter_exp():
+            return f"?{node.parameter().name}"
+        if node.is_object_exp():
+            return self._name(node.object().name)
+        return f"(not {self.words(node.arg(0))})" if node.is_not() else f"({node})"
+
+    def _name(self, name: str) -> str:
+        return self.bound.own.as_written(name)
+
+
+def _parts(conditions: Sequence[FNode]) -> list[FNode]:
+    """What is joined by `and`, one by one."""
+    return [part for condition in conditions for part in _conjuncts(condition)]
+
+
+def _conjuncts(condition: FNode) -> Iterator[FNode]:
+    if condition.is_and():
+        for part in condition.args:
+            yield from _conjuncts(part)
+    else:
+        yield condition
+
+
+def _lift(action: Action, lifted: FNode) -> None:
+    kept = [part for part in _parts(action.preconditions) if part != lifted]
+    action.clear_preconditions()
+    for part in kept:
+        action.add_precondition(part)

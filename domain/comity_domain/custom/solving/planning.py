@@ -1,0 +1,176 @@
+"""From a bound problem to a plan whose steps carry people's parameters, costs and reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from comity_domain.custom.binding.binding import ActionBinding
+from comity_domain.custom.engines.fast_downward import ENGINE, MEMORY_MB, GroundAction, solve
+from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.elsewhere import Elsewhere, solve_elsewhere
+from comity_domain.custom.solving.hindrances import ALL_S, goals_tried, no_plan
+from comity_domain.custom.solving.lacking import COMPUTED, lacking
+from comity_domain.custom.solving.reason import why
+from comity_domain.custom.solving.searching import search_for
+from comity_domain.custom.solving.swap import argument_of, row_of
+from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
+from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_fis.errors import Where
+
+
+@dataclass(frozen=True, slots=True)
+class CustomPlan:
+    """A plan in a custom domain."""
+
+    plan: Plan
+    """Costs in parts of the domain's own cost: divide by `cost_scale`."""
+    cost_scale: int
+    tells_costs: bool
+    """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
+    metric_ignored: bool
+    """The problem has a metric, and the engine did not look at it: another plan may be better by it."""
+    times: tuple[tuple[float, float] | None, ...]
+    """When each step starts and how long it takes [s]; None where the plan is a mere order."""
+    whose: tuple[str | None, ...]
+    """The person whose preferences are bound to each step; None where nobody's are."""
+
+
+def plan_custom(
+    bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB, diagnose: bool = True
+) -> CustomPlan:
+    """The cheapest plan for a classical domain; for another, what an installed engine finds.
+
+    Args:
+        bound: The problem.
+        time_limit_s: Wall-clock seconds for the engine, > 0.
+        memory_mb: Megabytes for it, > 0.
+        diagnose: Whether to look for what stands in the way where there is no plan; nobody looks where the
+            engine is named.
+
+    Raises:
+        NoPlan: There is none; diagnosed, it says which goal fails and which condition stands in its way.
+        PlanningFailed: None was found within the limits, or no engine that is installed can.
+    """
+    if not time_limit_s > 0.0:
+        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
+    try:
+        solved = _solved(bound, time_limit_s, memory_mb)
+    except (NoPlan, OutOfTime) as failed:
+        if not diagnose:
+            raise
+        raise diagnosed(bound, failed, memory_mb=memory_mb) from None
+    engine, solution = solved.engine, solved.solution
+    steps = tuple(_steps(solution.actions, bound))
+    cost = sum(step.cost for step in steps)
+    proven = solution.finished or (bound.classical and cost <= solution.bound)
+    plan = Plan(
+        engine,
+        optimal=proven,
+        reproducible=solution.finished or not steps,
+        cost=cost,
+        bound=cost if proven else min(cost, solution.bound),
+        steps=steps,
+        killed=solution.killed,
+    )
+    times = tuple(
+        None if one.start_s is None else (one.start_s, one.duration_s or 0.0) for one in solution.actions
+    )
+    return CustomPlan(
+        plan,
+        bound.cost_scale,
+        bound.classical,
+        solved.metric_ignored,
+        times,
+        tuple(_whose(action, bound) for action in solution.actions),
+    )
+
+
+def diagnosed(
+    bound: Bound, failed: PlanningFailed, *, patience_s: float = ALL_S, memory_mb: int = MEMORY_MB
+) -> PlanningFailed:
+    """The same failure with what stands in the way; as it is where the engine is named.
+
+    Args:
+        bound: The problem.
+        failed: What came of it.
+        patience_s: Wall-clock seconds for looking, > 0.
+        memory_mb: Megabytes for each look, > 0.
+    """
+    if bound.engine is not None:
+        return failed
+    if isinstance(failed, NoPlan):
+        return no_plan(bound, patience_s=patience_s, memory_mb=memory_mb)
+    if isinstance(failed, OutOfTime):
+        return goals_tried(bound, failed, patience_s=patience_s, memory_mb=memory_mb)
+    return failed
+
+
+def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> Elsewhere:
+    if not bound.classical or bound.engine not in (None, ENGINE):
+        try:
+            return solve_elsewhere(
+                bound.problem, engine=bound.engine, time_limit_s=time_limit_s, memory_mb=memory_mb
+            )
+        except NoEngine as refusal:
+            place = _place_beyond(bound)
+            where = f" ({place})" if place else ""
+            raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
+    solution = solve(
+        bound.problem,
+        time_limit_s=time_limit_s,
+        memory_mb=memory_mb,
+        search_for=search_for(bound.problem, time_limit_s),
+    )
+    return Elsewhere(ENGINE, solution, metric_ignored=False)
+
+
+def _place_beyond(bound: Bound) -> Where | None:
+    """Where stands what no engine takes, as far as that is known."""
+    places = bound.own.places
+    return (places.computed if lacking(bound.problem) is COMPUTED else None) or places.beyond
+
+
+def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
+    by_action = _by_action(bound)
+    for index, action in enumerate(actions):
+        row = row_of(action, bound) if bound.classical else None
+        binding = by_action.get(action.name)
+        yield PlanStep(
+            action=bound.own.as_written(action.name),
+            arguments=tuple(map(bound.own.as_written, action.arguments)),
+            origin=None,
+            parameters=_parameters(action, binding, bound) if binding else {},
+            cost=row.cost if row else 0,
+            why=why(index, actions, binding, bound) if binding else NOT_BOUND,
+            cost_parts=row.parts() if row else {},
+        )
+
+
+NOT_BOUND = Why("no preference of anybody is bound to this action", ())
+
+
+def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> dict[str, float | str]:
+    """What rides beside the step: what was inferred, and of a category what was chosen."""
+    assert bound.people is not None
+    person = bound.people[_person(action, binding, bound)]
+    row = row_of(action, bound) if bound.classical else None
+    found = {name: person[name].value for name in binding.parameters}
+    for argument, option in binding.options.items():
+        chosen = row.likings[argument.lower()].value if row else None
+        if isinstance(chosen, str):
+            found[option.parameter] = chosen
+    return found
+
+
+def _by_action(bound: Bound) -> dict[str, ActionBinding]:
+    return {bound.own.own_name("action", name): one for name, one in bound.binding.actions.items()}
+
+
+def _person(action: GroundAction, binding: ActionBinding, bound: Bound) -> str:
+    return bound.own.as_written(argument_of(action, binding.person.lower(), bound))
+
+
+def _whose(action: GroundAction, bound: Bound) -> str | None:
+    binding = _by_action(bound).get(action.name)
+    return _person(action, binding, bound) if binding else None

@@ -1,0 +1,97 @@
+"""Why a step of a custom domain is done this way: whose taste, which rules, what else it could have been."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from comity_domain.custom.binding.binding import ActionBinding
+from comity_domain.custom.costs.liking import Liking
+from comity_domain.custom.engines.fast_downward import GroundAction
+from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.swap import argument_of, other_ways, row_of
+from comity_domain.plans.plan import Alternative, Why
+from comity_domain.problem.setting import is_setting
+from comity_fis.explanation.disclosure import facts_first, kept_back
+from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+
+
+def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bound: Bound) -> Why:
+    """Why one step of a plan is so."""
+    assert bound.people is not None
+    action = actions[index]
+    name = argument_of(action, binding.person.lower(), bound)
+    person = bound.people[bound.own.as_written(name)]
+    row = row_of(action, bound) if bound.classical else None
+    reasons = [
+        _option(
+            bound.own.as_written(argument_of(action, argument.lower(), bound)),
+            option.parameter,
+            liking,
+            person,
+        )
+        for argument, option in binding.options.items()
+        if row and (liking := row.likings[argument.lower()])
+    ]
+    reasons += [_value(person[parameter], person) for parameter in binding.parameters]
+    whose = f"{bound.own.as_written(name)}: " if reasons else ""
+    chosen = whose + "; ".join(reasons)
+    if not row or not binding.options:
+        return Why(chosen, (), chosen=chosen)
+    others = list(_others(index, actions, binding, bound))
+    text = f"{chosen}; {_runner_up(others, binding, action, bound)}"
+    return Why(text, tuple(others), chosen=chosen)
+
+
+def _others(
+    index: int, actions: Sequence[GroundAction], binding: ActionBinding, bound: Bound
+) -> Iterator[Alternative]:
+    options = [argument.lower() for argument in binding.options]
+    for other, extra in other_ways(index, actions, options, bound):
+        yield Alternative(tuple(map(bound.own.as_written, other.arguments)), extra)
+
+
+def _option(name: str, parameter: str, liking: Liking, person: Inference) -> str:
+    if liking.value is None:
+        return f"{name}: nothing to like or dislike"
+    category = liking.value if isinstance(liking.value, str) else None
+    because = _because(person[parameter], person, category)
+    return f"{name}: desirability {liking.desirability:.2f} as {_words(parameter)} ({because})"
+
+
+def _value(value: ParameterValue, person: Inference) -> str:
+    shown = value.value if isinstance(value.value, str) else f"{value.value:.3f} {value.unit or ''}".strip()
+    return f"{_words(value.name)} {_words(shown)} ({_because(value, person, None)})"
+
+
+def _because(value: ParameterValue, person: Inference, category: str | None) -> str:
+    """The strongest rule behind a value; of a category, the strongest that speaks for it."""
+    if is_setting(value):
+        return "asked for"
+    speaking = [fired for fired in value.fired if _concludes(fired, value.name, category)]
+    if not value.fired or (category and not speaking):
+        return "no rule speaks for it" if value.fired else value.note or f"{value.origin} value"
+    rule = facts_first(speaking or value.fired, person.inputs)[0].rule
+    hidden = " and ".join(map(_words, kept_back(rule, person.inputs)))
+    return f"rule {rule.number}: {_words(rule.text)}" + (f"; {hidden} not disclosed" if hidden else "")
+
+
+def _concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:
+    return any((is_.name, is_.term) == (parameter, category) for is_ in fired.rule.consequents)
+
+
+def _runner_up(
+    others: Sequence[Alternative], binding: ActionBinding, action: GroundAction, bound: Bound
+) -> str:
+    if not others:
+        return "no other option keeps the plan working"
+    names = [parameter.name for parameter in bound.problem.action(action.name).parameters]
+    places = [names.index(argument.lower()) for argument in binding.options]
+    first = others[0]
+    name = " with ".join(first.arguments[place] for place in places)
+    price = f"{first.extra_cost} more" if first.extra_cost else "the same"
+    return f"{name} would cost {price} with the rest as it is"
+
+
+def _words(name: str) -> str:
+    """Names as people say them."""
+    return name.replace("_", " ")

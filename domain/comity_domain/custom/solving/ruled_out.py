@@ -1,0 +1,112 @@
+"""Which steps would be needed and are ruled out: without a cost, or not permitted by a person."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.costs.cost import objects_for
+from comity_domain.custom.costs.liking import likings
+from comity_domain.custom.engines.fast_downward import GroundAction, solve
+from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew
+from comity_domain.custom.solving.searching import search_for
+from comity_domain.custom.solving.swap import argument_of, row_of
+from comity_domain.errors import PlanningFailed
+from comity_domain.problem.setting import is_setting
+
+if TYPE_CHECKING:
+    from unified_planning.model import FNode, Problem
+
+
+def ruled_out_steps(
+    bound: Bound, goals: Sequence[FNode], *, time_limit_s: float, memory_mb: int
+) -> tuple[GroundAction, ...]:
+    """The ruled-out steps of a plan for some goals that has as few as can be found; empty without a plan.
+
+    Args:
+        bound: A classical problem.
+        goals: To reach.
+        time_limit_s: For the look.
+        memory_mb: Likewise.
+    """
+    if not bound.rulings:
+        return ()
+    problem = _with_fines(bound, goals)
+    search = search_for(problem, time_limit_s)
+    try:
+        found = solve(problem, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search)
+    except PlanningFailed:
+        return ()
+    return tuple(dict.fromkeys(step for step in found.actions if row_of(step, bound) is None))
+
+
+def _with_fines(bound: Bound, goals: Sequence[FNode]) -> Problem:
+    """The problem where what is ruled out costs 1 instead, and all else nothing."""
+    free = bound.problem.environment.expression_manager.Int(0)
+    problem = bound.problem.clone()
+    problem.clear_goals()
+    for goal in goals:
+        problem.add_goal(goal)
+    costs = {action.name: free for action in problem.actions}
+    for name, ruling in bound.rulings.items():
+        action, table = problem.action(name), bound.tables[name]
+        kept = [
+            one for one in action.preconditions if not (one.is_fluent_exp() and one.fluent().name == ruling)
+        ]
+        action.clear_preconditions()
+        for condition in kept:
+            action.add_precondition(condition)
+        fine = new_fluent(f"fine_for_{name}", "int", action, table.arguments, problem, default=1)
+        for objects in table.rows:
+            problem.set_initial_value(fine(*map(problem.object, objects)), 0)
+        costs[name] = fine(*map(action.parameter, table.arguments))
+    return priced_anew(problem, costs)
+
+
+def reason(step: GroundAction, bound: Bound) -> tuple[str, str]:
+    """What would have to be otherwise for a step that is ruled out, and what to do about it.
+
+    Returns:
+        A clause as after "if", and a whole sentence.
+    """
+    table, own = bound.tables[step.name], bound.own
+    key = tuple(argument_of(step, name, bound) for name in table.arguments)
+    action = own.as_written(step.name)
+    named = f"{action}({', '.join(map(own.as_written, step.arguments))})"
+    if key not in table.unpriced:
+        return _not_permitted(step, named, bound)
+    atom, where = table.unpriced[key], own.places.of_cost(step.name)
+    if atom is None:
+        return f"{named} had a cost", f"Its cost is divided by 0 ({where}): keep 0 out of what divides it."
+    function = f"({' '.join(map(own.as_written, atom))})"
+    do = (
+        f"The cost of {action} reads it ({where}): add (= {function} NUMBER) under :init ({own.places.init})."
+    )
+    return f"{function} had a value", do
+
+
+def _not_permitted(step: GroundAction, named: str, bound: Bound) -> tuple[str, str]:
+    reasons = "; ".join(_against(step, bound))
+    return f"{named} were open", f"It is ruled out: {reasons}."
+
+
+def _against(step: GroundAction, bound: Bound) -> Iterator[str]:
+    """Each option that a person does not permit, with what they want instead."""
+    own, people = bound.own, bound.people
+    binding = next(
+        (one for name, one in bound.binding.actions.items() if own.own_name("action", name) == step.name),
+        None,
+    )
+    if binding is None or people is None:
+        return
+    person = own.as_written(argument_of(step, binding.person.lower(), bound))
+    for argument, option in binding.options.items():
+        objects = [
+            one.name for one in objects_for(bound.problem, bound.problem.action(step.name), argument.lower())
+        ]
+        chosen, value = argument_of(step, argument.lower(), bound), people[person][option.parameter]
+        full = option.full(own, objects)
+        if not likings(full, value, person)[chosen].permitted:
+            meant = f"{own.as_written(chosen)} stands for {option.parameter} {full.objects[chosen]}"
+            wanted = f"asked for {value.value}" if is_setting(value) else "did not consent to it"
+            yield f"{meant}, and {person} {wanted}"

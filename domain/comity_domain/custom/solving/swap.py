@@ -1,0 +1,125 @@
+"""What else a step could have been: other objects for its options, where the plan stays one that works."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import islice, product
+from typing import TYPE_CHECKING
+
+from comity_domain.custom.costs.cost import objects_for
+from comity_domain.custom.costs.table import Row
+from comity_domain.custom.engines.fast_downward import GroundAction
+from comity_domain.custom.pddl.reading import as_global
+from comity_domain.custom.solving.bound import Bound
+
+if TYPE_CHECKING:
+    from unified_planning.plans import SequentialPlan
+
+MOST_TRIED = 200
+"""Other ways that are tried for a whole plan, each by a run of the validator; a step gets its share."""
+LONGEST_PLAN = 200
+"""Steps; for longer plans no other ways are tried."""
+
+
+def row_of(action: GroundAction, bound: Bound) -> Row | None:
+    """What a step costs; None where it is ruled out."""
+    table = bound.tables[action.name]
+    return table.rows.get(tuple(argument_of(action, name, bound) for name in table.arguments))
+
+
+def argument_of(action: GroundAction, name: str, bound: Bound) -> str:
+    """The object for an argument."""
+    names = [parameter.name for parameter in bound.problem.action(action.name).parameters]
+    return action.arguments[names.index(name)]
+
+
+def other_ways(
+    index: int, actions: Sequence[GroundAction], options: Sequence[str], bound: Bound
+) -> Iterator[tuple[GroundAction, int]]:
+    """The step with other options, and what the whole plan would cost on top; cheapest first.
+
+    A swap that breaks the plan is tried once more through the whole plan: wherever an action has the same
+    object with the same person.
+
+    Args:
+        index: Of the step.
+        actions: The plan.
+        options: The arguments of the step that are options.
+        bound: What was planned.
+    """
+    if len(actions) > LONGEST_PLAN:
+        return
+    cost = _cost(actions, bound)
+    found = []
+    share = max(2, MOST_TRIED // len(actions))
+    for other in islice(_variants(actions[index], options, bound), share):
+        for plan in (
+            [*actions[:index], other, *actions[index + 1 :]],
+            _everywhere(actions, actions[index], other),
+        ):
+            dearer = _cost(plan, bound)
+            if cost is not None and dearer is not None and works(plan, bound):
+                found.append((other, dearer - cost))
+                break
+    yield from sorted(found, key=lambda pair: pair[1])
+
+
+def works(actions: Sequence[GroundAction], bound: Bound) -> bool:
+    """Whether a plan reaches all goals, by unified-planning's validator."""
+    from unified_planning.engines import SequentialPlanValidator, ValidationResultStatus
+
+    with as_global(bound.problem.environment):
+        validator = SequentialPlanValidator()
+        # It refuses functions without a value for every combination, but only a plan that uses one is wrong.
+        validator.skip_checks = True
+        result = validator.validate(bound.problem, as_plan(actions, bound))
+    return bool(result.status == ValidationResultStatus.VALID)
+
+
+def as_plan(actions: Sequence[GroundAction], bound: Bound) -> SequentialPlan:
+    """The plan as unified-planning has it."""
+    from unified_planning.plans import ActionInstance, SequentialPlan
+
+    problem = bound.problem
+    return SequentialPlan(
+        [
+            ActionInstance(problem.action(one.name), tuple(map(problem.object, one.arguments)))
+            for one in actions
+        ],
+        problem.environment,
+    )
+
+
+def _variants(action: GroundAction, options: Sequence[str], bound: Bound) -> Iterator[GroundAction]:
+    """The same step with every other choice of its options that is permitted."""
+    declared = bound.problem.action(action.name)
+    pools = [
+        [one.name for one in objects_for(bound.problem, declared, parameter.name)]
+        if parameter.name in options
+        else [argument]
+        for parameter, argument in zip(declared.parameters, action.arguments, strict=True)
+    ]
+    for arguments in product(*pools):
+        other = replace(action, arguments=arguments)
+        if other != action and row_of(other, bound) is not None:
+            yield other
+
+
+def _everywhere(
+    actions: Sequence[GroundAction], was: GroundAction, becomes: GroundAction
+) -> list[GroundAction]:
+    changed = {old: new for old, new in zip(was.arguments, becomes.arguments, strict=True) if old != new}
+    kept = {old for old, new in zip(was.arguments, becomes.arguments, strict=True) if old == new}
+    return [
+        replace(one, arguments=tuple(changed.get(name, name) for name in one.arguments))
+        if kept & set(one.arguments)
+        else one
+        for one in actions
+    ]
+
+
+def _cost(actions: Sequence[GroundAction], bound: Bound) -> int | None:
+    rows = [row_of(action, bound) for action in actions]
+    known = [row.cost for row in rows if row is not None]
+    return sum(known) if len(known) == len(rows) else None

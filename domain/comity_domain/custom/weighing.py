@@ -1,0 +1,164 @@
+"""How far the weights of a binding's options can change before another plan is cheaper.
+
+A plan's cost is a straight line over the factor of a weight, so that the cheapest plans make a concave line
+of straight pieces. Where the plan in hand stops being the cheapest is found as Eisner and Severance (1976)
+do: the plan that is cheapest at the end crosses it somewhere, and whatever is cheaper still at that crossing
+crosses it earlier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from comity_domain.custom.engines.fast_downward import MEMORY_MB, GroundAction
+from comity_domain.custom.solving.bound import Bound, bind
+from comity_domain.custom.solving.planning import CustomPlan, plan_custom
+from comity_domain.custom.solving.swap import row_of
+from comity_domain.errors import PlanningFailed
+from comity_domain.explanation.stability import HIGHEST, LOWEST
+from comity_fis.errors import InputError
+
+ALL = "all"
+MOST_CROSSINGS = 12
+"""Engine calls for one weight in one direction; each finds another plan or is the last."""
+NEAR = 1e-6
+"""Costs nearer to each other are the same, in units of the domain's own cost."""
+
+Steps = tuple[tuple[str, tuple[str, ...]], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CustomFlip:
+    """A factor of weights from which on another plan is cheaper."""
+
+    weight: str
+    """An action and the argument of its option, such as `greet ?how`, or `all`."""
+    factor: float
+    steps: Steps
+    """Of the plan that is cheaper beyond, by action and arguments."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stability:
+    """What was found."""
+
+    flips: tuple[CustomFlip, ...]
+    """The nearest in each direction, by weight."""
+    exact: bool
+    """Every search ended by itself; otherwise there may be nearer ones."""
+
+
+Factors = Mapping[tuple[str, str], float]
+"""By action and option argument, as the binding names them."""
+
+
+def weigh(
+    bound: Bound,
+    found: CustomPlan,
+    *,
+    time_limit_s: float = 30.0,
+    memory_mb: int = MEMORY_MB,
+) -> Stability:
+    """Follow each weight, and all at once, from a quarter to four times what they are.
+
+    Args:
+        bound: A classical domain and a binding with options.
+        found: Its plan.
+        time_limit_s: For each engine call.
+        memory_mb: Likewise.
+    """
+    return _Weighing(bound, _of(found), time_limit_s, memory_mb).all()
+
+
+def _of(found: CustomPlan) -> Steps:
+    return tuple((step.action, step.arguments) for step in found.plan.steps)
+
+
+@dataclass(frozen=True, slots=True)
+class _Weighing:
+    bound: Bound
+    steps: Steps
+    time_limit_s: float
+    memory_mb: int
+
+    def all(self) -> Stability:
+        flips, exact = [], True
+        for name, options in self.weights():
+            for end in (LOWEST, HIGHEST):
+                flip, proven = self.first_flip(name, options, end)
+                exact &= proven
+                flips += [flip] if flip else []
+        return Stability(tuple(flips), exact)
+
+    def weights(self) -> Iterator[tuple[str, list[tuple[str, str]]]]:
+        """Each weight by its name, with the options that it is of."""
+        options = [
+            (action, argument)
+            for action, one in self.bound.binding.actions.items()
+            for argument, option in one.options.items()
+            if option.weight > 0.0
+        ]
+        if len(options) > 1:
+            yield from ((f"{action} ?{argument}", [(action, argument)]) for action, argument in options)
+        if options:
+            yield ALL, options
+
+    def first_flip(
+        self, name: str, options: list[tuple[str, str]], end: float
+    ) -> tuple[CustomFlip | None, bool]:
+        """Where another plan is cheaper on the way to the end; whether that is exact."""
+        flip, factor = None, end
+        for _ in range(MOST_CROSSINGS):
+            found = self.cheapest(dict.fromkeys(options, factor))
+            if found is None:
+                return flip, False
+            steps, proven = found
+            crossing = self.crossing(steps, options, factor)
+            if crossing is None:
+                return flip, proven
+            flip, factor = CustomFlip(name, crossing, steps), crossing
+        return flip, False
+
+    def crossing(self, other: Steps, options: list[tuple[str, str]], factor: float) -> float | None:
+        """Where another plan costs as much as the one in hand; None where it is not cheaper at the factor."""
+        fixed, moving = self.line(self.steps, options)
+        other_fixed, other_moving = self.line(other, options)
+        dearer = other_fixed + factor * other_moving > fixed + factor * moving - NEAR
+        if dearer or abs(moving - other_moving) < NEAR:
+            return None
+        return min(HIGHEST, max(LOWEST, (other_fixed - fixed) / (moving - other_moving)))
+
+    def line(self, steps: Steps, options: list[tuple[str, str]]) -> tuple[float, float]:
+        """What a plan costs whatever the weights are, and what it costs on top at a factor of 1."""
+        fixed = moving = 0.0
+        for action, arguments in steps:
+            name = self.bound.own.own_name("action", action)
+            objects = tuple(self.bound.own.own_name("object", one) for one in arguments)
+            row = row_of(GroundAction(name, objects), self.bound)
+            assert row is not None  # no weight rules anything out
+            own = {one.lower() for bound, one in options if self.bound.own.own_name("action", bound) == name}
+            part = sum(liking.dislike for key, liking in row.likings.items() if key in own)
+            fixed, moving = fixed + row.base + row.dislike - part, moving + part
+        return fixed, moving
+
+    def cheapest(self, factors: Factors) -> tuple[Steps, bool] | None:
+        """The cheapest plan with other weights, and whether that is proven; None where none was found."""
+        actions = {
+            action: replace(
+                one,
+                options={
+                    argument: replace(option, weight=option.weight * factors.get((action, argument), 1.0))
+                    for argument, option in one.options.items()
+                },
+            )
+            for action, one in self.bound.binding.actions.items()
+        }
+        try:
+            bound = bind(self.bound.own, replace(self.bound.binding, actions=actions), self.bound.people)
+            found = plan_custom(
+                bound, time_limit_s=self.time_limit_s, memory_mb=self.memory_mb, diagnose=False
+            )
+        except (PlanningFailed, InputError):  # a heavier weight may make a cost too large
+            return None
+        return _of(found), found.plan.optimal
