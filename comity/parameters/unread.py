@@ -1,4 +1,4 @@
-"""Behaviour parameters that a rulebook decides and no action reads: they are inferred, and change nothing."""
+"""Behaviour parameters that a rulebook decides and no action of Comity reads: they are the robot's to use."""
 
 from __future__ import annotations
 
@@ -6,13 +6,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.passing import DISTANCE
-from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
+from comity_executor.speech.other_parameters import BOUND
 
 if TYPE_CHECKING:
     from comity_fis import Inference, Rulebook
-
-READ = frozenset({DISTANCE, "approach_speed", *ABOUT_SPEECH, *ABOUT_GESTURES})
-"""What the actions of a visit read of a person's behaviour parameters."""
 
 
 def notes_of_unread(rulebook: Rulebook) -> tuple[str, ...]:
@@ -23,9 +20,9 @@ def notes_of_unread(rulebook: Rulebook) -> tuple[str, ...]:
     if DISTANCE not in rulebook.parameters:
         return ()
     return tuple(
-        f"{name}: no action reads it, so that it changes nothing in a visit."
+        f"{name}: the robot receives it by this name; no action reads it, and a simulated robot does not."
         for name, parameter in rulebook.parameters.items()
-        if parameter.kind == "behaviour" and name not in READ
+        if parameter.kind == "behaviour" and name not in BOUND
     )
 
 

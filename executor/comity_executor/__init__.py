@@ -35,6 +35,7 @@ from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.robots.senses import ReadingSeries, ReadingsFile
 from comity_executor.speech.address import Address
 from comity_executor.speech.manner import Manner, manner_of
+from comity_executor.speech.other_parameters import other_parameters
 from comity_executor.speech.phrasebook import Language, Phrasebook, read_wordings
 from comity_executor.speech.speaker import Speaker
 from comity_executor.speech.utterance import Utterance
@@ -132,6 +133,7 @@ __all__ = [
     "leaves_of",
     "manner_of",
     "node_names",
+    "other_parameters",
     "read_blackboard",
     "read_nodes",
     "read_trace",

@@ -111,6 +111,8 @@ class Hall:
         """Until then it does not come to rest, whatever it is told."""
         self.finished: list[tuple[str, str]] = []
         self.manners: dict[tuple[str, str], Manner] = {}
+        self.others: list[tuple[str, Mapping[str, float | str]]] = []
+        """What each goal and act was told of parameters that have no argument, in order."""
         self.asked_s: list[float] = []
         """When it asked to pass."""
         self.said: dict[str, list[Spoken]] = {}
@@ -161,6 +163,7 @@ class Hall:
         if goal.kind == "navigate":
             self.detours_m.append(goal.detour_m)
         self.calls.append(f"{goal.kind} {goal.to}")
+        self.others.append((goal.kind, goal.parameters))
         spot = Spot(goal.pose.distance_m, goal.pose.bearing_deg) if goal.pose else None
         self._goal = (goal.kind, goal.to, spot, goal.speed_m_s)
         self.goals += 1
@@ -195,6 +198,7 @@ class Hall:
     def perform(self, act: ActGoal) -> str:
         self._fail(act.act)
         self.manners[act.act, act.to] = act.manner
+        self.others.append((act.act, act.parameters))
         if act.act == "ask_to_pass":
             self.asked_s.append(self.now_s())
         self.calls.append(f"{act.act} {act.to}" + (f": {act.text}" if act.text else ""))

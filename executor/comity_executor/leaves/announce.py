@@ -258,7 +258,7 @@ class SayLeaving(Action):
         values = self._values[self._who]
         words = self._meeting.speaker.leaving(self._who, values)
         self._text = words.latin
-        self._performing.begin(speech(UTTER, self._who, words, manner=manner_of(values)))
+        self._performing.begin(speech(UTTER, self._who, words, manner=manner_of(values)), values)
 
     def step(self) -> Status:
         """SUCCESS when it is said, FAILURE when it was broken off from elsewhere."""

@@ -62,7 +62,7 @@ class BodyAct(Action):
     def begin(self) -> None:
         """Start the act."""
         self._again = ""
-        self._performing.begin(self.goal())
+        self._performing.begin(self.goal(), self._meeting.values)
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
@@ -10,6 +11,7 @@ from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
 from comity_executor.nodes.leaf import Action
 from comity_executor.robots.goals import LOST, GoalId, Motion, MotionGoal, MotionStatus
 from comity_executor.robots.status import GoalLostError, known_motion
+from comity_executor.speech.other_parameters import other_parameters
 
 
 class MotionAction(Action):
@@ -31,7 +33,7 @@ class MotionAction(Action):
         writes: Collection[str] = (),
     ) -> None:
         super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
-        self.meeting = meeting.seen_by(self, reads=("bindings", *reads), writes=("base", *writes))
+        self.meeting = meeting.seen_by(self, reads=("bindings", "values", *reads), writes=("base", *writes))
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
         self._blocked_by: str | None = None
@@ -51,7 +53,8 @@ class MotionAction(Action):
         """Give the base a goal; it may take some time to accept it."""
         self.commanded_s, self._goal = self.meeting.senses.now_s(), None
         self.meeting.senses.require_fresh()
-        self._goal = self.meeting.drive.go(self, goal)
+        others = other_parameters(self.meeting.values)
+        self._goal = self.meeting.drive.go(self, replace(goal, parameters=others))
 
     def motion(self) -> Motion:
         """How the goal goes.

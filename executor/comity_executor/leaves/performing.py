@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from comity_executor.robots.goals import LOST, ActGoal, GoalId
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.robots.status import known_performance
+from comity_executor.speech.other_parameters import other_parameters
+from comity_fis.inference.value import Inference
 
 
 class Performing:
@@ -19,8 +23,13 @@ class Performing:
         self.goal: GoalId | None = None
         """What the robot calls the act; None before it has begun."""
 
-    def begin(self, act: ActGoal) -> None:
-        """Have the robot begin, unless the act before, of which it could not say how it ended, was done."""
+    def begin(self, act: ActGoal, values: Inference | None) -> None:
+        """Have the robot begin, unless the act before, of which it could not say how it ended, was done.
+
+        Args:
+            act: What to do.
+            values: The parameters of the person whom it is for.
+        """
         if self._is_in_doubt:
             self.look()
             self._is_in_doubt = False
@@ -28,7 +37,7 @@ class Performing:
                 return
         self.goal, self._state = None, ""
         self._senses.require_fresh()
-        self.goal = self._robot.perform(act)
+        self.goal = self._robot.perform(replace(act, parameters=other_parameters(values)))
 
     def look(self) -> None:
         """Ask the robot how the act goes.

@@ -60,7 +60,7 @@ class PickUp(Action):
     def __init__(self, task: Task) -> None:
         assert task.fetch is not None  # as above
         super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
-        self._task = task.seen_by(self, reads=("performed", "handing_over"))
+        self._task = task.seen_by(self, reads=("performed", "handing_over"), of_visit=("values",))
         self._place = str(task.fetch.parameters["place"])
         self._performing = Performing(task.meeting.robot, task.meeting.senses)
 
@@ -71,7 +71,9 @@ class PickUp(Action):
 
     def begin(self) -> None:
         """Reach out."""
-        self._performing.begin(ActGoal(PICK_UP, self._place, thing=self._task.thing))
+        self._performing.begin(
+            ActGoal(PICK_UP, self._place, thing=self._task.thing), self._task.meeting.values
+        )
 
     def step(self) -> Status:
         """SUCCESS when the robot holds it, FAILURE when it was broken off from elsewhere."""

@@ -21,6 +21,7 @@ from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.manner import Manner, manner_of
+from comity_executor.speech.other_parameters import other_parameters
 from comity_executor.speech.speaker import SPEAKER, Speaker
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.moved_curve import MovedCurve
@@ -107,8 +108,8 @@ class Meeting:
         return Asking(self.limits, self.shared)
 
     @property
-    def _moves_by(self) -> tuple[PlannedPose, float, DockingPose | None]:
-        return self.wanted, self.approach_speed_m_s, self.memory.pose
+    def _moves_by(self) -> tuple[PlannedPose, float, DockingPose | None, Mapping[str, float | str]]:
+        return self.wanted, self.approach_speed_m_s, self.memory.pose, other_parameters(self.values)
 
     def choose_pose(self) -> None:
         """Let the robot choose where to stand; the pose is None where it finds no place."""

@@ -7,8 +7,8 @@ of a goal names it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Literal, Protocol, get_args
 
@@ -95,6 +95,8 @@ class MotionGoal:
     """How much farther the way around people may be than it would be without them, for `navigate` and
     `go_to`. Where it is more, or there is none, the robot comes up to those in the way and is `blocked_by`
     them, until they make way."""
+    parameters: Mapping[str, float | str] = field(default_factory=dict)
+    """The person's other parameters, by name (`other_parameters`); a robot uses those that it knows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +114,8 @@ class ActGoal:
     """How loud and how fast to speak, how large to gesture."""
     utterance: Utterance | None = None
     """The wordings that `text` is made of, with their facts; None for a gesture or a plan's own text."""
+    parameters: Mapping[str, float | str] = field(default_factory=dict)
+    """The person's other parameters, as in a motion goal."""
 
     @property
     def language(self) -> str | None:

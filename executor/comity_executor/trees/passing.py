@@ -197,7 +197,7 @@ class AskToPass(Action):
         values = self._values.get(who)
         asked, words = Asked(now_s, who, self._way.label), meeting.speaker.request_to_pass(who, values)
         manner = manner_of(values) if values else NORMAL
-        self._performing.begin(speech(ASK, who, words, manner=manner))
+        self._performing.begin(speech(ASK, who, words, manner=manner), values)
         self._asked.append(asked)
         self._texts.append(words.latin)
         meeting.asking.note(asked)

@@ -1,0 +1,24 @@
+"""The parameters of a person that no goal has an argument for: a robot receives them by their names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from comity_domain.problem.request import PARAMETERS
+from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
+from comity_fis.inference.value import Inference
+
+BOUND = frozenset((*PARAMETERS, *ABOUT_SPEECH, *ABOUT_GESTURES, "greeting_language"))
+"""What the arguments of goals and acts are made of: pose, speed, act, words and manner."""
+
+
+def other_parameters(values: Inference | None) -> Mapping[str, float | str]:
+    """All others of a rulebook, in the units that it states.
+
+    A rulebook with a new parameter, such as the share of time in which the robot looks at the person, needs
+    no change in Comity: a robot that knows the name reads it of its goals, every other robot leaves it.
+
+    Args:
+        values: None for a person of whom nothing was inferred.
+    """
+    return {} if values is None else {name: one.value for name, one in values.items() if name not in BOUND}
