@@ -58,10 +58,7 @@ def binding(**changes) -> dict:
 
 
 def ground(step, bound) -> GroundAction:
-    own_name = bound.own.own_name
-    return GroundAction(
-        own_name("action", step.action), tuple(own_name("object", name) for name in step.arguments)
-    )
+    return GroundAction(step.action.lower(), tuple(map(str.lower, step.arguments)))
 
 
 def is_valid(plan, bound) -> bool:
@@ -103,22 +100,18 @@ def test_what_is_exported_has_whole_numbers_and_the_files_own_names(folder):
 
 
 NEVER_DONE = "(:action never :parameters (?g - guest) :precondition (or) :effect (served ?g))"
-EVERYTHING = "(:goal (and (exists (?what) (= ?what aiko)) "
 
 
 @pytest.mark.parametrize(
     ("file", "old", "new"),
-    [
-        ("evening.pddl", "(:goal (and ", EVERYTHING),
-        ("waiter.pddl", "(:action return", f"{NEVER_DONE} (:action return"),
-    ],
-    ids=["the type of all things", "an action that can never be done"],
+    [("waiter.pddl", "(:action return", f"{NEVER_DONE} (:action return")],
+    ids=["an action that can never be done"],
 )
 def test_what_has_no_name_in_what_is_exported_is_not_missed(folder, file, old, new):
     Path(file).write_text(PAGE[file].replace(old, new))
     bound = waiter()
     pddl = custom_pddl(bound)
-    assert set(pddl.renamed) <= {"type object"}
+    assert pddl.renamed == {}
     Path("out-d.pddl").write_text(pddl.domain)
     Path("out-p.pddl").write_text(pddl.problem)
     again = plan_custom(bind(read_custom(Path("out-d.pddl"), Path("out-p.pddl"))))
@@ -357,11 +350,6 @@ def test_what_the_engine_for_numbers_does_not_take_is_named_with_what_to_write(
             plan_custom(bound)
     assert f"aries is installed, and takes no {words}" in failed.value.reason
     assert failed.value.remedy.startswith(remedy)
-    if "(holds ?s))" in new:
-        lines = domain.splitlines()
-        line = next(text for text in lines if "(holds ?s))" in text)
-        place = f"d.pddl:{lines.index(line) + 1}:{line.index('(holds ?s))') + 1}"
-        assert f"({place})" in failed.value.reason
 
 
 def test_a_numeric_domain_is_solved_where_an_engine_can(folder):
@@ -386,7 +374,7 @@ def test_a_numeric_domain_with_costs_is_solved_without_them_by_an_engine_that_ta
 
 NEVER = (
     NUMERIC[0].replace("(:predicates (done))", "(:predicates (done) (empty))")[:-1]
-    + "(:action empty :parameters () :precondition (<= (mugs) (- 0 1)) :effect (empty)))",
+    + "(:action drain :parameters () :precondition (<= (mugs) (- 0 1)) :effect (empty)))",
     NUMERIC[1].replace("(:goal (done))", "(:goal (and (done) (empty)))"),
 )
 

@@ -68,12 +68,8 @@ def rounds(tmp_path):
 
 
 def is_valid(bound, plan) -> bool:
-    name = bound.own.own_name
     return works(
-        [
-            GroundAction(name("action", step.action), tuple(name("object", one) for one in step.arguments))
-            for step in plan.steps
-        ],
+        [GroundAction(step.action.lower(), tuple(map(str.lower, step.arguments))) for step in plan.steps],
         bound,
     )
 

@@ -9,7 +9,7 @@ from comity_domain.custom.binding.people import People
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location
 from comity_domain.custom.export import CustomPddl, custom_pddl
 from comity_domain.custom.forbidding import Without, without
-from comity_domain.custom.pddl.reading import CustomProblem, Kind, read_custom
+from comity_domain.custom.reading.reading import CustomProblem, read_custom
 from comity_domain.custom.solving.bound import Bound, bind
 from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_custom
 from comity_domain.custom.weighing import ALL, CustomFlip, Stability, weigh
@@ -25,7 +25,6 @@ __all__ = [
     "CustomPlan",
     "CustomProblem",
     "FluentBinding",
-    "Kind",
     "Location",
     "Option",
     "OptionValue",

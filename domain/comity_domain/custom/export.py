@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.engines.writing import writer_of
+from comity_domain.custom.reading.reading import COST
 from comity_domain.custom.solving.bound import Bound
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ def _legend(bound: Bound, renamed: Mapping[str, str]) -> Iterator[str]:
     if bound.classical:
         yield f"A cost of {bound.binding.cost_scale} here is 1 of the domain's own."
     for name in bound.dropped:
-        if name != "total-cost":
+        if name != COST:
             yield f"{bound.own.as_written(name)} is in the costs, and left out because it is no whole number."
     for name, ruling in bound.rulings.items():
         yield f"{ruling} says with which objects {bound.own.as_written(name)} is permitted and has a cost."

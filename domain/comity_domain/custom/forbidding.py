@@ -46,10 +46,7 @@ def without(
         memory_mb: Megabytes for it, > 0.
     """
     step = found.plan.steps[index]
-    own_name = bound.own.own_name
-    action = GroundAction(
-        own_name("action", step.action), tuple(own_name("object", one) for one in step.arguments)
-    )
+    action = GroundAction(step.action.lower(), tuple(map(str.lower, step.arguments)))
     chosen = _chosen(action, bound)
     names = [bound.own.as_written(argument_of(action, name, bound)) for name in chosen]
     forbidden = f"{step.action}({', '.join(names)})"
@@ -75,7 +72,7 @@ def _chosen(action: GroundAction, bound: Bound) -> Sequence[str]:
     """The arguments that make the choice, in the action's order."""
     names = [parameter.name for parameter in bound.problem.action(action.name).parameters]
     for written, binding in bound.binding.actions.items():
-        if bound.own.own_name("action", written) == action.name and binding.options:
+        if written.lower() == action.name and binding.options:
             wanted = {binding.person.lower(), *map(str.lower, binding.options)}
             return [name for name in names if name in wanted]
     return names

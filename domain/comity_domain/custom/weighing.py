@@ -133,11 +133,11 @@ class _Weighing:
         """What a plan costs whatever the weights are, and what it costs on top at a factor of 1."""
         fixed = moving = 0.0
         for action, arguments in steps:
-            name = self.bound.own.own_name("action", action)
-            objects = tuple(self.bound.own.own_name("object", one) for one in arguments)
+            name = action.lower()
+            objects = tuple(one.lower() for one in arguments)
             row = row_of(GroundAction(name, objects), self.bound)
             assert row is not None  # no weight rules anything out
-            own = {one.lower() for bound, one in options if self.bound.own.own_name("action", bound) == name}
+            own = {one.lower() for bound, one in options if bound.lower() == name}
             part = sum(liking.dislike for key, liking in row.likings.items() if key in own)
             fixed, moving = fixed + row.base + row.dislike - part, moving + part
         return fixed, moving

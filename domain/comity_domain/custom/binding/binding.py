@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
-from comity_domain.custom.pddl.reading import CustomProblem
+from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis.errors import WrongValueError
 
 OptionValue = str | float | tuple[float, float] | None
@@ -34,7 +34,7 @@ class Option:
             own: Where the objects are.
             possible: All that the argument may be.
         """
-        named = {own.own_name("object", name): meaning for name, meaning in self.objects.items()}
+        named = {name.lower(): meaning for name, meaning in self.objects.items()}
         return replace(
             self, objects={name: named.get(name, own.as_written(name).lower()) for name in possible}
         )

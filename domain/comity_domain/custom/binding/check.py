@@ -12,7 +12,7 @@ from comity_domain.custom.binding.option_check import check_option
 from comity_domain.custom.binding.people import People
 from comity_domain.custom.binding.persons import can_be_people, listed, strangers
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location, refused
-from comity_domain.custom.pddl.reading import CustomProblem
+from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis import NominalParameter
 
 if TYPE_CHECKING:
@@ -37,10 +37,10 @@ class _Check(Names):
         self.once(binding.fluents, ("fluents",))
         for name in self.people.known:
             objects = (one.name for one in problem.all_objects)
-            self.known("object", name, objects, "an object of the problem", ("people", name))
+            self.known(name, objects, "an object of the problem", ("people", name))
         for name, action in binding.actions.items():
             actions = (one.name for one in problem.actions)
-            self.known("action", name, actions, "an action of the domain", ("actions", name))
+            self.known(name, actions, "an action of the domain", ("actions", name))
             self.action(name, action)
         for name, fluent in binding.fluents.items():
             self.fluent(name, fluent)
@@ -52,7 +52,7 @@ class _Check(Names):
         bound += [self.function(name).signature[0].type for name in binding.fluents]
         reached = {one.name for type_ in bound for one in self.own.problem.objects(type_)}
         for name in self.people.known:
-            if bound and self.own.own_name("object", name) not in reached:
+            if bound and name.lower() not in reached:
                 raise refused(
                     ("people", name),
                     "an object that a `person` of the binding may be",
@@ -62,12 +62,12 @@ class _Check(Names):
 
     def types(self, action: str) -> dict[str, Type]:
         """Of the arguments of an action that is known."""
-        declared = self.own.problem.action(self.own.own_name("action", action))
+        declared = self.own.problem.action(action.lower())
         return {parameter.name: parameter.type for parameter in declared.parameters}
 
     def function(self, name: str) -> Fluent:
         """One that is known."""
-        return self.own.problem.fluent(self.own.own_name("function", name))
+        return self.own.problem.fluent(name.lower())
 
     def action(self, name: str, action: ActionBinding) -> None:
         place: Location = ("actions", name)
@@ -87,7 +87,7 @@ class _Check(Names):
     def fluent(self, name: str, fluent: FluentBinding) -> None:
         place = ("fluents", name)
         functions = [one.name for one in self.own.problem.fluents if not one.type.is_bool_type()]
-        self.known("function", name, functions, "a function of the domain", place)
+        self.known(name, functions, "a function of the domain", place)
         function = self.function(name)
         if function.arity != 1:
             remedy = "Bind a function such as (distance_mm ?p - person)."

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from comity_domain.custom.binding.people import People
 from comity_domain.custom.binding.refusal import Location, refused
-from comity_domain.custom.pddl.reading import CustomProblem, Kind
+from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis.errors import closest
 
 
@@ -39,8 +39,8 @@ class Names:
             remedy = closest(name, rulebook.parameters)
             raise refused(place, f"a parameter of the rulebook {rulebook.name}", name, remedy)
 
-    def known(self, kind: Kind, name: str, known: Iterable[str], what: str, place: Location) -> None:
+    def known(self, name: str, known: Iterable[str], what: str, place: Location) -> None:
         """One of the names that there are; `what` says of what."""
         names = list(known)
-        if self.own.own_name(kind, name) not in names:
+        if name.lower() not in names:
             raise refused(place, what, name, closest(name, map(self.own.as_written, names)))

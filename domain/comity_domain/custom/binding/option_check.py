@@ -33,7 +33,7 @@ def check_option(names: Names, argument: str, option: Option, type_: Type, place
     names.once(option.objects, (*place, "objects"))
     for name in option.objects:
         what = f"an object that ?{argument} may be"
-        names.known("object", name, possible, what, (*place, "objects", name))
+        names.known(name, possible, what, (*place, "objects", name))
     parameter = names.people.rulebook.parameters[option.parameter]
     if not isinstance(parameter, NominalParameter):
         for name, meaning in option.objects.items():

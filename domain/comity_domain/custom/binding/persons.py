@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.binding.people import People
-from comity_domain.custom.pddl.reading import CustomProblem
+from comity_domain.custom.reading.reading import CustomProblem
 
 if TYPE_CHECKING:
     from unified_planning.model import Type
@@ -25,7 +25,7 @@ def strangers(own: CustomProblem, people: People, type_: Type) -> tuple[str, ...
         people: Those who are named, all of them objects of the problem.
         type_: Of an argument that is bound as a person.
     """
-    named = [own.problem.object(own.own_name("object", name)) for name in people.known]
+    named = [own.problem.object(name.lower()) for name in people.known]
     somebody = {one.name for person in named for one in own.problem.objects(person.type)}
     return tuple(
         own.as_written(one.name) for one in own.problem.objects(type_) if named and one.name not in somebody

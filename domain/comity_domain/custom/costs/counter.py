@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import functions_in
-from comity_domain.custom.pddl.effects import TOTAL_COST
+from comity_domain.custom.reading.reading import COST
 
 if TYPE_CHECKING:
     from unified_planning.model import FNode, InstantaneousAction, Problem
@@ -15,9 +15,8 @@ if TYPE_CHECKING:
 def counter_as_costs(problem: Problem) -> Problem:
     """The problem with the increases of such a function as costs of actions; otherwise the problem itself.
 
-    unified-planning's reader takes `total-cost` alone for costs. Any function is one that no action does
-    anything to but increase, on no condition, and that no condition reads: a plan's last value is its first,
-    which no plan changes, plus what the actions add.
+    Any function is a cost that no action does anything to but increase, on no condition, and that no
+    condition reads: a plan's last value is its first, which no plan changes, plus what the actions add.
 
     Args:
         problem: As unified-planning reads it.
@@ -35,14 +34,14 @@ def counter_as_costs(problem: Problem) -> Problem:
 
 
 def _minimized(problem: Problem) -> str | None:
-    """The function without arguments that the metric is, if it is one."""
+    """The function without arguments that the metric is; `total-cost` where there is no metric."""
     metrics = problem.quality_metrics
+    if not metrics and problem.has_fluent(COST):
+        return COST
     if len(metrics) != 1 or not metrics[0].is_minimize_expression_on_final_state():
         return None
     expression = metrics[0].expression
-    if not expression.is_fluent_exp() or expression.args or problem.has_name(TOTAL_COST):
-        return None
-    return str(expression.fluent().name)
+    return str(expression.fluent().name) if expression.is_fluent_exp() and not expression.args else None
 
 
 def _only_increased(problem: Problem, counter: str) -> bool:

@@ -23,8 +23,8 @@ from comity_domain.custom.costs.cost import (
     own_costs,
 )
 from comity_domain.custom.costs.liking import Liking, likings
-from comity_domain.custom.pddl.places import Atom
-from comity_domain.custom.pddl.reading import CustomProblem
+from comity_domain.custom.reading.places import Atom
+from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis.errors import InputError, Where, WrongValueError
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ def tables(own: CustomProblem, binding: Binding, people: People | None) -> Mappi
         BindingRefusedError: an option that cannot be priced.
     """
     pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
-    bound = {own.own_name("action", name): name for name in binding.actions}
+    bound = {name.lower(): name for name in binding.actions}
     return {
         action.name: pricing.bound(action, bound[action.name], binding.actions[bound[action.name]])
         if action.name in bound
@@ -115,7 +115,7 @@ def natural_scale(own: CustomProblem) -> int:
                     expected=f"costs that are multiples of {1 / MOST_SCALE:.6f}",
                     got=f"{float(cost):.15g} for {own.as_written(name)}",
                     remedy="Round it, or bind it with a `cost_scale`: the planner counts in whole numbers.",
-                    where=own.places.numbers.get(finest, where) if finest else where,
+                    where=own.places.numbers().get(finest, where) if finest else where,
                 )
     return scale
 
@@ -221,9 +221,10 @@ class _Pricing:
 
     def blamed(self, formula: FNode | None, assignment: Assignment, *, lowest: bool) -> Where | None:
         """Where the lowest, or the highest, of the numbers of a cost stands; None where it reads none."""
-        stated = [atom for atom in atoms_in(formula, assignment) if atom in self.own.places.numbers]
+        places = self.own.places.numbers()
+        stated = [atom for atom in atoms_in(formula, assignment) if atom in places]
         by_value = sorted(stated, key=lambda atom: self.values[atom])
-        return self.own.places.numbers[by_value[0 if lowest else -1]] if by_value else None
+        return places[by_value[0 if lowest else -1]] if by_value else None
 
 
 def _too_heavy(

@@ -13,7 +13,7 @@ from comity_domain.custom.binding.people import People
 from comity_domain.custom.costs.classical import beyond_classical
 from comity_domain.custom.costs.counter import counter_as_costs
 from comity_domain.custom.costs.table import Table, natural_scale, tables
-from comity_domain.custom.pddl.reading import CustomProblem
+from comity_domain.custom.reading.reading import COST, CustomProblem
 
 if TYPE_CHECKING:
     from unified_planning.model import Action, Fluent, FNode, InstantaneousAction, Problem
@@ -73,7 +73,7 @@ def bind(own: CustomProblem, binding: Binding | None = None, people: People | No
     numbers = _numbers(own, binding, people) if binding and people else {}
     filled = replace(own, problem=_with_numbers(own.problem, numbers))
     if beyond := beyond_classical(filled.problem):
-        place = f" ({filled.places.beyond})" if filled.places.beyond else ""
+        place = f" ({where})" if (where := filled.places.beyond()) else ""
         refuse_options(binding or Binding(), f"{beyond}{place}")
         return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, {}, ())
     if binding is None:
@@ -87,7 +87,7 @@ def _numbers(own: CustomProblem, binding: Binding, people: People) -> Numbers:
     """Each person's value of each bound function."""
     found = {}
     for written, bound in binding.fluents.items():
-        name = own.own_name("function", written)
+        name = written.lower()
         for person in own.problem.objects(own.problem.fluent(name).signature[0].type):
             value = people[own.as_written(person.name)][bound.parameter].number
             found[name, person.name] = round(value * bound.scale)
@@ -154,7 +154,7 @@ def _copy_fluents(problem: Problem, compiled: Problem) -> tuple[str, ...]:
     for fluent in problem.fluents:
         if fluent.type.is_bool_type():
             compiled.add_fluent(fluent, default_initial_value=False)
-        elif fluent.name in fractions or fluent.name == "total-cost":
+        elif fluent.name in fractions or fluent.name == COST:
             dropped.append(fluent.name)
         else:
             whole = Fluent(fluent.name, types.IntType(), fluent.signature, problem.environment)

@@ -10,13 +10,11 @@ from comity_domain.custom.engines.fast_downward import ENGINE, MEMORY_MB, Ground
 from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.elsewhere import Elsewhere, solve_elsewhere
 from comity_domain.custom.solving.hindrances import ALL_S, goals_tried, no_plan
-from comity_domain.custom.solving.lacking import COMPUTED, lacking
 from comity_domain.custom.solving.reason import why
 from comity_domain.custom.solving.searching import search_for
 from comity_domain.custom.solving.swap import argument_of, row_of
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
 from comity_domain.plans.plan import Plan, PlanStep, Why
-from comity_fis.errors import Where
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +111,7 @@ def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> Elsewhere:
                 bound.problem, engine=bound.engine, time_limit_s=time_limit_s, memory_mb=memory_mb
             )
         except NoEngine as refusal:
-            place = _place_beyond(bound)
+            place = bound.own.places.beyond()
             where = f" ({place})" if place else ""
             raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
     solution = solve(
@@ -123,12 +121,6 @@ def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> Elsewhere:
         search_for=search_for(bound.problem, time_limit_s),
     )
     return Elsewhere(ENGINE, solution, metric_ignored=False)
-
-
-def _place_beyond(bound: Bound) -> Where | None:
-    """Where stands what no engine takes, as far as that is known."""
-    places = bound.own.places
-    return (places.computed if lacking(bound.problem) is COMPUTED else None) or places.beyond
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
@@ -164,7 +156,7 @@ def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> d
 
 
 def _by_action(bound: Bound) -> dict[str, ActionBinding]:
-    return {bound.own.own_name("action", name): one for name, one in bound.binding.actions.items()}
+    return {name.lower(): one for name, one in bound.binding.actions.items()}
 
 
 def _person(action: GroundAction, binding: ActionBinding, bound: Bound) -> str:

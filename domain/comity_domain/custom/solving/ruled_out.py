@@ -94,7 +94,7 @@ def _against(step: GroundAction, bound: Bound) -> Iterator[str]:
     """Each option that a person does not permit, with what they want instead."""
     own, people = bound.own, bound.people
     binding = next(
-        (one for name, one in bound.binding.actions.items() if own.own_name("action", name) == step.name),
+        (one for name, one in bound.binding.actions.items() if name.lower() == step.name),
         None,
     )
     if binding is None or people is None:

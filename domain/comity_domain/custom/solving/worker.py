@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from comity_domain.custom.engines.metrics import improves, optimizes
-from comity_domain.custom.pddl.reading import deep_enough, fresh_environment
+from comity_domain.custom.reading.reading import fresh_environment
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -58,8 +58,8 @@ def _answers(engine: str, *, whole: bool, time_limit_s: float) -> Iterator[dict[
 
     until = time.monotonic() + time_limit_s
     with fresh_environment(whole=whole) as environment:
-        with deep_enough():
-            problem = PDDLReader(environment).parse_problem("domain.pddl", "problem.pddl")
+        sys.setrecursionlimit(10_000)
+        problem = PDDLReader(environment).parse_problem("domain.pddl", "problem.pddl")
         found = False
         if problem.quality_metrics and improves(environment.factory.engine(engine)):
             for answer in _better_and_better(engine, problem, until):

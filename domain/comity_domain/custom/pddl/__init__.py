@@ -1,1 +1,0 @@
-"""PDDL read with care: forms that remember where they stand, and a problem of unified-planning."""
