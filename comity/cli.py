@@ -35,6 +35,7 @@ from comity.commands import (
     run,
     schema,
     share,
+    study,
     test,
     trace,
     visits,
@@ -138,6 +139,16 @@ about_people: tuple[Run, ...] = (
 for about_person in about_people:
     kept.command(about_person.__name__.rstrip("_"), cls=Command)(_written(about_person))
 app.add_typer(kept)
+studies = typer.Typer(
+    name="study",
+    help="Run the same visits for many people, rulebooks and settings, as one table.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+of_studies: tuple[Run, ...] = (study.plan,)
+for of_study in of_studies:
+    studies.command(of_study.__name__, cls=Command)(_written(of_study))
+app.add_typer(studies)
 
 
 def main() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from comity_executor.robots import senses
 from comity_sim2d import frames
@@ -39,7 +39,12 @@ def events_table(events: Iterable[TraceEvent]) -> DataFrame:
     return _table(rows, EVENT_COLUMNS)
 
 
-def _table(rows: Iterable[tuple[object, ...]], columns: Sequence[str]) -> DataFrame:
+def imported_pandas() -> Any:
+    """The module.
+
+    Raises:
+        ImportError: if pandas is not installed; it says what to install.
+    """
     try:
         import pandas
     except ImportError as error:
@@ -47,4 +52,8 @@ def _table(rows: Iterable[tuple[object, ...]], columns: Sequence[str]) -> DataFr
             "expected pandas, which makes data frames, got none. Install it: pip install 'comity[pandas]'",
             name="pandas",
         ) from error
-    return pandas.DataFrame(list(rows), columns=list(columns))
+    return pandas
+
+
+def _table(rows: Iterable[tuple[object, ...]], columns: Sequence[str]) -> DataFrame:
+    return imported_pandas().DataFrame(list(rows), columns=list(columns))

@@ -42,6 +42,10 @@ class Kind(StrEnum):
     AUDIT = "audit"
     DRAW = "draw"
     TEST = "test"
+    STUDY = "study"
+    POPULATION = "population"
+    STUDY_PLAN = "study-plan"
+    STUDY_RUN = "study-run"
 
 
 def schema(
@@ -52,12 +56,15 @@ def schema(
 
     from comity import answers
     from comity.answers import measuring as measuring_answers
+    from comity.answers import study as study_answers
     from comity.answers.learning import LearnAnswer
     from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
     from comity.scenario import Scenario
     from comity.specification.binding_file import BindingFile
+    from comity.study.population_file import PopulationFile
+    from comity.study.study_file import StudyFile
     from comity.testing.reporting.answers import TestsAnswer
     from comity_executor.speech.wordings_file import WordingsFile
     from comity_fis import rulebook_schema
@@ -93,5 +100,9 @@ def schema(
         Kind.LEARN: LearnAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
         Kind.TEST: TestsAnswer,
+        Kind.STUDY: StudyFile,
+        Kind.POPULATION: PopulationFile,
+        Kind.STUDY_PLAN: study_answers.StudyPlanAnswer,
+        Kind.STUDY_RUN: study_answers.StudyRunAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

@@ -28,7 +28,7 @@ FIRST = ("name", "profile")
 
 def resolved_files(prepared: Prepared) -> dict[str, str]:
     """Text by name in the run folder: `scenario.yaml`, and the tables of scores that its rulebook names."""
-    kept = _kept_tables(prepared.rulebook).values()
+    kept = kept_tables(prepared.rulebook).values()
     return {SCENARIO: resolved_yaml(prepared), **{name: table.text for name, table in kept}}
 
 
@@ -43,7 +43,7 @@ def resolved_yaml(prepared: Prepared) -> str:
         del content["wordings"]
     if prepared.day is not None:
         content["at"] = prepared.day.isoformat()
-    content["rulebook"] = _with_kept_tables(prepared)
+    content["rulebook"] = _withkept_tables(prepared)
     for name, profile in prepared.profiles.items():
         used = used_of(Declared(profile, None), prepared.rulebook, prepared.day).profile
         content["people"][name]["profile"] = used.model_dump(mode="json", exclude_defaults=True)
@@ -61,10 +61,10 @@ def resolved_yaml(prepared: Prepared) -> str:
     return dump_yaml(_ordered(content, Scenario))
 
 
-def _with_kept_tables(prepared: Prepared) -> Any:
+def _withkept_tables(prepared: Prepared) -> Any:
     """The rulebook as it was read, but that it names the copies of its tables."""
     data = deepcopy(prepared.chosen.file.data)
-    for (*way, key), (name, _) in _kept_tables(prepared.rulebook).items():
+    for (*way, key), (name, _) in kept_tables(prepared.rulebook).items():
         place = data["variables"]
         for step in way:
             place = place[step]
@@ -72,7 +72,7 @@ def _with_kept_tables(prepared: Prepared) -> Any:
     return data
 
 
-def _kept_tables(rulebook: Rulebook) -> dict[tuple[str, ...], tuple[str, PopulationTable[Population]]]:
+def kept_tables(rulebook: Rulebook) -> dict[tuple[str, ...], tuple[str, PopulationTable[Population]]]:
     """The CSV files that a rulebook names, by the place where it does, each with its name in the folder."""
     tables: dict[tuple[str, ...], PopulationTable[Population]] = {}
     for name, variable in rulebook.variables.items():

@@ -14,6 +14,8 @@ from comity.people.learnt_file import LearntFile
 from comity.people.profile import Profile
 from comity.scenario import Scenario
 from comity.specification.binding_file import BindingFile
+from comity.study.population_file import PopulationFile
+from comity.study.study_file import StudyFile
 from comity.system.library import shipped
 from comity_executor.speech.wordings_file import WordingsFile
 from comity_fis import InputError
@@ -99,6 +101,8 @@ FILES = {
     Kind.LEARNT: LearntFile,
     Kind.CONSENT: ConsentFile,
     Kind.WORDINGS: WordingsFile,
+    Kind.STUDY: StudyFile,
+    Kind.POPULATION: PopulationFile,
 }
 
 

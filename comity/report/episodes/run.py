@@ -113,7 +113,7 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "trace_sha256": episode.trace_sha256,
             "simulated_s": simulated_s,
             "bytes_per_minute": folder.bytes_per_minute(simulated_s),
-            "visits": tuple(_visits(episode)),
+            "visits": tuple(visit_answers(episode)),
             "acts": tuple(ActTowardsAnswer(person=act.person, **_facts(act)) for act in episode.acts),
             "metrics": measured,
             "revisions": tuple(revision_answers(episode.events, episode.revisions)),
@@ -155,7 +155,7 @@ def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
     )
 
 
-def _visits(episode: Episode) -> Iterator[VisitAnswer]:
+def visit_answers(episode: Episode) -> Iterator[VisitAnswer]:
     """Everybody in the order in which the robot came to them; those it never reached come last."""
     prepared = episode.prepared
     for visit in sorted(episode.visits, key=_reached_s):

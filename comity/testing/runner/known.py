@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 from pydantic import TypeAdapter
 
 from comity.episode import fingerprint
+from comity.system.installed_code import installed_code
 from comity.system.own_files import read_regular
 from comity.testing.expectation import compares
 from comity.testing.golden.content import content_of, digest_of
@@ -31,10 +32,6 @@ from comity.testing.trials.case import Across
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
     from comity.testing.trials.case import Case
-
-_PACKAGES = ("comity", "comity_domain", "comity_executor", "comity_fis", "comity_sim2d")
-_NO_CODE = ("profiles", "scenarios", "rulebooks")
-"""What these hold counts where a test depends on it, and only there."""
 
 OLD_S = 30 * 86_400.0
 
@@ -124,16 +121,4 @@ def _golden(case: Case) -> str:
 
 @cache
 def _code() -> str:
-    from importlib.util import find_spec
-
-    digest = hashlib.sha256(fingerprint().encode())
-    for package in _PACKAGES:
-        spec = find_spec(package)
-        assert spec is not None
-        assert spec.origin is not None
-        root = Path(spec.origin).parent
-        for path in sorted(root.rglob("*")):
-            inside = path.relative_to(root).parts
-            if path.suffix in (".py", ".yaml", ".pddl", ".csv") and inside[0] not in _NO_CODE:
-                digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
+    return hashlib.sha256(f"{fingerprint()}{installed_code()}".encode()).hexdigest()[:16]

@@ -1,0 +1,130 @@
+"""Individuals drawn by a seed.
+
+Each individual has random numbers of its own, which follow from the seed, its group and its number there. So
+a group that grows keeps the individuals that it had, and another group changes none of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from hashlib import sha256
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from comity.parameters.values import infer_for
+from comity.people.profile import declared_by
+from comity.scenario import Comfort
+from comity.study.individual import DISTANCE, Individual, plain_fact
+from comity.study.population_file import ChosenFact, DrawnComfort, DrawnGroup, PopulationFile, UniformFact
+from comity_fis import InputError, load_rulebook
+from comity_sim2d.scene.comfort import FARTHEST_M, NEAREST_M
+
+if TYPE_CHECKING:
+    from datetime import date
+
+    from comity_fis.validation.yaml_file import YamlFile
+
+
+def drawn_individuals(file: YamlFile, written: PopulationFile, day: date | None) -> Iterator[Individual]:
+    """The individuals of all groups, group by group.
+
+    Args:
+        file: The population's file, for complaints.
+        written: What it says.
+        day: On which dated facts are taken.
+
+    Raises:
+        InputError: with the line, for facts that no profile can have, or a rulebook without a distance.
+    """
+    for name, group in written.groups.items():
+        width = len(str(group.individuals))
+        with file.placing("groups", name):
+            for number in range(1, group.individuals + 1):
+                called = f"{name}_{number:0{max(width, 2)}d}"
+                yield _drawn(file, written, name, group, called, number=number, day=day)
+
+
+def _drawn(
+    file: YamlFile,
+    written: PopulationFile,
+    name: str,
+    group: DrawnGroup,
+    called: str,
+    *,
+    number: int,
+    day: date | None,
+) -> Individual:
+    rng = random_numbers(written.seed, name, number)
+    facts = {key: plain_fact(key, _fact(fact, rng)) for key, fact in sorted(group.facts.items())}
+    profile: dict[str, Any] = {"name": called, **facts}
+    _require_profile(profile, called)
+    if group.comfort is None:
+        return Individual(called, name, profile, None)
+    mean_m, sd_m = _distribution(file, name, group.comfort, profile, day)
+    comfort = _comfort(group.comfort, mean_m + sd_m * float(rng.standard_normal()))
+    return Individual(called, name, profile, comfort)
+
+
+def _require_profile(profile: Mapping[str, Any], called: str) -> None:
+    """Refuse facts that no profile has; the place is that of the group, and no line of a text unseen."""
+    try:
+        declared_by(profile, called=called)
+    except InputError as error:
+        raise InputError(expected=error.expected, got=error.got, remedy=error.remedy) from None
+
+
+def random_numbers(seed: int, group: str, number: int) -> np.random.Generator:
+    """Random numbers that no other individual of a population shares.
+
+    Args:
+        seed: The population's.
+        group: The individual's, or another name that tells streams apart.
+        number: The individual's in it.
+    """
+    words = np.frombuffer(sha256(f"{seed}\n{group}\n{number}".encode()).digest(), dtype="<u4")
+    return np.random.Generator(np.random.PCG64([int(word) for word in words]))
+
+
+def _fact(fact: Any, rng: np.random.Generator) -> float | str:
+    if isinstance(fact, UniformFact):
+        return round(float(rng.uniform(fact.from_, fact.to)), 1)
+    if isinstance(fact, ChosenFact):
+        return fact.any_of[int(rng.integers(len(fact.any_of)))]
+    assert isinstance(fact, float | int | str)
+    return fact
+
+
+def _distribution(
+    file: YamlFile, group: str, comfort: DrawnComfort, profile: Mapping[str, Any], day: date | None
+) -> tuple[float, float]:
+    """Mean and standard deviation of the middle of the comfort interval [m]."""
+    if comfort.rulebook is None:
+        assert comfort.middle_m is not None
+        assert comfort.sd_m is not None
+        return comfort.middle_m, comfort.sd_m
+    with file.placing("groups", group, "comfort", "rulebook"):
+        book = load_rulebook(rulebook_beside(file, comfort.rulebook))
+        values = infer_for(declared_by(profile, called=group), book, at=day)
+        if DISTANCE not in values.parameters:
+            raise InputError(
+                expected=f"a rulebook with the parameter {DISTANCE}",
+                got=book.name,
+                remedy="Name another one.",
+            )
+        value = values[DISTANCE]
+        return value.number, float(value.spread or 0.0)
+
+
+def rulebook_beside(file: YamlFile, name: str) -> str:
+    """A shipped rulebook's name as it is; a path starts from the file's folder."""
+    path = file.path.parent / name
+    return str(path.absolute()) if path.is_file() else name
+
+
+def _comfort(written: DrawnComfort, middle_m: float) -> Comfort:
+    """An interval of the stated width; where the draw is out of what is possible, the nearest that is."""
+    half_m = written.half_width_m
+    middle_m = min(max(middle_m, NEAREST_M[0] + half_m), min(NEAREST_M[1], FARTHEST_M - 2 * half_m) + half_m)
+    near_m = round(middle_m - half_m, 3)
+    return Comfort(wants_m=(near_m, round(near_m + 2 * half_m, 3)), chance=written.chance)

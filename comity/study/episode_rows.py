@@ -1,0 +1,148 @@
+"""One row a visit: what was measured at one person in one episode."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from comity.parameters.used import used_of
+from comity.people.profile import Declared
+from comity.report.episodes.run import visit_answers
+from comity.sharing.person import Filter, age_band, plain_words
+from comity_fis import Interval
+from comity_sim2d import of_episode, of_person
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from comity.answers import VisitAnswer
+    from comity.episode import Episode
+    from comity.preparation import Prepared
+    from comity.scenario import Comfort
+    from comity.sharing.extra import Extra
+
+StudyRow = dict[str, Any]
+"""By column; what has no value is left out."""
+ERROR, NO_PLAN = "error", "no_plan"
+"""Outcomes of visits of episodes that raised, and of those without a plan."""
+
+
+def episode_rows(
+    episode: Episode, individual: str | None, *, filtered: Collection[Extra] | None
+) -> Iterator[StudyRow]:
+    """A row for each person whom the robot was to visit, in the order of the names.
+
+    Args:
+        episode: What happened.
+        individual: The person that is an individual of the population; None where there is none.
+        filtered: Of an individual that may be a real person, what is told besides age bands and closed
+            words; None for invented ones, of whom all facts are told that the rulebook used.
+    """
+    whole = {f"episode_{name}": value for name, value in of_episode(episode.metrics).items()}
+    ended = {"episode_outcome": episode.outcome, "trace_sha256": episode.trace_sha256}
+    for answer in sorted(visit_answers(episode), key=lambda one: one.person):
+        is_filtered = filtered if answer.person == individual else None
+        yield _without_gaps(
+            {
+                "person": answer.person,
+                **facts_used(episode.prepared, answer.person, is_filtered),
+                **_visit(answer),
+                **_comfort(episode, answer),
+                **of_person(episode.metrics, answer.person),
+                **whole,
+                **ended,
+            }
+        )
+
+
+def failed_rows(persons: Collection[str], outcome: str, reason: str) -> Iterator[StudyRow]:
+    """A row for each person who was to be visited in an episode that came to nothing.
+
+    Args:
+        persons: Their names.
+        outcome: `error` or `no_plan`.
+        reason: What happened.
+    """
+    for person in sorted(persons):
+        told = {"error": reason} if outcome == ERROR else {"reason": reason}
+        yield {"person": person, "outcome": outcome, **told}
+
+
+def facts_used(prepared: Prepared, person: str, filtered: Collection[Extra] | None) -> dict[str, Any]:
+    """What the rulebook used of a person's facts and wishes, as columns."""
+    used = used_of(Declared(prepared.profiles[person], None), prepared.rulebook, prepared.day).profile
+    words = plain_words(prepared.rulebook)
+    told: Mapping[str, Any]
+    if filtered is not None:
+        people = Filter(frozenset(filtered), words)
+        told, wishes = people.facts(used, prepared.day), people.wishes(used)
+        if "culture" in told:
+            told = {**told, "culture": _shares(told["culture"])}
+    else:
+        told, wishes = used.facts(prepared.day), dict(used.settings)
+        if cultures := used.cultures(prepared.day):
+            told = {**told, "culture": _shares({one.words: one.weight for one in cultures})}
+    facts = {f"fact_{name}": _plain(fact) for name, fact in told.items()}
+    return facts | {f"wish_{name}": wish for name, wish in wishes.items()}
+
+
+def _shares(cultures: Mapping[str, float]) -> str:
+    """`SWE`, or `EGY 0.33 + SWE 0.67`."""
+    if len(cultures) == 1:
+        return next(iter(cultures))
+    return " + ".join(f"{name} {weight:.2f}" for name, weight in cultures.items())
+
+
+def _plain(fact: Any) -> float | str:
+    match fact:
+        case Interval():
+            return age_band(fact)
+        case tuple() | list():
+            return " + ".join(map(str, fact))
+        case bool() | int() | float() | str():
+            return fact
+    return str(fact)
+
+
+def _visit(answer: VisitAnswer) -> StudyRow:
+    return {
+        "outcome": answer.outcome,
+        "reason": answer.reason,
+        "distance_target_m": answer.distance_target_m,
+        "distance_actual_m": answer.distance_actual_m,
+        "centre_distance_actual_m": answer.centre_distance_actual_m,
+        "bearing_target_deg": answer.bearing_target_deg,
+        "bearing_actual_deg": answer.bearing_actual_deg,
+        "approach_speed_target_m_s": answer.approach_speed_target_m_s,
+        "approach_speed_actual_m_s": answer.approach_speed_actual_m_s,
+        "greeting": " + ".join(answer.greeting) or None,
+        "deviation_reason": answer.deviation_reason,
+        "docked_s": answer.docked_at_s,
+        "greeted_s": answer.greeted_s,
+        "late_s": answer.late_s,
+        "noticed": answer.noticed,
+    }
+
+
+def _comfort(episode: Episode, answer: VisitAnswer) -> StudyRow:
+    """The person's comfort interval, and how far outside it the robot stopped."""
+    comfort: Comfort | None = episode.prepared.file.scenario.people[answer.person].comfort
+    if comfort is None:
+        return {}
+    near_m, far_m = comfort.wants_m
+    return {
+        "comfort_near_m": near_m,
+        "comfort_far_m": far_m,
+        "comfort_gap_m": None
+        if answer.distance_actual_m is None
+        else comfort_gap_m(answer.distance_actual_m, near_m, far_m),
+    }
+
+
+def comfort_gap_m(distance_m: float, near_m: float, far_m: float) -> float:
+    """How far outside an interval a distance lies [m]: negative too near, positive too far, 0 inside."""
+    return min(distance_m - near_m, 0.0) + max(distance_m - far_m, 0.0)
+
+
+def _without_gaps(row: StudyRow) -> StudyRow:
+    return {column: value for column, value in row.items() if value is not None}

@@ -1,0 +1,35 @@
+"""A value of a factor, laid over a scenario as it is written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from comity_fis import InputError
+
+
+def laid_over(data: Any, keys: Sequence[str], value: Any) -> Any:
+    """The same data with another value at one place; nothing given is changed.
+
+    Args:
+        data: Mappings, lists and scalars.
+        keys: The way to the place; a number counts the items of a list from 0. A mapping that is not
+            there is made.
+        value: What is to stand there.
+
+    Raises:
+        InputError: where the way leads through something that holds nothing else.
+    """
+    key, *rest = keys
+    if isinstance(data, Mapping):
+        within = data.get(key)
+        return {**data, key: laid_over({} if within is None else within, rest, value) if rest else value}
+    if isinstance(data, list) and key.isdecimal() and int(key) < len(data):
+        i = int(key)
+        return [*data[:i], laid_over(data[i], rest, value) if rest else value, *data[i + 1 :]]
+    what = f"a list of {len(data)} items" if isinstance(data, list) else repr(data)
+    raise InputError(
+        expected=f"a mapping, or a list with an item {key}, on the way to this key",
+        got=what,
+        remedy="`comity schema scenario` prints which keys there are.",
+    )

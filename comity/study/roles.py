@@ -1,0 +1,62 @@
+"""People of several scenarios by names that all share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from comity.study.study_file import VISITED, StudyFile
+from comity_fis import InputError, closest
+
+if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
+    from comity_fis.validation.yaml_file import YamlFile
+
+
+def roles_of(file: YamlFile, written: StudyFile, name: str, scenario: ScenarioFile) -> dict[str, str]:
+    """The people of one scenario, by role.
+
+    Args:
+        file: The study's file, for complaints.
+        written: What it says.
+        name: The scenario as the study names it.
+        scenario: The scenario.
+
+    Raises:
+        InputError: with the line, for a role without a person there.
+    """
+    people = scenario.scenario.people
+    roles = {VISITED: (scenario.scenario.visited() or tuple(people))[0]}
+    for role, persons in written.roles.items():
+        place: tuple[str | int, ...] = ("roles", role)
+        person = persons if isinstance(persons, str) else persons.get(name)
+        if person is None:
+            raise InputError(
+                expected=f"a person of {name} for the role {role}",
+                got="nothing",
+                remedy=f"Add a line `{name}: ...`. {closest('', people)}",
+                where=file.where(place),
+            )
+        if person not in people:
+            place = place if isinstance(persons, str) else (*place, name)
+            raise InputError(
+                expected=f"a person of {name}",
+                got=repr(person),
+                remedy=closest(person, people),
+                where=file.where(place),
+            )
+        roles[role] = person
+    return roles
+
+
+def located(path: str, roles: Mapping[str, str]) -> Sequence[str]:
+    """The keys that a factor's path leads through, with the person in the place of a role.
+
+    Args:
+        path: As a study has it: `people.visited.posture`.
+        roles: Of the scenario.
+    """
+    keys = path.split(".")
+    if keys[0] == "people" and len(keys) > 1 and keys[1] in roles:
+        keys[1] = roles[keys[1]]
+    return keys

@@ -1,0 +1,127 @@
+"""What is said of a study before it runs and when it has."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+from comity.answers.study import StudyPlanAnswer, StudyRunAnswer
+from comity.report.text import table, unbroken
+from comity.study.columns import column_of
+from comity.study.statement import STATEMENT
+from comity.study.table import plain_value
+from comity_fis.validation.complaint import counted
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity.study.estimate import StudyEstimate
+    from comity.study.study_plan import StudyCell, StudyPlan
+
+FIRST = 5
+"""Episodes that are shown."""
+SEEDS_MATTER = (
+    "There, every seed gives the same numbers: one seed is enough, or let seeds matter by the noise of the "
+    "sensor (`robot.sensor.noise_m: [0.02]`), places drawn at random (`at: random`) or people who walk."
+)
+
+
+def plan_answer(plan: StudyPlan, estimate: StudyEstimate, jobs: int) -> StudyPlanAnswer:
+    """What a study has, and what it will take.
+
+    Args:
+        plan: The study.
+        estimate: What a few of its episodes took.
+        jobs: Processes that are to carry it out.
+    """
+    individuals = plan.population.individuals if plan.population else ()
+    return StudyPlanAnswer(
+        study=plan.written.name,
+        statement=STATEMENT,
+        episodes=plan.episodes,
+        scenarios=len(plan.bases),
+        conditions=len(plan.conditions),
+        individuals=len(individuals),
+        seeds=len(plan.written.every_seed),
+        groups=Counter(one.group for one in individuals if one.group),
+        wishing=plan.population.wishing if plan.population else 0,
+        cpu_s_per_episode=estimate.cpu_s_per_episode,
+        estimated_s=estimate.cpu_s_per_episode * plan.episodes / jobs,
+        jobs=jobs,
+        estimated_bytes=round(estimate.bytes_per_episode * plan.episodes),
+        without_effect=estimate.without_effect,
+        tried=estimate.tried,
+        first=tuple(_shown(cell) for cell in islice(plan.cells(), FIRST)),
+    )
+
+
+def _shown(cell: StudyCell) -> dict[str, Any]:
+    values = {column_of(path): plain_value(value) for path, value in cell.condition.values.items()}
+    individual = {} if cell.individual is None else {"individual": cell.individual.name}
+    return {
+        "scenario": cell.scenario,
+        "condition": cell.condition.number,
+        **values,
+        "rulebook_used": cell.base.rulebook_name,
+        **individual,
+        "seed": cell.seed,
+    }
+
+
+def plan_text(answer: StudyPlanAnswer) -> Iterator[RenderableType]:
+    """The same for a reader."""
+    parts = {
+        "scenario": answer.scenarios,
+        "condition": answer.conditions,
+        "individual": answer.individuals,
+        "seed": answer.seeds,
+    }
+    product = " x ".join(counted(count, name) for name, count in parts.items() if count)
+    yield f"Study {answer.study}: {answer.episodes} episodes = {product}"
+    if answer.groups:
+        groups = ", ".join(f"{name} {count}" for name, count in answer.groups.items())
+        yield f"  Individuals: {groups}; {answer.wishing} of {answer.individuals} state a wish"
+    yield (
+        f"  About {duration_text(answer.estimated_s)} on {answer.jobs} processes "
+        f"({answer.cpu_s_per_episode:.2f} s of CPU an episode), {size_text(answer.estimated_bytes)} on disk"
+    )
+    for name in answer.without_effect:
+        yield f"  Seeds change nothing in {name}"
+    if answer.without_effect:
+        yield f"  {SEEDS_MATTER}"
+    heading = tuple(dict.fromkeys(name for row in answer.first for name in row))
+    yield table([_words(row, heading) for row in answer.first], head=heading)
+    yield f"  {answer.statement}"
+
+
+def _words(row: Mapping[str, Any], heading: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple("" if row.get(name) is None else str(row[name]) for name in heading)
+
+
+def duration_text(seconds: float) -> str:
+    """`40 s`, `12 min`, `3.5 h`."""
+    if seconds < 100:
+        return f"{max(seconds, 1):.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
+
+
+def size_text(count: float) -> str:
+    """`40 kB`, `12 MB`, `3.5 GB`."""
+    for unit, step in (("kB", 1e3), ("MB", 1e6)):
+        if count < 1000 * step:
+            return f"{max(count / step, 1):.0f} {unit}"
+    return f"{count / 1e9:.1f} GB"
+
+
+def run_text(answer: StudyRunAnswer) -> Iterator[RenderableType]:
+    """What a study came to."""
+    yield (
+        f"Study {answer.study}: {answer.done} of {answer.episodes} episodes, {answer.run_now} of them now, "
+        f"{answer.failed} failed"
+    )
+    if answer.lost_workers:
+        yield f"  {answer.lost_workers} workers were lost; their episodes were given to others"
+    yield unbroken(f"  {answer.rows} rows in {answer.folder}: {', '.join(answer.files)}")
+    yield f"  {answer.statement}"

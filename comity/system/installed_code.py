@@ -1,0 +1,28 @@
+"""The code that is installed, by a digest: what was computed by other code may be otherwise now."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+PACKAGES = ("comity", "comity_domain", "comity_executor", "comity_fis", "comity_sim2d")
+NO_CODE = ("profiles", "scenarios", "rulebooks")
+"""Folders whose files count where something depends on one of them, and only there."""
+SUFFIXES = (".py", ".yaml", ".pddl", ".csv")
+
+
+@cache
+def installed_code() -> str:
+    """SHA-256 of all files of the five packages that an episode may depend on."""
+    digest = hashlib.sha256()
+    for package in PACKAGES:
+        spec = find_spec(package)
+        assert spec is not None
+        assert spec.origin is not None
+        root = Path(spec.origin).parent
+        for path in sorted(root.rglob("*")):
+            if path.suffix in SUFFIXES and path.relative_to(root).parts[0] not in NO_CODE:
+                digest.update(path.read_bytes())
+    return digest.hexdigest()
