@@ -7,16 +7,18 @@ moved here.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from comity_sim2d.people.contact import within_shares
+from comity_sim2d.people.headway import within_headway
+from comity_sim2d.people.near import Near
 from comity_sim2d.people.neighbours import Indices, NeighbourList
 from comity_sim2d.people.outlines import Outlines, WallList
 from comity_sim2d.people.social_force import FASTEST, Numbers, Vectors, between, from_wall, towards_goal
 from comity_sim2d.people.stepping_out import SteppingOut
 from comity_sim2d.people.strolling import Stroller, Strolling
+from comity_sim2d.people.yielding import Yielding
 from comity_sim2d.scene.robot_reaction import RobotSeen
 
 PEOPLE_M, PEOPLE_SKIN_M = 5.0, 1.0
@@ -51,20 +53,6 @@ class Bodies:
     radius_m: Numbers
 
 
-class Near(NamedTuple):
-    """Pairs of bodies that are near one another, and of bodies and lines; in arrays."""
-
-    one: Indices
-    other: Indices
-    towards: Vectors
-    """Unit vectors from the one to the other."""
-    gap_m: Numbers
-    who: Indices
-    away: Vectors
-    """Unit vectors from the line to the body's centre."""
-    wall_gap_m: Numbers
-
-
 class Crowd:
     """The people of one world in motion.
 
@@ -76,6 +64,7 @@ class Crowd:
         step_s: A tick; whoever is led is moved once in each.
         decision_s: From one decision to the next.
         side: 1 where people keep to the right, -1 to the left.
+        seed: Decides who goes first where two people block each other.
     """
 
     def __init__(
@@ -88,6 +77,7 @@ class Crowd:
         step_s: float,
         decision_s: float,
         side: float = 1.0,
+        seed: int = 0,
     ) -> None:
         count = len(bodies.at)
         self.at, self.heading, self.radius_m = bodies.at, bodies.heading.copy(), bodies.radius_m
@@ -106,6 +96,7 @@ class Crowd:
         self._takes_for_thing = np.zeros(count, dtype=bool)
         self._takes_for_thing[impassive] = True
         self._has_impassive = bool(impassive)
+        self._yielding = Yielding(count, seed, decision_s)
         self._neighbours = NeighbourList(PEOPLE_M, PEOPLE_SKIN_M, self._moves)
         self._width = np.empty(0)
         """Both radii of every pair of neighbours together."""
@@ -164,7 +155,9 @@ class Crowd:
         wanted = self._strolling.decide(self.at, self.heading, robot, self.o_spaces)
         walks = self._strolling.walks
         near = self._near()
-        force = towards_goal(wanted, self.velocity) + self._strolling.push + self._from_all(near, self._seen)
+        goes = within_headway(wanted, self._facing, near)
+        goes = self._yielding.decide(goes, self.velocity, near)
+        force = towards_goal(goes, self.velocity) + self._strolling.push + self._from_all(near, self._seen)
         velocity = self._limited((self.velocity + force * self._decision_s) * walks)
         velocity = self._without_contact(velocity, near)
         velocity[-1] = self.velocity[-1]
@@ -179,8 +172,9 @@ class Crowd:
         apart = self.at[pairs.other] - self.at[pairs.one]
         distance = np.abs(apart)
         away, wall_gap_m = walls.update(self.at)
+        width = self._width
         return Near(
-            pairs.one, pairs.other, apart / distance, distance - self._width, walls.who, away, wall_gap_m
+            pairs.one, pairs.other, apart / distance, distance - width, width, walls.who, away, wall_gap_m
         )
 
     @property
@@ -191,6 +185,12 @@ class Crowd:
         seen = self.velocity.copy()
         seen[list(self._led)] = np.array(list(self._led.values())) / self._step_s
         return seen
+
+    @property
+    def _facing(self) -> Vectors:
+        """Where everybody faces who is on their way, or led; 0 of those who stand."""
+        on_their_way = self._strolling.walks | (self._seen != 0.0) if self._led else self._strolling.walks
+        return np.asarray(np.exp(1j * self.heading) * on_their_way)
 
     def _from_all(self, near: Near, seen: Vectors) -> Vectors:
         """What people do about one another, about things and about the middles of groups."""

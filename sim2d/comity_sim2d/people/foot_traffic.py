@@ -64,6 +64,7 @@ class FootTraffic:
             step_s=clock.step_s,
             decision_s=decision_s,
             side=1.0 if scene.keep_to == "right" else -1.0,
+            seed=seed,
         )
         self._first = len(scene.people)
         self.at: Vectors = self._crowd.at[self._first : -1]

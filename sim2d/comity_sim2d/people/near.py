@@ -1,0 +1,26 @@
+"""Pairs of bodies that are near each other, and of bodies and lines; in arrays."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from comity_sim2d.people.neighbours import Indices
+from comity_sim2d.people.social_force import Numbers, Vectors
+
+
+class Near(NamedTuple):
+    """One row for each of the k pairs of bodies, and for each of the m pairs of a body and a line."""
+
+    one: Indices
+    other: Indices
+    towards: Vectors
+    """Unit vectors from the one to the other, shape (k,)."""
+    gap_m: Numbers
+    """Between the two bodies, shape (k,)."""
+    width_m: Numbers
+    """Both radii together, shape (k,)."""
+    who: Indices
+    away: Vectors
+    """Unit vectors from the line to the body's centre, shape (m,)."""
+    wall_gap_m: Numbers
+    """Between the body and the line, shape (m,)."""
