@@ -31,18 +31,8 @@ from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wa
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.problem.parts import parts
 from comity_domain.problem.reach import FORWARDS, REACH_M, reach_of
-from comity_domain.problem.request import (
-    START,
-    Company,
-    Leg,
-    Spot,
-    Travel,
-    Visitee,
-    VisitRequest,
-    Way,
-    Weights,
-    location,
-)
+from comity_domain.problem.request import Company, Visitee, VisitRequest, Weights
+from comity_domain.problem.spot import START, Leg, Spot, Travel, Way, location
 from comity_domain.problem.survey import Survey
 from comity_domain.rebinding import kept_cost, kept_late, rebind, same_choices
 from comity_domain.tours.lateness import Late

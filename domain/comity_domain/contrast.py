@@ -10,7 +10,8 @@ from comity_domain.explanation.what_if import MOST_PEOPLE
 from comity_domain.labelling.skipping import SKIP, served_part
 from comity_domain.planner import make_plan
 from comity_domain.plans.plan import Plan
-from comity_domain.problem.request import Company, Spot, VisitRequest
+from comity_domain.problem.request import Company, VisitRequest
+from comity_domain.problem.spot import Spot
 
 
 @dataclass(frozen=True, slots=True)

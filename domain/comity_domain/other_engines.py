@@ -14,8 +14,8 @@ from comity_domain.classical.tour_of import tour_of
 from comity_domain.labelling.skipping import left_out, skip_steps
 from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.plan import Plan
+from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import fully_measured
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
 from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost

@@ -19,8 +19,8 @@ from comity_domain.labelling.search import cheapest
 from comity_domain.labelling.skipping import SKIP, left_out, skip_steps
 from comity_domain.plans.actions import ANNOUNCED, REACH, RETURN
 from comity_domain.plans.plan import Plan, PlanStep
+from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.steps import steps_of
 from comity_domain.tours.lateness import Late, late
 from comity_domain.tours.tour import Stop, Visit, best_tour, path, served, tour_cost

@@ -33,7 +33,7 @@ from comity_domain.plans.actions import (
 )
 from comity_domain.plans.plan import PlanStep, Why
 from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
-from comity_domain.problem.request import START, Spot, location
+from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import Visit, farewell_cost, greeting_parts, served
 
 SPEECH = ("voice_volume", "speech_rate")

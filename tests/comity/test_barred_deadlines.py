@@ -14,7 +14,7 @@ from comity.planning.request import ask
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_domain import make_plan, visits_of
-from comity_domain.problem.survey import fully_measured
+from comity_domain.problem.measuring import fully_measured
 from comity_sim2d import PastPeople, RouteMap, Scene, SceneError
 
 MAP = """\

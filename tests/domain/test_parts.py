@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from comity_domain import PlanningFailed, Survey, make_plan, parts
-from comity_domain.problem.request import START
+from comity_domain.problem.spot import START
 
 COUNT = 5
 

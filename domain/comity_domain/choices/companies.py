@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from comity_domain.choices.cost import dislike_cost
 from comity_domain.choices.greeting import Greeting
 from comity_domain.choices.ties import tie_break
-from comity_domain.problem.request import Company, Nearness, Spot, Weights
+from comity_domain.problem.request import Company, Weights
 from comity_domain.problem.setting import is_setting
+from comity_domain.problem.spot import Nearness, Spot
 from comity_fis.defuzzification.curve import Choice
 from comity_fis.inference.value import Inference
 

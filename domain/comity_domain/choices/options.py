@@ -11,16 +11,8 @@ from comity_domain.choices.earshot import drowned
 from comity_domain.choices.greeting import Greeting, greetings, ruled_out
 from comity_domain.choices.side import Side, sides
 from comity_domain.problem.agenda import Agenda, offers, seconds_of, takes_leave
-from comity_domain.problem.request import (
-    ANNOUNCING_S,
-    GREETING_S,
-    START,
-    Spot,
-    Visitee,
-    VisitRequest,
-    Way,
-    location,
-)
+from comity_domain.problem.request import ANNOUNCING_S, GREETING_S, Visitee, VisitRequest
+from comity_domain.problem.spot import START, Spot, Way, location
 from comity_fis.inference.value import Inference
 
 Priced = Mapping[Greeting, int]

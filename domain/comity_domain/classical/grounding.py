@@ -17,7 +17,7 @@ from comity_domain.classical.initial_state import (
 from comity_domain.classical.naming import Word
 from comity_domain.plans import actions
 from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
-from comity_domain.problem.request import START, Spot
+from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.tour import Visit, served
 
 Ground = tuple[str, Sequence[Word]]

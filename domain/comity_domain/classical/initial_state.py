@@ -11,7 +11,7 @@ from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.classical.naming import Names, Word, name_all
 from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
 from comity_domain.problem.circumstances import FREE_OF_HANDS
-from comity_domain.problem.request import START, THERE, Spot
+from comity_domain.problem.spot import START, THERE, Spot
 
 ROBOT, PLACE, USER, LOCATION = "robot", "place", "user", "location"
 SIDE, MODALITY, GESTURE = "side", "modality", "gesture"

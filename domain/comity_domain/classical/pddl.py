@@ -14,8 +14,8 @@ from comity_domain.classical.initial_state import Fact, goals, initial_state, ta
 from comity_domain.classical.naming import Names
 from comity_domain.labelling.skipping import left_out
 from comity_domain.problem.agenda import Say
+from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import fully_measured
 
 
 def plan_pddl(request: VisitRequest) -> tuple[str, str]:

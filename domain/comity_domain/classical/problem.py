@@ -12,8 +12,8 @@ from comity_domain.classical.naming import Names
 from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.skipping import left_out
 from comity_domain.plans.plan import Plan
+from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import fully_measured
 from comity_domain.tours.tour import Visit
 
 if TYPE_CHECKING:

@@ -24,7 +24,7 @@ from comity_domain.classical.initial_state import (
 from comity_domain.classical.naming import Names, Word
 from comity_domain.classical.timing import NO_TIMING, Timing
 from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait
-from comity_domain.problem.request import Spot
+from comity_domain.problem.spot import Spot
 from comity_fis.errors import InputError, Where
 from comity_fis.inference.value import Inference
 

@@ -10,7 +10,8 @@ from comity_domain.classical.initial_state import tasks, visit_names
 from comity_domain.classical.naming import Word
 from comity_domain.labelling.skipping import left_out
 from comity_domain.problem.agenda import Say
-from comity_domain.problem.request import VisitRequest, Way
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.spot import Way
 
 
 @dataclass(frozen=True, slots=True)

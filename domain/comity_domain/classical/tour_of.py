@@ -8,7 +8,7 @@ from dataclasses import replace
 from comity_domain.choices.options import Options
 from comity_domain.classical.naming import Names
 from comity_domain.plans import actions
-from comity_domain.problem.request import Spot
+from comity_domain.problem.spot import Spot
 from comity_domain.tours.tour import Visit
 
 Grounded = tuple[str, Sequence[str]]

@@ -9,7 +9,7 @@ from comity_domain.explanation.evidence import because
 from comity_domain.plans.plan import Alternative, RuledOut, Why
 from comity_domain.problem.agenda import Offer, Wait, offers
 from comity_domain.problem.circumstances import FREE_OF_HANDS
-from comity_domain.problem.request import Spot
+from comity_domain.problem.spot import Spot
 from comity_domain.tours.lateness import late
 from comity_domain.tours.tour import Stop, Visit, stays, tour_cost, visit_as
 from comity_fis.inference.value import Inference

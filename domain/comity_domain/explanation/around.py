@@ -7,8 +7,8 @@ from functools import cache
 
 from comity_domain.choices.options import Options, options
 from comity_domain.explanation.together import from_elsewhere, one_by_one
+from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.tours.tour import Stay, Stop, Visit, path, stays
 
 

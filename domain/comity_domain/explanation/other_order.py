@@ -12,8 +12,8 @@ from comity_domain.explanation.what_if import MOST_PEOPLE
 from comity_domain.labelling.search import cheapest
 from comity_domain.labelling.skipping import SKIP, served_part
 from comity_domain.plans.plan import Plan
+from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.tours.lateness import Late, late
 from comity_domain.tours.tour import Visit, best_tour, farewell_cost, greeting_parts, path
 

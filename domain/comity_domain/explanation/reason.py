@@ -11,7 +11,7 @@ from comity_domain.choices.side import Side
 from comity_domain.explanation.evidence import because
 from comity_domain.plans.plan import Alternative, RuledOut, Why
 from comity_domain.problem.agenda import Offer
-from comity_domain.problem.request import Spot
+from comity_domain.problem.spot import Spot
 from comity_domain.tours.tour import Visit, tour_cost
 from comity_fis.defuzzification.curve import Choice
 

@@ -16,8 +16,8 @@ from comity_domain.explanation.what_if import MOST_PEOPLE, visits_of
 from comity_domain.labelling.search import NO_LIMIT, cheapest
 from comity_domain.labelling.skipping import served_part
 from comity_domain.plans.plan import Plan
+from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest, Weights
-from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.tours.tour import Visit, best_tour, path, tour_cost
 
 LOWEST, HIGHEST = 0.25, 4.0

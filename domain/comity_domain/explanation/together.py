@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import permutations
 
 from comity_domain.choices.options import Options
-from comity_domain.problem.request import Spot
+from comity_domain.problem.spot import Spot
 from comity_domain.tours.lateness import late
 from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
 

@@ -10,8 +10,9 @@ from comity_domain.labelling.search import cheapest
 from comity_domain.labelling.skipping import SKIP, served_part
 from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN
 from comity_domain.plans.plan import Plan, PlanStep
-from comity_domain.problem.request import START, Spot, VisitRequest
-from comity_domain.problem.survey import measured, unmeasured
+from comity_domain.problem.measuring import measured, unmeasured
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.tour import Visit, best_tour, path, served, tour_cost
 
 MOST_PEOPLE = 12

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity_domain.choices.options import Options
 from comity_domain.labelling.table import LabelTable
-from comity_domain.problem.request import START
+from comity_domain.problem.spot import START
 from comity_domain.tours.tour import Visit, served, times_s
 
 if TYPE_CHECKING:

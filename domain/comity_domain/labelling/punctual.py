@@ -20,8 +20,9 @@ from comity_domain.labelling.alike import ANY_GREETING, ANY_SIDE
 from comity_domain.labelling.labels import first_label
 from comity_domain.labelling.search import searched
 from comity_domain.labelling.table import NO_ROUTE, Arrival, LabelTable, label_table
-from comity_domain.problem.request import Spot, VisitRequest, place_of
-from comity_domain.problem.survey import measured, unmeasured_ways
+from comity_domain.problem.measuring import measured, unmeasured_ways
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.spot import Spot, place_of
 from comity_domain.tours.lateness import late
 from comity_domain.tours.tour import Stop, best_tour, path
 

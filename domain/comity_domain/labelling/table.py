@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_domain.choices.options import Options
-from comity_domain.problem.request import GREETING_S, START, Spot
+from comity_domain.problem.request import GREETING_S
+from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.bound import least_costs
 from comity_domain.tours.tour import (
     Stay,

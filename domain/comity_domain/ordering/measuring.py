@@ -10,8 +10,8 @@ from time import monotonic
 from comity_domain.choices.options import Options, options
 from comity_domain.labelling.punctual import is_punctual
 from comity_domain.ordering.insertion import Stops, cost_of_order, quick_order
+from comity_domain.problem.measuring import Unmeasured, measured, unmeasured_legs, unmeasured_ways
 from comity_domain.problem.request import VisitRequest
-from comity_domain.problem.survey import Unmeasured, measured, unmeasured_legs, unmeasured_ways
 from comity_domain.tours.lateness import until_last_deadline
 from comity_domain.tours.tour import best_tour, path
 

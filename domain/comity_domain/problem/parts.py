@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from comity_domain.problem.request import START, Leg, VisitRequest
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.spot import START, Leg
 
 
 def parts(request: VisitRequest) -> tuple[tuple[str, ...], ...]:

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 from comity_domain.problem.agenda import Agenda, offers, require_agenda
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
+from comity_domain.problem.spot import Nearness, Spot, Travel, Way, names_in, place_of
+from comity_domain.problem.survey import Survey
 from comity_fis.errors import InputError
 from comity_fis.inference.value import Inference
-
-if TYPE_CHECKING:
-    from comity_domain.problem.survey import Survey
 
 PARAMETERS = (
     "conversational_distance",
@@ -65,39 +63,6 @@ class Visitee:
                 got=f"{self.values.rulebook!r}, which has no {', '.join(missing)}",
                 remedy="Plan with the rulebook bruno2017, or add the parameters to yours.",
             )
-
-
-@dataclass(frozen=True, slots=True, order=True)
-class Spot:
-    """A place to stand: beside a person, on one of their sides, or where something is kept."""
-
-    place: str
-    """The person's name, or the location's."""
-    side: str
-
-
-START = Spot("start", "here")
-"""Where the robot stands now. No person's side is called `here`, so a person may be called start."""
-THERE = "there"
-"""What takes the place of a side at a location."""
-
-Way = tuple[str | None, str]
-"""From somebody, a location or the start (None) to somebody or a location, whatever the sides."""
-
-Leg = tuple[Spot, Spot]
-"""From START or a spot to a spot."""
-
-Travel = Mapping[Leg, float]
-"""Route lengths in metres; where there is no entry, there is no route."""
-
-
-def location(name: str) -> Spot:
-    """Where the robot stands to fetch something."""
-    return Spot(name, THERE)
-
-
-Nearness = Mapping[str, float]
-"""How far the robot stands from others, by name, between the nearest points of the two bodies [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,13 +199,3 @@ def require_price(name: str, what: str, metres: float) -> None:
     """Refuse a price that is no finite number of metres >= 0."""
     if not 0.0 <= metres <= 1e6:
         raise ValueError(f"{name}: {what} must be between 0 and 1e6 metres, got {metres!r}")
-
-
-def place_of(spot: Spot) -> str | None:
-    """Before whom, or at which location, a spot is; None at the start, as a person may be called start."""
-    return None if spot == START else spot.place
-
-
-def names_in(leg: tuple[Spot, Spot], names: Collection[str]) -> bool:
-    """Whether a leg begins or ends before one of these people."""
-    return any(place_of(spot) in names for spot in leg)

@@ -7,16 +7,10 @@ is planned with lengths; once all that a cheapest plan takes is measured, it is 
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from itertools import pairwise
-from time import monotonic
-from typing import TypeVar
+from collections.abc import Callable
+from dataclasses import dataclass
 
-from comity_domain.problem.request import Leg, Spot, VisitRequest, Way, place_of
-
-Place = TypeVar("Place")
+from comity_domain.problem.spot import Leg, Way
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,86 +25,3 @@ class Survey:
     """The length of a route [m]; None where there is none."""
     way: Callable[[Way], tuple[float, float] | None]
     """The length of a way [m] and what it takes [s], reckoned without culture; None where there is none."""
-
-
-@dataclass(frozen=True, slots=True)
-class Unmeasured:
-    """Some of what is not measured."""
-
-    legs: tuple[Leg, ...] = ()
-    ways: tuple[Way, ...] = ()
-
-    def __bool__(self) -> bool:
-        return bool(self.legs or self.ways)
-
-
-def unmeasured(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
-    """What is not measured of the way through these spots."""
-    legs = unmeasured_legs(request, spots)
-    return replace(legs, ways=unmeasured_ways(request, spots).ways) if request.has_deadlines else legs
-
-
-def unmeasured_legs(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
-    """The same of the routes alone."""
-    if request.survey is None:
-        return Unmeasured()
-    return Unmeasured(tuple(dict.fromkeys(leg for leg in pairwise(spots) if leg in request.survey.legs)))
-
-
-def unmeasured_ways(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
-    """The same of the ways without culture alone."""
-    if request.survey is None:
-        return Unmeasured()
-    ways = dict.fromkeys((place_of(start), end.place) for start, end in pairwise(spots))
-    return Unmeasured(ways=tuple(way for way in ways if way in request.survey.ways))
-
-
-def measured(request: VisitRequest, which: Unmeasured, *, ends_s: float = math.inf) -> VisitRequest:
-    """The same with lengths in the place of these bounds; where there is no route, without it.
-
-    Args:
-        request: What was asked.
-        which: What to measure.
-        ends_s: When there is no more time, by the machine's clock; what is left then stays a bound.
-    """
-    survey = request.survey
-    if survey is None or not which:
-        return request
-    legs = {leg: survey.leg_m(leg) for leg in _until(ends_s, which.legs)}
-    ways = {way: survey.way(way) for way in _until(ends_s, which.ways)}
-    shut = {way for way, found in ways.items() if found is None}
-    lengths = {way: found[0] for way, found in ways.items() if found is not None}
-    seconds = {way: found[1] for way, found in ways.items() if found is not None}
-    travel = {leg: legs.get(leg, length) for leg, length in request.travel.items()}
-    return replace(
-        request,
-        travel={
-            (start, end): length
-            for (start, end), length in travel.items()
-            if length is not None and (place_of(start), end.place) not in shut
-        },
-        ways_m={way: lengths.get(way, bound) for way, bound in request.ways_m.items() if way not in shut},
-        durations_s={
-            way: seconds.get(way, bound) for way, bound in request.durations_s.items() if way not in shut
-        },
-        survey=replace(survey, legs=survey.legs - legs.keys(), ways=survey.ways - ways.keys()),
-    )
-
-
-def _until(ends_s: float, places: Iterable[Place]) -> Iterator[Place]:
-    """These, as long as there is time."""
-    for place in places:
-        if monotonic() > ends_s:
-            return
-        yield place
-
-
-def fully_measured(request: VisitRequest) -> VisitRequest:
-    """The same without bounds: for questions about all ways that there are."""
-    if request.survey is None:
-        return request
-    return replace(measured(request, _all_of(request.survey, request.travel)), survey=None)
-
-
-def _all_of(survey: Survey, travel: Iterable[Leg]) -> Unmeasured:
-    return Unmeasured(tuple(leg for leg in travel if leg in survey.legs), tuple(survey.ways))

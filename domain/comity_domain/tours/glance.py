@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from comity_domain.choices.options import Options
-from comity_domain.problem.request import Way, place_of
+from comity_domain.problem.spot import Way, place_of
 from comity_domain.tours.tour import Stop, people_at
 
 FAR = 10**7

@@ -8,7 +8,7 @@ from itertools import pairwise, product
 
 from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.problem.agenda import HANDOVER_S, takes_leave
-from comity_domain.problem.request import START, Spot, place_of
+from comity_domain.problem.spot import START, Spot, place_of
 
 
 @dataclass(frozen=True, slots=True)

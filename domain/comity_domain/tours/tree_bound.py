@@ -11,7 +11,7 @@ import math
 from typing import TYPE_CHECKING
 
 from comity_domain.choices.options import Options
-from comity_domain.problem.request import START
+from comity_domain.problem.spot import START
 
 if TYPE_CHECKING:
     import numpy as np
