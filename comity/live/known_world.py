@@ -14,7 +14,8 @@ from comity_sim2d.navigation.docking import docked
 from comity_sim2d.navigation.past_people import PastPeople
 from comity_sim2d.pose import Pose
 from comity_sim2d.robot.motion import Reading
-from comity_sim2d.scene.obstacles import Surroundings, floor_plan
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.senses.sight import too_short_for
 from comity_sim2d.senses.taken_apart import off_things
 

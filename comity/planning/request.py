@@ -30,7 +30,8 @@ from comity_domain import (
 from comity_fis import Choice
 from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
 from comity_sim2d.navigation.docking import spots_beside
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, Surroundings
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+from comity_sim2d.scene.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from comity_fis import Inference

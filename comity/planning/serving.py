@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity.planning.request import Asked, spots_of, what_bars
 from comity_domain import PlanningFailed, parts
 from comity_sim2d import RouteMap
-from comity_sim2d.scene.obstacles import Surroundings
+from comity_sim2d.scene.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from comity_domain import Plan, Visitee, VisitRequest

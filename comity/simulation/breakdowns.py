@@ -14,8 +14,9 @@ from comity.simulation.sent_way import way_of
 from comity_executor import FaultError
 from comity_sim2d import RouteMap
 from comity_sim2d.people.leading import Lead
-from comity_sim2d.scene.obstacles import Surroundings, floor_plan
+from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.person import find_person
+from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.senses import active_faults
 from comity_sim2d.senses.active_faults import PATH, Subject
 

@@ -12,7 +12,7 @@ from comity_fis import InputError
 from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
 from comity_sim2d.scene.comfort import FARTHEST_M, NARROWEST_M, NEAREST_M
 from comity_sim2d.scene.group_check import check_groups
-from comity_sim2d.scene.passers_by import place as place_passers_by
+from comity_sim2d.scene.placing import place as place_passers_by
 from comity_sim2d.scene.walk_check import check_walks
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_sim2d import Route, RouteMap
-from comity_sim2d.scene.obstacles import FloorPlan, Surroundings, floor_plan
+from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
+from comity_sim2d.scene.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from comity_sim2d import Person, World

@@ -28,7 +28,7 @@ from comity_sim2d import (
 )
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import floor_plan
-from comity_sim2d.scene.passers_by import place
+from comity_sim2d.scene.placing import place
 
 SEEDS = st.integers(0, 10_000)
 FEW = settings(max_examples=8, deadline=None)

@@ -193,7 +193,7 @@ def test_a_door_does_not_close_on_a_passer_by(two_rooms) -> None:
 
 def test_segments_are_all_that_stands_still(two_rooms) -> None:
     scene = two_rooms.with_doors({"kitchen": False}).scene(RobotBody(1.0, 1.0))
-    ends, half_m = scene.segments().ends, scene.segments().half_m
+    ends, half_m = floor_plan(scene).segments.ends, floor_plan(scene).segments.half_m
     assert ends.shape == (len(half_m), 2, 2)
     assert len(half_m) == 4 + 4 + 2 + 1  # outline, table, two pieces of wall, the closed door
     assert np.allclose(ends[-1], [[4.0, 1.5], [4.0, 2.5]])

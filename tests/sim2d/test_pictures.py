@@ -63,8 +63,8 @@ from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pictures.sayings import sayings
 from comity_sim2d.pictures.speech import Speech
 from comity_sim2d.scene.o_space import OSpace
-from comity_sim2d.scene.obstacles import Surroundings
 from comity_sim2d.scene.passers_by import PassersBy
+from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.scene.walk import Walk
 
 SCENE = Scene(

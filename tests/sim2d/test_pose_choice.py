@@ -24,7 +24,8 @@ from comity_sim2d import (
     spot_pose,
 )
 from comity_sim2d.scene.o_space import OSpace
-from comity_sim2d.scene.obstacles import Surroundings, floor_plan_of
+from comity_sim2d.scene.obstacles import floor_plan_of
+from comity_sim2d.scene.surroundings import Surroundings
 
 START = (0.6, 3.0)
 

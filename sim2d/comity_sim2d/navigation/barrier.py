@@ -7,7 +7,8 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, Surroundings
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+from comity_sim2d.scene.surroundings import Surroundings
 
 MOST_TRIED = 8
 """People of one barrier of whom it is found out who bars; of more those who are met first (our choice)."""

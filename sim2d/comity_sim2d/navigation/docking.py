@@ -9,9 +9,9 @@ from typing import NamedTuple, Protocol, runtime_checkable
 
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
-from comity_sim2d.scene.obstacles import Surroundings
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
+from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.scene_error import FARTHEST_M, require_between, require_finite
 
 BEARING_STEP_DEG = 5.0

@@ -8,9 +8,9 @@ from comity_sim2d.kinds import require_names
 from comity_sim2d.navigation.route import Route
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import Surroundings
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
+from comity_sim2d.scene.surroundings import Surroundings
 
 
 def without_people(surroundings: Surroundings, but: Collection[str] = ()) -> RouteMap:

@@ -23,9 +23,10 @@ from comity_sim2d.paths.free_space import FreeSpace
 from comity_sim2d.paths.personal_space import FRONT, PersonalSpace, Points, bounding_box
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.o_space import OSpace
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, Surroundings
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
+from comity_sim2d.scene.surroundings import Surroundings
 
 COMFORT_M = 0.45
 """The distance of people whose own is not known: the smallest of Bruno et al. 2017."""

@@ -20,7 +20,7 @@ from comity_sim2d.people.strolling import Stroller, Strolling
 from comity_sim2d.pose import XY, Pose, Twist, wrap_angle
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
-from comity_sim2d.scene.passers_by import Placed, place
+from comity_sim2d.scene.placing import Placed, place
 from comity_sim2d.scene.robot_reaction import RobotSeen
 from comity_sim2d.scene.walk_check import check_walks
 

@@ -18,8 +18,8 @@ from comity_sim2d.pictures.readable_names import legible, names_in, substitutes,
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import floor_plan
-from comity_sim2d.scene.passers_by import place as placed
 from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.placing import place as placed
 from comity_sim2d.scene.scene import Scene
 
 if TYPE_CHECKING:

@@ -14,8 +14,9 @@ from comity_sim2d.navigation.route_map import COMFORT_M, WORTH_M, RouteMap
 from comity_sim2d.pose import XY
 from comity_sim2d.robot.approach import Approach
 from comity_sim2d.scene.o_space import OSpace
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, Surroundings
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.surroundings import Surroundings
 
 STEP_M = 0.05
 """The way is looked along in steps of this length."""

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.door import Door
-from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
-from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.room import Furniture, Room, Wall
-from comity_sim2d.scene.scene import Scene
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -266,9 +263,33 @@ def _floor_plan(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture,
     return FloorPlan(room, walls, furniture)
 
 
-def floor_plan(scene: Scene, doors: Iterable[Door] | None = None) -> FloorPlan:
-    """The floor plan of a scene; with other doors than the scene's, where they are given."""
-    return floor_plan_of(scene.room, scene.walls, scene.furniture, scene.doors if doors is None else doors)
+class Floor(Protocol):
+    """What a floor plan is made of: a scene has it, and a map."""
+
+    @property
+    def room(self) -> Room:
+        """The outline."""
+        ...
+
+    @property
+    def walls(self) -> tuple[Wall, ...]:
+        """Inside the room."""
+        ...
+
+    @property
+    def furniture(self) -> tuple[Furniture, ...]:
+        """What stands on the floor."""
+        ...
+
+    @property
+    def doors(self) -> tuple[Door, ...]:
+        """Each in a gap of the walls."""
+        ...
+
+
+def floor_plan(place: Floor, doors: Iterable[Door] | None = None) -> FloorPlan:
+    """The floor plan of a place; with other doors than its own, where they are given."""
+    return floor_plan_of(place.room, place.walls, place.furniture, place.doors if doors is None else doors)
 
 
 def floor_plan_of(
@@ -278,65 +299,3 @@ def floor_plan_of(
     shut = [door for door in doors if not door.is_open]
     leaves = (Wall(door.start, door.end, door.thickness_m, door.shut_name) for door in shut)
     return _floor_plan(room, (*walls, *leaves), furniture)
-
-
-@dataclass(frozen=True, slots=True)
-class Surroundings:
-    """The floor plan with the people where they stand now, as a robot of that size meets them."""
-
-    plan: FloorPlan
-    people: tuple[Person, ...]
-    robot_radius_m: float
-    o_spaces: tuple[OSpace, ...] = ()
-    """Between people who stand together: nothing goes through."""
-    groups: tuple[tuple[Person, ...], ...] = ()
-    """Who stands together, each where they stood at the start."""
-
-    @classmethod
-    def of(cls, scene: Scene) -> Surroundings:
-        """The surroundings at the start of a scene."""
-        groups = tuple(group.those_of(scene.people) for group in scene.groups)
-        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces, groups)
-
-    def with_people(self, people: tuple[Person, ...]) -> Surroundings:
-        """The same with people elsewhere: the space of a group is of those who have not left it."""
-        left = (o_space_of_those_left(members, people) for members in self.groups)
-        return replace(self, people=people, o_spaces=tuple(space for space in left if space is not None))
-
-    def person(self, name: str) -> Person:
-        """The person of that name, where they stand now."""
-        return find_person(self.people, name)
-
-    def blocker(self, xy: XY, visited: str | None = None) -> str | None:
-        """What keeps the robot, margins included, from standing somewhere; whom it visits does not count."""
-        found = self.plan.blocker(xy, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
-        if found is not None:
-            return found.name
-        for person in self.people:
-            reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
-            if person.name != visited and math.dist(person.pose.xy, xy) < reach:
-                return person.name
-        return self._group_around(xy)
-
-    def are_free(self, points: Sequence[XY], *, visited: str) -> NDArray[np.bool_]:
-        """Which places beside somebody are free and in their view; shape (n,). One alone: `pose_blocker`."""
-        at = np.array(points, dtype=float).reshape(-1, 2)
-        free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
-        for person in self.people:
-            if person.name != visited:
-                reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
-                free &= np.hypot(*(at - np.array(person.pose.xy)).T) >= reach
-        for space in self.o_spaces:
-            if space.is_closed:
-                reach = space.radius_m + self.robot_radius_m - 1e-9
-                free &= np.hypot(*(at - np.array(space.xy)).T) >= reach
-        if free.any():
-            free[free] = self.plan.are_in_view(self.person(visited).pose.xy, at[free])
-        return free
-
-    def _group_around(self, xy: XY) -> str | None:
-        """Among whom the robot would stand; before those who stand open to others it may."""
-        for space in self.o_spaces:
-            if space.is_closed and math.dist(space.xy, xy) < space.radius_m + self.robot_radius_m - 1e-9:
-                return space.words
-        return None

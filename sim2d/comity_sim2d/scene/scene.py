@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import Literal, get_args
 
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.scene.area import Area, Location
 from comity_sim2d.scene.door import Door
 from comity_sim2d.scene.group import Group, check_groups
 from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
+from comity_sim2d.scene.passers_by import PassersBy
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.room import Furniture, Room, Wall
+from comity_sim2d.scene.scene_check import check_scene
 from comity_sim2d.scene_error import require_one_of, require_tuple
-
-if TYPE_CHECKING:
-    from comity_sim2d.scene.obstacles import Segments
-    from comity_sim2d.scene.passers_by import PassersBy
 
 Side = Literal["right", "left"]
 SIDES: tuple[Side, ...] = get_args(Side)
@@ -51,9 +49,6 @@ class Scene:
     """Named points."""
 
     def __post_init__(self) -> None:
-        from comity_sim2d.scene.passers_by import PassersBy
-        from comity_sim2d.scene.scene_check import check_scene
-
         require_kinds("scene", room=(self.room, Room), robot=(self.robot, RobotBody))
         require_kinds("scene", passers_by=(self.passers_by, PassersBy | None))
         for name, kind, what in (
@@ -69,12 +64,6 @@ class Scene:
         require_one_of("scene", "keep_to", self.keep_to, SIDES)
         check_groups(self.groups, self.people)
         check_scene(self)
-
-    def segments(self) -> Segments:
-        """All that stands still, as straight lines in arrays."""
-        from comity_sim2d.scene.obstacles import floor_plan
-
-        return floor_plan(self).segments
 
     def without(self, names: Container[str]) -> Scene:
         """The same with some people gone: their groups shrink, and one of whom nobody or one is left ends."""

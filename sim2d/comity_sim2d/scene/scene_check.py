@@ -6,9 +6,10 @@ import math
 from collections import Counter
 from functools import lru_cache
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
-from comity_sim2d.scene.obstacles import ROOM, FloorPlan, floor_plan
+from comity_sim2d.scene.obstacles import ROOM, Floor, FloorPlan, floor_plan
+from comity_sim2d.scene.passers_by import PassersBy
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene_error import SceneError
 
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from comity_sim2d.pose import XY
     from comity_sim2d.scene.robot_body import RobotBody
     from comity_sim2d.scene.room import Furniture, Room, Wall
-    from comity_sim2d.scene.scene import Scene
 
 MAX_OBSTACLES = 1000
 """Walls, doors and furniture together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
@@ -29,7 +29,26 @@ LEAST_AREA_M2 = 1e-4
 """Of a room or a piece of furniture (our choice: less is a slip of the pen)."""
 
 
-def check_scene(scene: Scene) -> None:
+class Filled(Floor, Protocol):
+    """A place with a robot and people in it."""
+
+    @property
+    def robot(self) -> RobotBody:
+        """Where it starts."""
+        ...
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Where they start."""
+        ...
+
+    @property
+    def passers_by(self) -> PassersBy | None:
+        """Who walks about besides."""
+        ...
+
+
+def check_scene(scene: Filled) -> None:
     """Refuse a scene that cannot be.
 
     Raises:
@@ -47,7 +66,7 @@ def check_scene(scene: Scene) -> None:
     _check_apart(scene)
 
 
-def _check_count(scene: Scene) -> None:
+def _check_count(scene: Filled) -> None:
     check_count(len(scene.walls) + len(scene.doors) + len(scene.furniture))
     if len(scene.people) > MAX_PEOPLE:
         raise SceneError(
@@ -74,7 +93,7 @@ def check_count(obstacles: int) -> None:
         )
 
 
-def _check_names(scene: Scene) -> None:
+def _check_names(scene: Filled) -> None:
     names = [scene.robot.name, *(p.name for p in scene.people), *(f.name for f in scene.furniture)]
     names += scene.passers_by.names if scene.passers_by else ()
     names += [f"door {door.name}" for door in scene.doors]
@@ -187,7 +206,7 @@ def _remedy(plan: FloorPlan, body: Person | RobotBody, blocker: str) -> str:
     return f"Move {body.name} or {blocker}{sit}."
 
 
-def _check_apart(scene: Scene) -> None:
+def _check_apart(scene: Filled) -> None:
     bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
     for one, other in combinations(bodies, 2):
         gap = math.hypot(one.x_m - other.x_m, one.y_m - other.y_m) - one.radius_m - other.radius_m

@@ -1,0 +1,78 @@
+"""What stands around a robot of some size: the floor plan, and the people where they are now."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
+from comity_sim2d.scene.obstacles import FREE_FROM_M, WALL_MARGIN_M, FloorPlan, floor_plan
+from comity_sim2d.scene.person import Person, find_person
+from comity_sim2d.scene.scene import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The floor plan with the people where they stand now, as a robot of that size meets them."""
+
+    plan: FloorPlan
+    people: tuple[Person, ...]
+    robot_radius_m: float
+    o_spaces: tuple[OSpace, ...] = ()
+    """Between people who stand together: nothing goes through."""
+    groups: tuple[tuple[Person, ...], ...] = ()
+    """Who stands together, each where they stood at the start."""
+
+    @classmethod
+    def of(cls, scene: Scene) -> Surroundings:
+        """The surroundings at the start of a scene."""
+        groups = tuple(group.those_of(scene.people) for group in scene.groups)
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces, groups)
+
+    def with_people(self, people: tuple[Person, ...]) -> Surroundings:
+        """The same with people elsewhere: the space of a group is of those who have not left it."""
+        left = (o_space_of_those_left(members, people) for members in self.groups)
+        return replace(self, people=people, o_spaces=tuple(space for space in left if space is not None))
+
+    def person(self, name: str) -> Person:
+        """The person of that name, where they stand now."""
+        return find_person(self.people, name)
+
+    def blocker(self, xy: XY, visited: str | None = None) -> str | None:
+        """What keeps the robot, margins included, from standing somewhere; whom it visits does not count."""
+        found = self.plan.blocker(xy, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
+        if found is not None:
+            return found.name
+        for person in self.people:
+            reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
+            if person.name != visited and math.dist(person.pose.xy, xy) < reach:
+                return person.name
+        return self._group_around(xy)
+
+    def are_free(self, points: Sequence[XY], *, visited: str) -> NDArray[np.bool_]:
+        """Which places beside somebody are free and in their view; shape (n,). One alone: `pose_blocker`."""
+        at = np.array(points, dtype=float).reshape(-1, 2)
+        free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
+        for person in self.people:
+            if person.name != visited:
+                reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
+                free &= np.hypot(*(at - np.array(person.pose.xy)).T) >= reach
+        for space in self.o_spaces:
+            if space.is_closed:
+                reach = space.radius_m + self.robot_radius_m - 1e-9
+                free &= np.hypot(*(at - np.array(space.xy)).T) >= reach
+        if free.any():
+            free[free] = self.plan.are_in_view(self.person(visited).pose.xy, at[free])
+        return free
+
+    def _group_around(self, xy: XY) -> str | None:
+        """Among whom the robot would stand; before those who stand open to others it may."""
+        for space in self.o_spaces:
+            if space.is_closed and math.dist(space.xy, xy) < space.radius_m + self.robot_radius_m - 1e-9:
+                return space.words
+        return None
