@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import date
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,18 @@ from comity.parameters.values import Facts, infer_for, refuse_unknown
 from comity.people.profile import Declared, Profile, day_for, load_profile
 from comity.specification.binding_file import BindingFile, BoundPerson
 from comity.system.library import looks_like_a_file
-from comity_domain.custom import BindingRefusedError, Bound, CustomProblem, People, bind, read_custom
+from comity_domain.custom import (
+    BindingRefusedError,
+    Bound,
+    Clock,
+    CustomPlan,
+    CustomProblem,
+    People,
+    bind,
+    in_one_process,
+    planned,
+    read_custom,
+)
 from comity_fis import InputError, Rulebook, Where, closest, load_rulebook
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 
@@ -54,6 +66,37 @@ def bound_domain(
         return bind(own) if binding is None else _bound(own, binding, others)
     except InputError as refusal:
         raise refusal.at(Where(str(problem))) from None
+
+
+def plan_domain(
+    domain: Path,
+    problem: Path,
+    binding: Path | None = None,
+    others: Others = AS_WRITTEN,
+    *,
+    engine: str | None = None,
+    time_limit_s: float = 30.0,
+) -> CustomPlan:
+    """Read, bind and plan in one process of its own, which is ended at its limit: an answer, or a refusal.
+
+    Args:
+        domain: As for `bound_domain`.
+        problem: As for `bound_domain`.
+        binding: As for `bound_domain`.
+        others: As for `bound_domain`.
+        engine: The name of an engine in unified-planning; None takes one that fits.
+        time_limit_s: Wall-clock seconds for all of it, > 0; 5 s later there is an answer.
+
+    Raises:
+        InputError: with file, line and remedy, for whatever cannot be used.
+        PlanningFailed: There is no plan, or none was found within the limit.
+    """
+    call = partial(_planned, (domain, problem, binding, others), engine, Clock(time_limit_s))
+    return in_one_process(call, limit_s=time_limit_s)
+
+
+def _planned(files: tuple[Path, Path, Path | None, Others], engine: str | None, clock: Clock) -> CustomPlan:
+    return planned(replace(bound_domain(*files), engine=engine), clock)
 
 
 def _bound(own: CustomProblem, path: Path, others: Others) -> Bound:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -79,41 +80,58 @@ def plan_custom_domain(ask: CustomQuestion) -> None:
         PlanningFailed: if no plan is found, and no JSON is asked for.
         typer.Exit: with 1, where JSON is.
     """
-    from comity.commands.custom_clock import Clock
-
-    clock = Clock(ask.limit_s)
     from comity.commands.progress import waiting
-    from comity.custom_domain import AS_WRITTEN, bound_domain
-    from comity.report.custom_domain.plan import custom_plan_answer, no_custom_plan_answer
+    from comity.report.custom_domain.plan import no_custom_plan_answer
     from comity.report.text import show
     from comity_domain import PlanningFailed
+    from comity_domain.custom.process import in_one_process
 
-    domain, problem = _files(ask)
-    with clock.reading():
-        bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
-        _refuse_unanswerable(ask, bound)
-        renamed, files = _exported(ask, bound)
+    _files(ask)
+    plans = 1 + (ask.why is not None) + ask.diff + ask.stability
     try:
         with waiting(f"searching for a plan, {ask.limit_s:g} s at most", quiet=ask.as_json):
-            found = clock.planned(bound)
-            written = before = None
-            if ask.diff:
-                again = Clock(ask.limit_s)
-                with again.reading():
-                    written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN))
-                before = again.planned(written)
-            answer = custom_plan_answer(bound, found, renamed=renamed, files=files)
-            answer = answer.model_copy(update=_more(ask, answer, (bound, found), (written, before)))
-    except PlanningFailed as failed:
-        said = _with_limit(failed, ask.limit_s)
-        if not ask.as_json:
-            raise said from None
-        print_json(no_custom_plan_answer(bound, said, renamed=renamed, files=files))
-        raise typer.Exit(1) from None
+            answer = in_one_process(partial(answered, ask), limit_s=ask.limit_s, plans=plans)
+    except PlanningFailed as ended:
+        answer = no_custom_plan_answer(None, _with_limit(ended, ask.limit_s), renamed={}, files=())
     if ask.as_json:
         print_json(answer)
-    else:
+    if answer.failure is not None:
+        if ask.as_json:
+            raise typer.Exit(1)
+        raise PlanningFailed(
+            answer.failure.reason, remedy=answer.failure.remedy, cut_off=not answer.reproducible
+        )
+    if not ask.as_json:
         show(*_text(ask, answer))
+
+
+def answered(ask: CustomQuestion) -> PlanAnswer:
+    """All that is asked, in this process: for `in_one_process`.
+
+    Raises:
+        InputError: if anything given cannot be used.
+    """
+    from comity.custom_domain import AS_WRITTEN, bound_domain
+    from comity.report.custom_domain.plan import custom_plan_answer, no_custom_plan_answer
+    from comity_domain import PlanningFailed
+    from comity_domain.custom import Clock, planned
+
+    clock = Clock(ask.limit_s)
+    domain, problem = _files(ask)
+    bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
+    _refuse_unanswerable(ask, bound)
+    renamed, files = _exported(ask, bound)
+    try:
+        found = planned(bound, clock)
+        written = before = None
+        if ask.diff:
+            again = Clock(ask.limit_s)
+            written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN))
+            before = planned(written, again)
+        answer = custom_plan_answer(bound, found, renamed=renamed, files=files)
+        return answer.model_copy(update=_more(ask, answer, (bound, found), (written, before)))
+    except PlanningFailed as failed:
+        return no_custom_plan_answer(bound, _with_limit(failed, ask.limit_s), renamed=renamed, files=files)
 
 
 def _by_engine(ask: CustomQuestion, bound: Bound) -> Bound:

@@ -20,6 +20,16 @@ class PlanningFailed(ComityError):  # noqa: N818 - it says what happened; the fa
         self.cut_off = cut_off
         super().__init__(f"{reason}. {remedy}")
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return _rebuilt, (type(self), self.reason, self.remedy, self.cut_off)
+
+
+def _rebuilt(kind: type[PlanningFailed], reason: str, remedy: str, cut_off: bool) -> PlanningFailed:
+    """For pickle: a failure that crosses to another process keeps its parts."""
+    failed = kind(reason, remedy=remedy)
+    failed.cut_off = cut_off
+    return failed
+
 
 class NoEngine(PlanningFailed):
     """No engine that is installed takes the problem."""

@@ -38,7 +38,8 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     """
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
-    from comity_domain.custom.engines.by_name import require_installed, solve_pddl
+    from comity_domain.custom.solving.choosing import require_installed
+    from comity_domain.custom.solving.texts import solve_pddl
 
     require_installed(engine)
     _require_all_said(engine, request)
@@ -52,9 +53,9 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     steps = (*steps_of(visits, choices, lambda: choices), *skipped)
     cost = sum(step.cost for step in steps)
     least = lower_bound(choices) + sum(step.cost for step in skipped)
-    bound = cost if found.optimal else min(cost, least)
+    bound = cost if found.finished else min(cost, least)
     return Plan(
-        engine, optimal=bound == cost, reproducible=found.optimal, cost=cost, bound=bound, steps=steps
+        engine, optimal=bound == cost, reproducible=found.finished, cost=cost, bound=bound, steps=steps
     )
 
 

@@ -17,8 +17,8 @@ import comity
 from comity.custom_domain import bound_domain
 from comity_domain import NoPlan, PlanningFailed
 from comity_domain.custom import bind, custom_pddl, plan_custom, read_custom
-from comity_domain.custom.engines.fast_downward import GroundAction
 from comity_domain.custom.solving import hindrances
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import works
 from comity_domain.errors import OutOfTime
 from comity_fis import InputError
@@ -308,9 +308,9 @@ def own_files(texts: tuple[str, str]):
 
 @pytest.mark.parametrize("texts", [NUMERIC, DURATIVE], ids=["numeric", "durative"])
 def test_where_no_engine_can_the_message_says_what_to_install(folder, texts, monkeypatch):
-    from comity_domain.custom.solving import elsewhere
+    from comity_domain.custom.solving import choosing
 
-    monkeypatch.setattr(elsewhere, "_can", lambda *_: False)
+    monkeypatch.setattr(choosing, "_can", lambda *_: False)
     with pytest.raises(PlanningFailed, match=r"\(d\.pddl:3:\d+\)\. Install one: pip install up-aries"):
         plan_custom(bound_domain(*own_files(texts)))
 
@@ -341,11 +341,11 @@ def test_what_the_engine_for_numbers_does_not_take_is_named_with_what_to_write(
 ):
     pytest.importorskip("up_aries")
     domain = SINKS[0].replace("(mugs))", "(mugs) (holds ?s - sink))", 1).replace(old, new)
-    from comity_domain.custom.solving import elsewhere
+    from comity_domain.custom.solving import choosing
 
     bound = bound_domain(*own_files((domain, SINKS[1])))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(elsewhere, "_can", lambda *_: False)  # Java's engines, where they are installed, can
+        patch.setattr(choosing, "_can", lambda *_: False)  # Java's engines, where they are installed, can
         with pytest.raises(PlanningFailed) as failed:
             plan_custom(bound)
     assert f"aries is installed, and takes no {words}" in failed.value.reason

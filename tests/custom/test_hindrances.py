@@ -88,9 +88,9 @@ WITH_JOY = DOMAIN.replace("(:action go", "(:functions (joy))\n  (:action go").re
 
 
 def test_a_metric_to_maximize_is_named_as_what_no_engine_can(own, monkeypatch):
-    from comity_domain.custom.solving import elsewhere
+    from comity_domain.custom.solving import choosing
 
-    monkeypatch.setattr(elsewhere, "_can", lambda *_: False)
+    monkeypatch.setattr(choosing, "_can", lambda *_: False)
     joy = ("(in tea kitchen)", "(in tea kitchen) (= (joy) 0)")
     bound = own("(held tea)", joy, MAXIMIZE, domain=WITH_JOY)
     with pytest.raises(

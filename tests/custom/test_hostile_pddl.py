@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_domain.custom import bind, plan_custom, read_custom
-from comity_domain.custom.engines.fast_downward import GroundAction
 from comity_domain.custom.reading.text import MAX_DEPTH, parsed
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import row_of, works
 from comity_fis import InputError
 

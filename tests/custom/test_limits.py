@@ -11,9 +11,6 @@ from pathlib import Path
 
 import pytest
 
-from comity_domain import PlanningFailed
-from comity_domain.custom import bind, plan_custom, read_custom
-
 BITS = 26
 
 
@@ -107,67 +104,10 @@ def test_whoever_is_killed_nothing_is_left_behind(files, victim, sent, code, wor
     assert gone(files)
 
 
-def test_what_a_dead_call_left_is_removed_and_what_a_live_one_works_in_stays(tmp_path, monkeypatch):
-    """As after a power cut, where no process was left that could have removed it."""
-    import tempfile
-
-    from comity_domain.custom.engines.workspace import OWNED, PREFIX, workspace
-
-    def grow_old(folder: Path) -> None:
-        os.utime(folder, (0, 0))
-
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    dead, foreign, new = (tmp_path / name for name in (f"{PREFIX}dead", "others", f"{PREFIX}new"))
-    for folder in (dead, foreign, new):
-        folder.mkdir()
-        (folder / OWNED).touch()
-    with workspace() as live:
-        for folder in (dead, foreign, live):
-            grow_old(folder)
-        with workspace() as own:
-            assert sorted(tmp_path.iterdir()) == sorted((foreign, live, new, own))
-    assert sorted(tmp_path.iterdir()) == sorted((foreign, new))
-
-
 @needs_proc
 def test_over_its_time_it_ends_with_1_and_leaves_nothing(files):
     process = start(files, "--limit", "2")
     _, said = process.communicate(timeout=60)
     assert process.returncode == 1
     assert "no plan was found within 2 s" in said
-    assert gone(files)
-
-
-@pytest.mark.parametrize("memory_mb", [10, 15, 30])
-def test_over_its_memory_it_says_so(files, memory_mb):
-    """While the engine's interpreter starts, while it imports, and while it translates."""
-    bound = bind(read_custom(files / "d.pddl", files / "p.pddl"))
-    with pytest.raises(PlanningFailed, match=f"within {memory_mb} MB of memory"):
-        plan_custom(bound, time_limit_s=60, memory_mb=memory_mb)
-
-
-@needs_proc
-def test_another_engine_that_is_killed_leaves_nothing_either(files, monkeypatch):
-    """Through the worker that runs engines of unified-planning; here Fast Downward once more."""
-    import tempfile
-    import threading
-
-    from comity_domain.custom.solving import elsewhere
-
-    monkeypatch.setattr(elsewhere, "engine_for", lambda _: "fast-downward")
-    monkeypatch.setattr(tempfile, "tempdir", str(files / "temporary"))
-    bound = bind(read_custom(files / "d.pddl", files / "p.pddl"))
-
-    def kill() -> None:
-        for _ in range(600):
-            for pid, command in working_in(files).items():
-                if "comity_domain.custom.solving.worker" in command:
-                    time.sleep(0.5)
-                    os.kill(pid, signal.SIGKILL)
-                    return
-            time.sleep(0.05)
-
-    threading.Thread(target=kill).start()
-    with pytest.raises(PlanningFailed, match="killed from outside"):
-        elsewhere.solve_elsewhere(bound.problem, time_limit_s=20)
     assert gone(files)

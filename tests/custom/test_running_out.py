@@ -16,8 +16,10 @@ import pytest
 from comity.report.custom_domain.plan import custom_plan_answer
 from comity.report.plans.proof import quality
 from comity_domain.custom import bind, plan_custom, read_custom
-from comity_domain.custom.engines.fast_downward import GroundAction, Search, solve
-from comity_domain.custom.solving.searching import search_for
+from comity_domain.custom.solving import engines
+from comity_domain.custom.solving.choosing import FAST_DOWNWARD
+from comity_domain.custom.solving.engines import solve
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import works
 
 DOMAIN = """(define (domain rounds)
@@ -85,16 +87,6 @@ def test_a_large_round_trip_has_a_plan_and_a_bound_when_time_runs_out(rounds):
     assert not plan.killed, "its own limit ended it"
 
 
-def test_a_plan_found_before_memory_runs_out_stands(rounds):
-    """With a disjunction, so that the proof is by blind search, which needs much memory."""
-    bound = rounds(22, DOMAIN.replace("(road ?a ?b))\n", "(or (road ?a ?b) (road ?b ?a)))\n"))
-    plan = plan_custom(bound, time_limit_s=60, memory_mb=40).plan
-    assert is_valid(bound, plan)
-    assert 0 < plan.bound <= plan.cost
-    assert not plan.reproducible
-    assert not plan.killed
-
-
 def kill_once_there_is_a_plan(folder: Path) -> None:
     """The search that works below a folder."""
     for _ in range(600):
@@ -125,13 +117,12 @@ def test_a_plan_found_before_the_engine_was_killed_stands_and_says_so(rounds, tm
     assert quality(answer).endswith("fast-downward was killed from outside, so plan again")
 
 
-def test_quick_searches_change_nothing_about_a_plan_that_is_proven(rounds):
+def test_quick_searches_change_nothing_about_a_plan_that_is_proven(rounds, monkeypatch):
     """Nor does it matter where the clock cuts them off: of plans as cheap, the proof's own one counts."""
-    bound = rounds(7)
-    proof = Search("astar(lmcut())")
-    alone = solve(bound.problem, time_limit_s=60, search_for=Search(f"iterated([{proof.text}])"))
-    for seconds in (0.001, 60.0):
-        search = search_for(bound.problem, seconds)
-        found = solve(bound.problem, time_limit_s=60, search_for=search)
-        assert found.finished
-        assert found.actions == alone.actions
+    bound, quick = rounds(7), engines.search_for
+    found = []
+    for search in (lambda *_: "iterated([astar(lmcut())])", lambda one, _: quick(one, 0.001), quick):
+        monkeypatch.setattr(engines, "search_for", search)
+        found.append(solve(bound.problem, engine=FAST_DOWNWARD, time_limit_s=60))
+    assert all(one.finished for one in found)
+    assert found[0].actions == found[1].actions == found[2].actions

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -12,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_domain.custom import bind, custom_pddl, read_custom
-from comity_domain.custom.engines.deadline import Overdue, overdue_after
-from comity_domain.custom.engines.writing import writer_of
+from comity_domain.custom.solving.stated import stated
 
 PATIENCE_S = 5.0
 
@@ -68,21 +66,22 @@ def test_what_is_written_is_what_unified_planning_writes(tmp_path_factory, lengt
 
     texts = corridor(length)[0], corridor(length)[1].replace("(at c9)", f"(at c{length - 1})")
     problem = bind(read_custom(*written(texts, tmp_path_factory.mktemp("corridor")))).problem
-    ours = writer_of(problem)
-    domain, stated = ours.get_domain(), ours.get_problem()
+    ours = PDDLWriter(stated(problem))
+    domain, written_problem = ours.get_domain(), ours.get_problem()
     theirs = PDDLWriter(problem)
     assert domain == theirs.get_domain()
-    assert sorted(stated.split()) == sorted(theirs.get_problem().split())
+    assert sorted(written_problem.split()) == sorted(theirs.get_problem().split())
 
 
 def test_a_value_by_default_is_written():
+    from unified_planning.io import PDDLWriter
     from unified_planning.shortcuts import BoolType, Fluent, Object, Problem, UserType
 
     place = UserType("place")
     problem = Problem("p")
     problem.add_fluent(Fluent("lit", BoolType(), where=place), default_initial_value=True)
     problem.add_object(Object("c0", place))
-    assert "(lit c0)" in writer_of(problem).get_problem()
+    assert "(lit c0)" in PDDLWriter(stated(problem)).get_problem()
 
 
 @needs_fast_downward
@@ -102,18 +101,5 @@ def test_files_that_take_too_long_to_read_are_refused_in_time(comity, here):
     said = comity("plan", "--domain", "d.pddl", "--problem", "p.pddl", "--limit", "0.1")
     assert time.monotonic() - start < 0.1 + PATIENCE_S
     assert said.code == 1
-    assert "not even read" in said.err
+    assert "no plan was found within 0.1 s" in said.err
     assert "Traceback" not in said.err
-
-
-def _endless() -> None:
-    while True:
-        with suppress(Exception):  # as libraries do
-            time.sleep(0.01)
-
-
-def test_a_block_is_left_when_its_time_is_over_whatever_it_catches():
-    start = time.monotonic()
-    with pytest.raises(Overdue), overdue_after(0.2):
-        _endless()
-    assert time.monotonic() - start < 2.0

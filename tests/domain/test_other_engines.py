@@ -12,7 +12,7 @@ from comity_domain import make_plan, plan_with
 from comity_domain.choices.options import options
 from comity_domain.classical.initial_state import goals, initial_state, visit_names
 from comity_domain.classical.tour_of import tour_of
-from comity_domain.custom.engines.by_name import solve_pddl
+from comity_domain.custom.solving.texts import solve_pddl
 from comity_domain.tours.tour import tour_cost
 from comity_fis import InputError
 

@@ -48,19 +48,19 @@ def custom_plan_answer(
 
 
 def no_custom_plan_answer(
-    bound: Bound, failed: PlanningFailed, *, renamed: Mapping[str, str], files: tuple[str, ...]
+    bound: Bound | None, failed: PlanningFailed, *, renamed: Mapping[str, str], files: tuple[str, ...]
 ) -> PlanAnswer:
     """The answer where there is no plan, as a scenario has it.
 
     Args:
-        bound: What was to be planned.
+        bound: What was to be planned; None where it was not even read.
         failed: Why not.
         renamed: Names that exported PDDL could not keep.
         files: What was written.
     """
     nothing = no_plan(reproducible=not failed.cut_off)
     failure = {"reason": failed.reason, "remedy": failed.remedy}
-    own = _own(bound, renamed, files)
+    own = None if bound is None else _own(bound, renamed, files)
     return PlanAnswer.model_validate(
         {"scenario": None, "own": own, "solved": False, "failure": failure, **nothing, **NOBODY}
     )

@@ -7,8 +7,10 @@ into them, and `plan_custom` finds the plan.
 from comity_domain.custom.binding.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
 from comity_domain.custom.binding.people import People
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location
+from comity_domain.custom.clock import Clock, planned
 from comity_domain.custom.export import CustomPddl, custom_pddl
 from comity_domain.custom.forbidding import Without, without
+from comity_domain.custom.process import in_one_process
 from comity_domain.custom.reading.reading import CustomProblem, read_custom
 from comity_domain.custom.solving.bound import Bound, bind
 from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_custom
@@ -20,6 +22,7 @@ __all__ = [
     "Binding",
     "BindingRefusedError",
     "Bound",
+    "Clock",
     "CustomFlip",
     "CustomPddl",
     "CustomPlan",
@@ -34,7 +37,9 @@ __all__ = [
     "bind",
     "custom_pddl",
     "diagnosed",
+    "in_one_process",
     "plan_custom",
+    "planned",
     "read_custom",
     "weigh",
     "without",

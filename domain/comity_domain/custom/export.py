@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.engines.writing import writer_of
 from comity_domain.custom.reading.reading import COST
 from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.stated import stated
 
 if TYPE_CHECKING:
     from unified_planning.io import PDDLWriter
@@ -28,7 +28,9 @@ class CustomPddl:
 
 def custom_pddl(bound: Bound) -> CustomPddl:
     """The problem that the planner gets, as PDDL; any planner with action costs finds the same cost on it."""
-    writer = writer_of(bound.problem)
+    from unified_planning.io import PDDLWriter
+
+    writer = PDDLWriter(stated(bound.problem))
     domain, problem = writer.get_domain(), writer.get_problem()
     renamed = dict(_renamed(writer, bound))
     comment = "".join(f"; {line}\n" for line in _legend(bound, renamed))

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.engines.fast_downward import MEMORY_MB, GroundAction
 from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew
 from comity_domain.custom.solving.planning import CustomPlan, plan_custom
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import argument_of
 from comity_domain.errors import NoPlan, PlanningFailed
 
@@ -33,9 +33,7 @@ class Without:
     """Steps of this one that are not in the plan."""
 
 
-def without(
-    bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB
-) -> Without:
+def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float = 30.0) -> Without:
     """The best plan without what one step chooses: the options of its person, or else the step as it is.
 
     Args:
@@ -43,7 +41,6 @@ def without(
         found: Its plan.
         index: Of the step, from 0.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        memory_mb: Megabytes for it, > 0.
     """
     step = found.plan.steps[index]
     action = GroundAction(step.action.lower(), tuple(map(str.lower, step.arguments)))
@@ -52,7 +49,7 @@ def without(
     forbidden = f"{step.action}({', '.join(names)})"
     other = replace(bound, problem=_forbidding(bound.problem, action, chosen, bound))
     try:
-        plan = plan_custom(other, time_limit_s=time_limit_s, memory_mb=memory_mb, diagnose=False).plan
+        plan = plan_custom(other, time_limit_s=time_limit_s, diagnose=False).plan
     except NoPlan:
         return Without(forbidden, None, True, (), ())
     except PlanningFailed:

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from comity_domain.custom.engines.fast_downward import MEMORY_MB, GroundAction
 from comity_domain.custom.solving.bound import Bound, bind
 from comity_domain.custom.solving.planning import CustomPlan, plan_custom
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import row_of
 from comity_domain.errors import PlanningFailed
 from comity_domain.explanation.stability import HIGHEST, LOWEST
@@ -58,7 +58,6 @@ def weigh(
     found: CustomPlan,
     *,
     time_limit_s: float = 30.0,
-    memory_mb: int = MEMORY_MB,
 ) -> Stability:
     """Follow each weight, and all at once, from a quarter to four times what they are.
 
@@ -66,9 +65,8 @@ def weigh(
         bound: A classical domain and a binding with options.
         found: Its plan.
         time_limit_s: For each engine call.
-        memory_mb: Likewise.
     """
-    return _Weighing(bound, _of(found), time_limit_s, memory_mb).all()
+    return _Weighing(bound, _of(found), time_limit_s).all()
 
 
 def _of(found: CustomPlan) -> Steps:
@@ -80,7 +78,6 @@ class _Weighing:
     bound: Bound
     steps: Steps
     time_limit_s: float
-    memory_mb: int
 
     def all(self) -> Stability:
         flips, exact = [], True
@@ -156,9 +153,7 @@ class _Weighing:
         }
         try:
             bound = bind(self.bound.own, replace(self.bound.binding, actions=actions), self.bound.people)
-            found = plan_custom(
-                bound, time_limit_s=self.time_limit_s, memory_mb=self.memory_mb, diagnose=False
-            )
+            found = plan_custom(bound, time_limit_s=self.time_limit_s, diagnose=False)
         except (PlanningFailed, InputError):  # a heavier weight may make a cost too large
             return None
         return _of(found), found.plan.optimal

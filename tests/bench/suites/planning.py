@@ -101,7 +101,7 @@ def _waiter(bench: Bench) -> list[Row]:
             (folder / file).write_text(text, encoding="utf-8")
         files = folder / "waiter.pddl", folder / "evening.pddl", folder / "waiter.yaml"
         bound = bound_domain(*files)
-        texts, search = custom_pddl(bound), search_for(bound.problem, LIMIT_S).text
+        texts, search = custom_pddl(bound), search_for(bound.problem, LIMIT_S)
         turns = {
             "bare Fast Downward": partial(_run, fast_downward(search), (texts.domain, texts.problem)),
             "comity, bound already": partial(_seconds, lambda: plan_custom(bound)),

@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.engines.fast_downward import GroundAction, solve
 from comity_domain.custom.solving.bound import Bound
-from comity_domain.custom.solving.elsewhere import solve_elsewhere
+from comity_domain.custom.solving.choosing import FAST_DOWNWARD
+from comity_domain.custom.solving.engines import solve
 from comity_domain.custom.solving.ruled_out import reason, ruled_out_steps
-from comity_domain.custom.solving.searching import ANY_PLAN
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
 from comity_domain.explanation.relaxing import in_the_way
 
@@ -35,33 +35,30 @@ class Needed:
     condition: FNode
 
 
-def no_plan(bound: Bound, *, patience_s: float = ALL_S, memory_mb: int) -> NoPlan:
+def no_plan(bound: Bound, *, patience_s: float = ALL_S) -> NoPlan:
     """That there is no plan, with the goals that fail and what would have to be otherwise.
 
     Args:
         bound: A problem without a plan.
         patience_s: Wall-clock seconds for all of them, > 0.
-        memory_mb: Megabytes for each look.
     """
-    return _Search(bound, memory_mb, time.monotonic() + patience_s).told()
+    return _Search(bound, time.monotonic() + patience_s).told()
 
 
-def goals_tried(bound: Bound, failed: OutOfTime, *, patience_s: float = ALL_S, memory_mb: int) -> OutOfTime:
+def goals_tried(bound: Bound, failed: OutOfTime, *, patience_s: float = ALL_S) -> OutOfTime:
     """That no plan was found in time, with what came of each goal when it was tried by itself.
 
     Args:
         bound: The problem.
         failed: What was said of all goals together.
         patience_s: Wall-clock seconds for all of them, > 0.
-        memory_mb: Megabytes for each look.
     """
-    return _Search(bound, memory_mb, time.monotonic() + patience_s).tried(failed)
+    return _Search(bound, time.monotonic() + patience_s).tried(failed)
 
 
 @dataclass(frozen=True, slots=True)
 class _Search:
     bound: Bound
-    memory_mb: int
     until: float
 
     def told(self) -> NoPlan:
@@ -106,9 +103,7 @@ class _Search:
         )
 
     def _remedy(self, failing: Sequence[FNode]) -> str:
-        ruled_out = ruled_out_steps(
-            self.bound, failing, time_limit_s=max(1.0, self.left_s / 2), memory_mb=self.memory_mb
-        )
+        ruled_out = ruled_out_steps(self.bound, failing, time_limit_s=max(1.0, self.left_s / 2))
         if ruled_out:
             return self._if_open(ruled_out)
         needed = [
@@ -150,10 +145,8 @@ class _Search:
 
     def _has_plan(self, problem: Problem, limit_s: float) -> bool:
         try:
-            if self.bound.classical:
-                solve(problem, time_limit_s=limit_s, memory_mb=self.memory_mb, search_for=ANY_PLAN)
-            else:
-                solve_elsewhere(problem, time_limit_s=limit_s, memory_mb=self.memory_mb)
+            engine = FAST_DOWNWARD if self.bound.classical else None
+            solve(problem, engine=engine, time_limit_s=limit_s, any_plan=True)
         except PlanningFailed:
             return False
         return True

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from comity_domain.custom.binding.binding import ActionBinding
-from comity_domain.custom.engines.fast_downward import ENGINE, MEMORY_MB, GroundAction, solve
 from comity_domain.custom.solving.bound import Bound
-from comity_domain.custom.solving.elsewhere import Elsewhere, solve_elsewhere
+from comity_domain.custom.solving.choosing import FAST_DOWNWARD, require_able
+from comity_domain.custom.solving.engines import solve
 from comity_domain.custom.solving.hindrances import ALL_S, goals_tried, no_plan
 from comity_domain.custom.solving.reason import why
-from comity_domain.custom.solving.searching import search_for
+from comity_domain.custom.solving.solution import GroundAction, Solution
 from comity_domain.custom.solving.swap import argument_of, row_of
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
 from comity_domain.plans.plan import Plan, PlanStep, Why
@@ -34,15 +34,12 @@ class CustomPlan:
     """The person whose preferences are bound to each step; None where nobody's are."""
 
 
-def plan_custom(
-    bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB, diagnose: bool = True
-) -> CustomPlan:
+def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = True) -> CustomPlan:
     """The cheapest plan for a classical domain; for another, what an installed engine finds.
 
     Args:
         bound: The problem.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        memory_mb: Megabytes for it, > 0.
         diagnose: Whether to look for what stands in the way where there is no plan; nobody looks where the
             engine is named.
 
@@ -53,17 +50,16 @@ def plan_custom(
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     try:
-        solved = _solved(bound, time_limit_s, memory_mb)
+        solution = _solved(bound, time_limit_s)
     except (NoPlan, OutOfTime) as failed:
         if not diagnose:
             raise
-        raise diagnosed(bound, failed, memory_mb=memory_mb) from None
-    engine, solution = solved.engine, solved.solution
+        raise diagnosed(bound, failed) from None
     steps = tuple(_steps(solution.actions, bound))
     cost = sum(step.cost for step in steps)
     proven = solution.finished or (bound.classical and cost <= solution.bound)
     plan = Plan(
-        engine,
+        solution.engine,
         optimal=proven,
         reproducible=solution.finished or not steps,
         cost=cost,
@@ -78,49 +74,39 @@ def plan_custom(
         plan,
         bound.cost_scale,
         bound.classical,
-        solved.metric_ignored,
+        solution.metric_ignored,
         times,
         tuple(_whose(action, bound) for action in solution.actions),
     )
 
 
-def diagnosed(
-    bound: Bound, failed: PlanningFailed, *, patience_s: float = ALL_S, memory_mb: int = MEMORY_MB
-) -> PlanningFailed:
+def diagnosed(bound: Bound, failed: PlanningFailed, *, patience_s: float = ALL_S) -> PlanningFailed:
     """The same failure with what stands in the way; as it is where the engine is named.
 
     Args:
         bound: The problem.
         failed: What came of it.
         patience_s: Wall-clock seconds for looking, > 0.
-        memory_mb: Megabytes for each look, > 0.
     """
     if bound.engine is not None:
         return failed
     if isinstance(failed, NoPlan):
-        return no_plan(bound, patience_s=patience_s, memory_mb=memory_mb)
+        return no_plan(bound, patience_s=patience_s)
     if isinstance(failed, OutOfTime):
-        return goals_tried(bound, failed, patience_s=patience_s, memory_mb=memory_mb)
+        return goals_tried(bound, failed, patience_s=patience_s)
     return failed
 
 
-def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> Elsewhere:
-    if not bound.classical or bound.engine not in (None, ENGINE):
-        try:
-            return solve_elsewhere(
-                bound.problem, engine=bound.engine, time_limit_s=time_limit_s, memory_mb=memory_mb
-            )
-        except NoEngine as refusal:
-            place = bound.own.places.beyond()
-            where = f" ({place})" if place else ""
-            raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
-    solution = solve(
-        bound.problem,
-        time_limit_s=time_limit_s,
-        memory_mb=memory_mb,
-        search_for=search_for(bound.problem, time_limit_s),
-    )
-    return Elsewhere(ENGINE, solution, metric_ignored=False)
+def _solved(bound: Bound, time_limit_s: float) -> Solution:
+    engine = bound.engine or (FAST_DOWNWARD if bound.classical else None)
+    try:
+        if bound.engine is not None:
+            require_able(bound.engine, bound.problem)
+        return solve(bound.problem, engine=engine, time_limit_s=time_limit_s)
+    except NoEngine as refusal:
+        place = bound.own.places.beyond()
+        where = f" ({place})" if place else ""
+        raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:

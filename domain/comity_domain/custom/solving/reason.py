@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from comity_domain.custom.binding.binding import ActionBinding
 from comity_domain.custom.costs.liking import Liking
-from comity_domain.custom.engines.fast_downward import GroundAction
 from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import argument_of, other_ways, row_of
 from comity_domain.plans.plan import Alternative, Why
 from comity_domain.problem.setting import is_setting

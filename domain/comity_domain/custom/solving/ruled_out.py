@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import objects_for
 from comity_domain.custom.costs.liking import likings
-from comity_domain.custom.engines.fast_downward import GroundAction, solve
 from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew
-from comity_domain.custom.solving.searching import search_for
+from comity_domain.custom.solving.choosing import FAST_DOWNWARD
+from comity_domain.custom.solving.engines import solve
+from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import argument_of, row_of
 from comity_domain.errors import PlanningFailed
 from comity_domain.problem.setting import is_setting
@@ -18,23 +19,19 @@ if TYPE_CHECKING:
     from unified_planning.model import FNode, Problem
 
 
-def ruled_out_steps(
-    bound: Bound, goals: Sequence[FNode], *, time_limit_s: float, memory_mb: int
-) -> tuple[GroundAction, ...]:
+def ruled_out_steps(bound: Bound, goals: Sequence[FNode], *, time_limit_s: float) -> tuple[GroundAction, ...]:
     """The ruled-out steps of a plan for some goals that has as few as can be found; empty without a plan.
 
     Args:
         bound: A classical problem.
         goals: To reach.
         time_limit_s: For the look.
-        memory_mb: Likewise.
     """
     if not bound.rulings:
         return ()
     problem = _with_fines(bound, goals)
-    search = search_for(problem, time_limit_s)
     try:
-        found = solve(problem, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search)
+        found = solve(problem, engine=FAST_DOWNWARD, time_limit_s=time_limit_s)
     except PlanningFailed:
         return ()
     return tuple(dict.fromkeys(step for step in found.actions if row_of(step, bound) is None))

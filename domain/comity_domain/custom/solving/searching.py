@@ -11,18 +11,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.engines.fast_downward import Search
-
 if TYPE_CHECKING:
     from unified_planning.model import Problem
 
-ANY_PLAN = Search("iterated([lazy_greedy([ff()])])")
+ANY_PLAN = "iterated([lazy_greedy([ff()])])"
 
 _QUICK_SHARE = 1 / 8
 """Of the time limit, for each of the searches between (our choice)."""
 
 
-def search_for(problem: Problem, time_limit_s: float) -> Search:
+def search_for(problem: Problem, time_limit_s: float) -> str:
     """The search for a classical problem with one whole number as each action's cost.
 
     Args:
@@ -39,7 +37,7 @@ def search_for(problem: Problem, time_limit_s: float) -> Search:
         stages += ["astar(blind())"]
     else:
         stages += [f"eager_wastar([lmcut()],w=2,{quick})", "astar(lmcut())"]
-    return Search(f"iterated([{','.join(stages)}],pass_bound=false)", is_timed=True)
+    return f"iterated([{','.join(stages)}],pass_bound=false)"
 
 
 def _is_beyond_landmarks(problem: Problem) -> bool:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import objects_for
 from comity_domain.custom.costs.table import Row
-from comity_domain.custom.engines.fast_downward import GroundAction
 from comity_domain.custom.reading.reading import as_global
 from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.solution import GroundAction
 
 if TYPE_CHECKING:
     from unified_planning.plans import SequentialPlan

@@ -1,25 +1,23 @@
-"""Problems of unified-planning as PDDL, in a time that grows with what they state."""
+"""A problem whose values are those that are stated, so that it is written in a time that grows with them."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from unified_planning.io import PDDLWriter
     from unified_planning.model import FNode, Problem
 
 
-def writer_of(problem: Problem) -> PDDLWriter:
-    """What writes a problem as PDDL.
+def stated(problem: Problem) -> Problem:
+    """A copy of a problem for unified-planning's PDDL writer.
 
-    unified-planning's writer asks for the value of every atom that the objects could make, true or not: of
-    a predicate with five arguments and 40 objects that is 10^8. Here it gets those that are stated, and
-    atoms are enumerated only of what has a value by default that is not false.
+    The writer asks for the value of every atom that the objects could make, true or not: of a predicate with
+    five arguments and 40 objects that is 10^8. The copy gives those that are stated, and enumerates atoms
+    only of what has a value by default that is not false.
 
     Args:
         problem: Any that PDDL can say; it is left as it is.
     """
-    from unified_planning.io import PDDLWriter
     from unified_planning.model import Problem
     from unified_planning.model.fluent import get_all_fluent_exp
 
@@ -33,6 +31,6 @@ def writer_of(problem: Problem) -> PDDLWriter:
                         values.setdefault(atom, default)
             return values
 
-    stated = problem.clone()
-    stated.__class__ = Stated
-    return PDDLWriter(stated)
+    copy = problem.clone()
+    copy.__class__ = Stated
+    return copy

@@ -1,0 +1,92 @@
+"""The one process of a request: `python -m comity_domain.custom.child FOLDER MEGABYTES SECONDS`.
+
+It computes the call in the folder and writes its answer there (`process.py`).
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import shutil
+import subprocess
+import sys
+import threading
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from comity_domain.custom.process import ANSWER, CALL, STARTED, end, started
+
+FRAMES = 10_000
+"""unified-planning's reader takes about 20 for a pair of brackets, of which 60 may be nested."""
+
+
+def main() -> None:
+    """Compute one call."""
+    folder, megabytes, seconds = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    ending = threading.Event()
+    threading.Thread(target=_end_with_parent, args=(folder, ending), daemon=True).start()
+    _note_engines(folder / STARTED)
+    _limit(megabytes, seconds)
+    sys.setrecursionlimit(FRAMES)
+    try:
+        answer = (True, pickle.loads((folder / CALL).read_bytes())())
+        written = pickle.dumps(answer)
+    except Exception as refusal:
+        from comity_fis.errors import ComityError
+
+        if not isinstance(refusal, ComityError):
+            raise
+        written = pickle.dumps((False, refusal))
+    if ending.is_set():
+        threading.Event().wait()  # the other thread ends all of this
+    (folder / "part").write_bytes(written)
+    (folder / "part").replace(folder / ANSWER)
+    os._exit(0)  # an engine may have left threads that never end
+
+
+def _end_with_parent(folder: Path, ending: threading.Event) -> None:
+    """Wait for the process that asks to end, however it ends; then nothing may stay."""
+    while os.read(sys.stdin.fileno(), 1):
+        pass
+    ending.set()
+    end(started(folder))
+    shutil.rmtree(folder, ignore_errors=True)
+    end([os.getpid()])
+
+
+def _note_engines(folder: Path) -> None:
+    """Note every process that this one starts until it has ended: the session of an engine is its own."""
+
+    class Noted(subprocess.Popen):  # type: ignore[type-arg]
+        def __init__(self, *args: Any, **kwargs: Any) -> None:
+            super().__init__(*args, **kwargs)
+            (folder / str(self.pid)).touch()
+
+        def wait(self, timeout: float | None = None) -> int:
+            code = super().wait(timeout)
+            (folder / str(self.pid)).unlink(missing_ok=True)
+            return code
+
+    subprocess.Popen = Noted  # type: ignore[misc]
+
+
+def _limit(megabytes: int, seconds: int) -> None:
+    """Limit the address space and the processor time, where the system can.
+
+    Windows has no such limits, macOS refuses that of memory. The processor time ends what the process that
+    asks could not end, because it was killed itself.
+    """
+    try:
+        import resource
+    except ImportError:
+        return
+    processor = (seconds + 60) * (os.cpu_count() or 1)
+    limits = {resource.RLIMIT_AS: megabytes * 1_000_000, resource.RLIMIT_CPU: processor}
+    for limit, most in limits.items():
+        with suppress(ValueError, OSError):
+            resource.setrlimit(limit, (most, most))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,49 @@
+"""The limit of a request, shared out: reading and binding, the engine, and what is asked beside the plan."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+
+from comity_domain.custom.process import LATEST_S
+from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_custom
+from comity_domain.errors import PlanningFailed, out_of_time
+
+READING_S = 0.5
+"""So much of starting, reading and binding takes nothing from the engine's time (our choice)."""
+LEAST_S = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """The time of one plan. It goes on while the request is handed to another process."""
+
+    limit_s: float
+    started_s: float = field(default_factory=time.time)
+
+    @property
+    def engine_s(self) -> float:
+        """What is left for the engine [s]."""
+        taken = max(time.time() - self.started_s - READING_S, 0.0)
+        return max(round(self.limit_s - taken, 1), LEAST_S)
+
+    @property
+    def left_s(self) -> float:
+        """What is left for all else, with half a second to hand over the answer [s]."""
+        return max(self.started_s + self.limit_s + LATEST_S - 0.5 - time.time(), LEAST_S)
+
+
+def planned(bound: Bound, clock: Clock) -> CustomPlan:
+    """The plan within the limit, or why there is none.
+
+    Raises:
+        PlanningFailed: None was found within the limit, or there is none: with what stands in its way.
+    """
+    engine_s = clock.engine_s
+    try:
+        return plan_custom(bound, time_limit_s=engine_s, diagnose=False)
+    except PlanningFailed as failed:
+        if failed.reason == out_of_time(engine_s).reason:
+            raise out_of_time(clock.limit_s) from None  # reading took the rest
+        raise diagnosed(bound, failed, patience_s=clock.left_s) from None

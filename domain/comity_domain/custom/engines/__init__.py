@@ -1,1 +1,0 @@
-"""Engines run as processes: Fast Downward, limits of time and memory, a folder that is gone afterwards."""

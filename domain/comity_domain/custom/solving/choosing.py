@@ -1,0 +1,147 @@
+"""Which engine of unified-planning plans: by the kind of problem and its metric, or by its name.
+
+What an engine says that it supports does not tell whether it looks at the metric: many take one and leave it
+aside.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from comity_domain.custom.costs.classical import MAXIMIZED, beyond_classical
+from comity_domain.custom.solving.lacking import lacking
+from comity_domain.errors import NoEngine
+from comity_fis.errors import InputError, Where, closest
+
+if TYPE_CHECKING:
+    from unified_planning.engines import Factory
+    from unified_planning.model import Problem
+
+FAST_DOWNWARD = "fast-downward"
+_PREFERRED = ("aries", "enhsp-opt", "enhsp", "tamer", "lpg", "symk-opt", "pyperplan")
+"""Tried in this order; others that are installed come after them, in the order of their names."""
+_ANSWERED_BY_COST = ("fast-downward", "lpg", "lpg-anytime")
+"""They find no proof, and cheap plans all the same."""
+_FREE = "pip install up-aries (MIT; whole numbers and durations)"
+_JAVA = "pip install up-enhsp (GPL-3, needs Java 17; numeric, no durations)"
+_EXTRA = "pip install 'comity[fast-downward]'"
+
+
+def engine_for(problem: Problem) -> str:
+    """The name of an installed engine that can solve a problem, by preference one that looks at its metric.
+
+    Raises:
+        NoEngine: naming an engine to install.
+    """
+    able = [name for name in installed(problem.environment.factory) if _can(problem, name)]
+    ranked = [name for name in _PREFERRED if name in able] + [name for name in able if name not in _PREFERRED]
+    if not ranked:
+        _refuse(problem)
+    if problem.quality_metrics:
+        ranked.sort(key=lambda name: not _sees_metric(problem, name))
+    return ranked[0]
+
+
+def require_able(engine: str, problem: Problem) -> None:
+    """Refuse an engine that is named and cannot plan.
+
+    Raises:
+        InputError: It is not installed.
+        NoEngine: It does not take the problem.
+    """
+    require_installed(engine, problem.environment.factory)
+    if not _can(problem, engine):
+        others = [name for name in installed(problem.environment.factory) if _can(problem, name)]
+        instead = f", or take one of: {', '.join(others)}" if others else ""
+        reason = f"the engine {engine} does not take this problem"
+        raise NoEngine(reason, remedy=f"Leave --engine out{instead}.")
+
+
+def require_installed(engine: str, factory: Factory | None = None) -> None:
+    """Refuse an engine that unified-planning does not find.
+
+    Args:
+        engine: Its name there.
+        factory: Where it is looked for; None asks unified-planning's own.
+
+    Raises:
+        InputError: naming those that it finds.
+    """
+    from unified_planning.environment import get_environment
+
+    names = installed(factory or get_environment().factory)
+    if engine not in names:
+        known = closest(engine, ["comity", *names])
+        raise InputError(
+            expected="the name of a planning engine that is installed",
+            got=repr(engine),
+            remedy=f"{known} Others come with packages such as up-fast-downward.",
+            where=Where("--engine"),
+        )
+
+
+def installed(factory: Factory) -> list[str]:
+    """The engines that unified-planning finds, without those that are made of others."""
+    return sorted(name for name in factory.engines if "[" not in name)
+
+
+def optimizes(engine: Any) -> bool:
+    """Whether the one plan that an engine gives is the best by the metric, or looked for by it.
+
+    Args:
+        engine: The class of an engine of unified-planning.
+    """
+    from unified_planning.engines.mixins.oneshot_planner import OptimalityGuarantee
+
+    proves = engine.is_oneshot_planner() and engine.satisfies(OptimalityGuarantee.SOLVED_OPTIMALLY)
+    return bool(proves) or str(getattr(engine, "name", "")).lower() in _ANSWERED_BY_COST
+
+
+def improves(engine: Any) -> bool:
+    """Whether an engine that proves nothing gives one plan after another, each better by the metric.
+
+    Args:
+        engine: The class of an engine of unified-planning.
+    """
+    from unified_planning.engines.mixins.anytime_planner import AnytimeGuarantee
+
+    return bool(
+        not optimizes(engine)
+        and engine.is_anytime_planner()
+        and engine.ensures(AnytimeGuarantee.INCREASING_QUALITY)
+    )
+
+
+def _sees_metric(problem: Problem, name: str) -> bool:
+    """Whether an engine looks at the metric; aries breaks on costs of actions, and then leaves them aside."""
+    engine = problem.environment.factory.engine(name)
+    by_costs = problem.quality_metrics[0].is_minimize_action_costs()
+    return optimizes(engine) or (improves(engine) and not (name == "aries" and by_costs))
+
+
+def _can(problem: Problem, name: str) -> bool:
+    try:
+        engine = problem.environment.factory.engine(name)
+    except Exception:  # an engine that does not even load, whatever its reason, is none
+        return False
+    return bool(engine.is_oneshot_planner() and engine.supports(problem.kind))
+
+
+def _refuse(problem: Problem) -> NoReturn:
+    beyond, lack = beyond_classical(problem), lacking(problem)
+    if beyond is None:
+        raise NoEngine(
+            "a custom domain needs the planning engine Fast Downward, which is not installed",
+            remedy=f"Install it with: {_EXTRA}.",
+        )
+    has_aries = "aries" in problem.environment.factory.engines
+    durative = problem.kind.has_continuous_time() or problem.kind.has_discrete_time()
+    install = f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}."
+    if beyond == MAXIMIZED:
+        install = f"Minimize what is lost instead, which needs no other engine; or: {_JAVA}."
+    elif lack is not None:
+        has = "is installed, and" if has_aries else "could be installed, and"
+        beyond = f"{beyond}; aries {has} takes no {lack.what}"
+        first = lack.remedy if has_aries else f"{lack.remedy}, and {_FREE}"
+        install = f"{first}." if durative else f"{first}; or: {_JAVA}."
+    raise NoEngine(f"no engine that is installed solves this problem, which has {beyond}", remedy=install)
