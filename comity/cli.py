@@ -131,7 +131,6 @@ about_people: tuple[Run, ...] = (
     profile.set_,
     profile_ask.ask,
     profile_observe.observe,
-    profile_observe.observe,
     profile.reset,
     profile.export,
     profile.delete,
