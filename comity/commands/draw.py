@@ -26,6 +26,10 @@ def draw(
     graph: Annotated[
         bool, typer.Option("--graph", help="Draw rooms, named places and doors as a graph instead.")
     ] = False,
+    ros_map: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write a ROS map instead: <name>.yaml, .pgm and .places.yaml."),
+    ] = None,
     seed: Annotated[int, typer.Option(min=0, help="For random places, where there are any.")] = 0,
     as_json: AsJson = False,
 ) -> None:
@@ -35,13 +39,17 @@ def draw(
     the ways of those who walk, and passers-by where they start.
 
     Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`,
-    `comity draw ward --graph`.
+    `comity draw ward --graph`, `comity draw ward --ros-map maps`.
     """
     from comity.answers import DrawAnswer
     from comity.report.place_picture import MARKS, drawing_of, format_of
     from comity.report.text import show, unbroken
     from comity.system.own_files import refuse_foreign, write_whole
 
+    if ros_map is not None:
+        _require_no_picture(out, graph=graph)
+        _write_ros_map(drawing_of(place, seed), ros_map, as_json=as_json)
+        return
     form = format_of(out)
     drawing: Drawing = drawing_of(place, seed)
     path = out or Path(f"{drawing.slug}{'-graph' if graph else ''}.png")
@@ -52,3 +60,33 @@ def draw(
         print_json(DrawAnswer(file=str(path), name=drawing.name, kind=drawing.kind))
     else:
         show(unbroken(f"Picture  {path}"))
+
+
+def _require_no_picture(out: Path | None, *, graph: bool) -> None:
+    from comity_fis import InputError, Where
+
+    if out is not None or graph:
+        raise InputError(
+            expected="a picture or a ROS map",
+            got=f"--ros-map with {'--graph' if graph else '--out'}",
+            remedy="Run it twice.",
+            where=Where("--ros-map"),
+        )
+
+
+def _write_ros_map(drawing: Drawing, folder: Path, *, as_json: bool) -> None:
+    from comity.answers import DrawAnswer
+    from comity.report.place_picture import ROS_MARKS
+    from comity.report.text import show, unbroken
+    from comity.system.own_files import refuse_foreign, write_whole, writing
+
+    files = {folder / name: content for name, content in drawing.ros_map().items()}
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    refuse_foreign({path: ROS_MARKS[path.suffix] for path in files})
+    for path, content in files.items():
+        write_whole(path, content)
+    if as_json:
+        print_json(DrawAnswer(file=str(next(iter(files))), name=drawing.name, kind=drawing.kind))
+    else:
+        show(*(unbroken(f"ROS map  {path}") for path in files))

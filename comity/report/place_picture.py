@@ -10,8 +10,11 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.report.drawing import MARK
 from comity_fis import InputError, Where, closest
+from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d import load_map, shipped_maps
 from comity_sim2d.maps.library import SUFFIX
+from comity_sim2d.maps.ros_export import PGM_MARK, YAML_MARK, ros_map_files
+from comity_sim2d.maps.ros_map import is_ros_map
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.topology_picture import draw_topology
 
@@ -20,6 +23,8 @@ if TYPE_CHECKING:
 
 MARKS = {"png": MARK, "svg": b"<dc:title>Comity</dc:title>"}
 """What a picture of ours has near its start."""
+ROS_MARKS = {".yaml": YAML_MARK, ".pgm": PGM_MARK}
+"""What a file of a ROS map of ours has near its start, by its ending."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +56,10 @@ class Drawing:
             format=form,
         )
 
+    def ros_map(self) -> dict[str, bytes]:
+        """The files of a ROS map, by name."""
+        return ros_map_files(self.place, self.slug)
+
     def graph(self, form: str) -> bytes:
         """The same of its rooms, named places and doors as a graph."""
         return draw_topology(self.place, title=self.name, form=form)
@@ -77,16 +86,20 @@ def drawing_of(name: str, seed: int) -> Drawing:
     """A map or a scenario, shipped or from a file.
 
     Args:
-        name: A map's file ends with `.map.yaml`; every other one is a scenario's.
+        name: A map's file ends with `.map.yaml`, or is a ROS map; every other one is a scenario's.
         seed: For random places.
 
     Raises:
         InputError: if it is neither, or cannot be.
     """
-    if name in shipped_maps() or name.endswith(SUFFIX):
+    if name in shipped_maps() or name.endswith(SUFFIX) or _is_ros_map(Path(name)):
         drawn = load_map(name)
         return Drawing(drawn.name, "map", drawn.about, drawn, {})
     return _scenario(name, seed)
+
+
+def _is_ros_map(path: Path) -> bool:
+    return path.suffix in {".yaml", ".yml"} and path.exists() and is_ros_map(read_yaml(path).data)
 
 
 def _scenario(name: str, seed: int) -> Drawing:

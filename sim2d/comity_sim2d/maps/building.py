@@ -64,8 +64,8 @@ def _built(written: MapFile) -> PlaceMap:
         Wall(*wall.line_m, wall.thickness_m, wall.name or f"wall {i}")
         for i, wall in enumerate(written.walls, 1)
     )
-    check_parts(areas, furniture, len(inner) + len(written.doors))
-    room = floor_of(areas)
+    check_parts(areas, furniture, written.holes_m, len(inner) + len(written.doors))
+    room = floor_of(areas, written.holes_m)
     wanted = [
         WantedDoor(name, door.at_m, door.width_m, door.open, door.kind)
         for name, door in written.doors.items()
@@ -127,6 +127,7 @@ def _location(entity: str, written: MapFile) -> Sequence[str | int]:
     known |= {f"room {name}": ("rooms", name) for name in written.rooms}
     known |= {f"door {name}": ("doors", name) for name in written.doors}
     known |= {f"location {name}": ("locations", name) for name in written.locations}
+    known |= {f"hole {i + 1}": ("holes_m", i) for i in range(len(written.holes_m))}
     known |= {wall.name or f"wall {i}": ("walls", i - 1) for i, wall in enumerate(written.walls, 1)}
     known |= {piece.name: ("furniture", i) for i, piece in enumerate(written.furniture)}
     return known.get(entity, ("rooms",))

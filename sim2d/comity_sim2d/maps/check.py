@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from comity_sim2d.maps.door_gaps import OFF_M
+from comity_sim2d.maps.file import MAX_CORNERS
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan_of
 from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene.room import CIRCLE_CORNERS
@@ -20,11 +21,10 @@ if TYPE_CHECKING:
     from shapely import Polygon
 
     from comity_sim2d.maps.place_map import PlaceMap
+    from comity_sim2d.pose import XY
     from comity_sim2d.scene.area import Area, Location
     from comity_sim2d.scene.room import Furniture
 
-MAX_CORNERS = 25_000
-"""Of rooms and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
 LEAST_PART_M2 = 1e-6
 MOST_NAMED = 3
 """Things in doors: more are counted (our choice)."""
@@ -34,18 +34,25 @@ ROUNDING_M = 1e-6
 """Of coordinates: a gap that is written as wide enough is."""
 
 
-def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and_doors: int) -> None:
+def check_parts(
+    areas: Sequence[Area],
+    furniture: Sequence[Furniture],
+    holes: Sequence[Sequence[XY]],
+    walls_and_doors: int,
+) -> None:
     """Refuse too much of anything, names that are not one thing's own, and outlines that are none.
 
     Raises:
         SceneError: For the first thing that is wrong.
     """
     check_count(len(furniture) + walls_and_doors)
-    corners = sum(len(area.corners) for area in areas) + sum(len(piece.corners) for piece in furniture)
+    outlines = [*(area.corners for area in areas), *holes, *(piece.corners for piece in furniture)]
+    corners = sum(map(len, outlines))
     if corners > MAX_CORNERS:
         raise SceneError(
             entity="scene",
-            expected=f"rooms and furniture of at most {MAX_CORNERS} corners, {CIRCLE_CORNERS} to a circle",
+            expected=f"rooms, holes and furniture of at most {MAX_CORNERS} corners, "
+            f"{CIRCLE_CORNERS} to a circle",
             got=f"{corners}",
             remedy="Give polygons fewer corners, write boxes for what is nearly one, or cut the map.",
         )
@@ -61,6 +68,8 @@ def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and
         for x, y in area.corners:
             require_finite(f"room {area.name}", x=x, y=y)
         check_simple(f"room {area.name}", area.corners)
+    for number, hole in enumerate(holes, 1):
+        check_simple(f"hole {number}", tuple(hole))
     for piece in furniture:
         check_simple(piece.name, piece.corners)
 

@@ -16,6 +16,8 @@ _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 MAX_ROOMS, MAX_DOORS, MAX_LOCATIONS = 200, 400, 1000
 """Our choice: a hospital floor has fewer of each."""
+MAX_CORNERS = 25_000
+"""Of rooms, holes and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
 
 
 def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
@@ -47,7 +49,7 @@ class Outline(BaseModel):
         default=None, description="x and y of the lower left corner, width, height."
     )
     polygon_m: tuple[Point, ...] | None = Field(
-        default=None, min_length=3, max_length=200, description="Corners in order, at least three."
+        default=None, min_length=3, max_length=MAX_CORNERS, description="Corners in order, at least three."
     )
 
     @model_validator(mode="after")
@@ -155,6 +157,11 @@ class MapFile(BaseModel):
         max_length=MAX_ROOMS,
         description="Together they are the floor. Where two touch a wall stands between them; where two "
         "overlap they are one space.",
+    )
+    holes_m: tuple[Annotated[tuple[Point, ...], Field(min_length=3)], ...] = Field(
+        default=(),
+        max_length=MAX_CORNERS // 3,
+        description="Corners of what is no floor in the rooms, such as a courtyard: its outline is a wall.",
     )
     walls: tuple[InnerWall, ...] = Field(default=(), max_length=MAX_OBSTACLES)
     doors: Mapping[Name, DoorInWall] = Field(default_factory=dict, max_length=MAX_DOORS)

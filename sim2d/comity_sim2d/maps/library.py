@@ -36,14 +36,14 @@ def load_map(name: str | Path) -> PlaceMap:
 
 
 def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
-    """The YAML of a map, not yet checked.
+    """The YAML of a map, not yet checked; a ROS map as one of ours.
 
     Args:
         name: A shipped name, or a path.
         beside: The folder that a relative path starts from; the current one when None.
 
     Raises:
-        InputError: if there is none, or the file holds no YAML.
+        InputError: if there is none, the file holds no YAML, or a ROS map cannot be used.
     """
     from comity_fis.validation.yaml_file import read_yaml
 
@@ -58,7 +58,10 @@ def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
         return read_yaml(known[str(name)], str(name))
     path = Path(name) if beside is None else beside / name
     if _looks_like_a_file(str(name), path):
-        return read_yaml(path)
+        from comity_sim2d.maps.ros_map import converted, is_ros_map
+
+        file = read_yaml(path)
+        return converted(file) if is_ros_map(file.data) else file
     raise InputError(
         expected="a shipped map or a file",
         got=repr(str(name)),

@@ -25,15 +25,19 @@ THICKNESS_M = 0.10
 """Of the walls between rooms (our choice: a light partition)."""
 
 
-def floor_of(areas: Sequence[Area]) -> Room:
-    """The union of rooms.
+def floor_of(areas: Sequence[Area], holes: Sequence[Sequence[XY]] = ()) -> Room:
+    """The union of rooms without the holes in it.
 
     Raises:
         SceneError: about the first room that does not touch the others.
     """
-    from shapely import Point, Polygon, get_parts, union_all
+    from shapely import Point, Polygon, difference, get_parts, union_all
 
     floor = union_all([shape_of(area) for area in areas], grid_size=GRID_M).simplify(0.0)
+    if holes:
+        floor = difference(floor, union_all([Polygon(hole) for hole in holes]), grid_size=GRID_M).simplify(
+            0.0
+        )
     if not isinstance(floor, Polygon):
         first = next(part for part in get_parts(floor) if part.intersects(shape_of(areas[0])))
         apart = next(area for area in areas if not first.covers(Point(_inside(area))))

@@ -1,0 +1,88 @@
+"""A PGM or PNG as shades of grey."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_fis.errors import InputError
+from comity_fis.validation.no_file import no_file
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+MAX_CELLS = 16_000_000
+"""Of a picture (our choice: 200 m x 200 m in cells of 5 cm)."""
+FORMATS = ("PPM", "PNG")
+"""As Pillow calls them; its PPM reads PGM, too."""
+DEEP = 65535.0
+"""White in a picture of 16 bits."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GreyPicture:
+    """What a picture shows, the highest row first."""
+
+    grey: NDArray[np.float64]
+    """The mean of the colours, shape (rows, columns), from 0 for black to 1 for white."""
+    opaque: NDArray[np.float64]
+    """From 0 where one looks through it to 1, of the same shape."""
+    colours: int
+    """Channels that `grey` is the mean of: 1 or 3."""
+    has_alpha: bool
+
+
+def read_grey(path: Path, name: str) -> GreyPicture:
+    """Read a PGM or PNG.
+
+    Args:
+        path: The file.
+        name: How messages call it.
+
+    Raises:
+        InputError: Where there is no such file, it is neither, is broken or too large.
+    """
+    from PIL import Image, UnidentifiedImageError
+
+    expected = "a PGM or PNG file"
+    try:
+        if not path.is_file():
+            raise _refused(
+                expected, f"{no_file(path)}: {name}", "Check the path, which starts at this file's folder."
+            )
+        with Image.open(path, formats=FORMATS) as picture:
+            width, height = picture.size
+            if width * height > MAX_CELLS:
+                raise _refused(
+                    f"a picture of at most {MAX_CELLS:,} cells",
+                    f"{name} with {width} x {height}",
+                    "Cut it, or make its cells larger.",
+                )
+            return _grey(picture)
+    except (UnidentifiedImageError, Image.DecompressionBombError):
+        raise _refused(expected, f"{name}, which is neither", "Save the map as PGM or PNG.") from None
+    except (OSError, ValueError, SyntaxError) as error:
+        raise _refused(expected, f"{name}, which is broken: {error}", "Save the map again.") from None
+
+
+def _refused(expected: str, got: str, remedy: str) -> InputError:
+    return InputError(expected=expected, got=got, remedy=remedy)
+
+
+def _grey(picture: Image.Image) -> GreyPicture:
+    if picture.mode == "P":
+        picture = picture.convert("RGBA" if "transparency" in picture.info else "RGB")
+    if picture.mode == "1":
+        picture = picture.convert("L")
+    values = np.asarray(picture, dtype=np.float64)
+    values = values / (DEEP if picture.mode.startswith("I") else 255.0)
+    if values.ndim == 2:
+        return GreyPicture(values, np.ones(values.shape), 1, has_alpha=False)
+    has_alpha = picture.mode in ("LA", "RGBA")
+    colours = values[..., :-1] if has_alpha else values
+    opaque = values[..., -1] if has_alpha else np.ones(values.shape[:2])
+    return GreyPicture(colours.mean(axis=-1), opaque, colours.shape[-1], has_alpha=has_alpha)

@@ -1,0 +1,204 @@
+"""Maps of ROS: a `map.yaml` that names a picture of free, occupied and unknown cells.
+
+The thresholds and modes are those of `nav2_map_server`. Cells that are not free are no floor, unknown ones
+among them: nothing shows that a robot could stand there.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
+from functools import lru_cache
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from comity_fis.errors import InputError, Where, WrongValueError
+from comity_fis.validation.yaml_file import Location, YamlFile, read_yaml
+from comity_sim2d.maps.file import MAX_LOCATIONS, Metres, Name, NamedPoint, Number
+from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
+from comity_sim2d.maps.occupancy import Floor, floor_of_cells
+from comity_sim2d.pose import XY
+
+PLACES_SUFFIX = ".places.yaml"
+"""Of the file of named places, after the name of the map: `map.places.yaml` is beside `map.yaml`."""
+FLOOR = "floor"
+"""What the only room of such a map is called."""
+MILLIMETRES = 3
+"""Decimals of coordinates, as those of every map."""
+USUALLY_UNKNOWN = 205 / 255
+"""The shade that `map_saver` writes for an unknown cell."""
+KEPT = 8
+"""Pictures whose floor is remembered: each case of a test asks for it again."""
+
+Share = Annotated[Number, Field(ge=0, le=1)]
+
+
+class RosMapFile(BaseModel):
+    """What a `map.yaml` of ROS holds."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="ROS map")
+
+    image: str = Field(min_length=1, description="A PGM or PNG file, from the folder of this one.")
+    resolution: Number = Field(gt=0, le=100, description="Of a cell [m].")
+    origin: tuple[Metres, Metres, Number] = Field(
+        description="x, y [m] and yaw [rad] of the lower left corner of the lower left cell."
+    )
+    negate: bool | Literal[0, 1] = Field(description="Whether black is free instead of white.")
+    occupied_thresh: Share = Field(description="Darker than this is occupied.")
+    free_thresh: Share = Field(description="Lighter than this is free.")
+    mode: Literal["trinary", "scale", "raw"] = "trinary"
+
+    @model_validator(mode="after")
+    def _free_below_occupied(self) -> RosMapFile:
+        if self.free_thresh > self.occupied_thresh:
+            raise WrongValueError(
+                expected="free_thresh at most occupied_thresh",
+                got=f"{self.free_thresh:g} and {self.occupied_thresh:g}",
+                remedy="Most maps have 0.25 and 0.65.",
+            )
+        return self
+
+
+class PlacesFile(BaseModel):
+    """What stands beside a ROS map: names for its places."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Places of a ROS map")
+
+    schema_version: Literal[1]
+    about: str = ""
+    tolerance_m: Annotated[Number, Field(gt=0, le=1)] | None = Field(
+        default=None, description="By how much walls may be simplified; one cell without it."
+    )
+    locations: Mapping[Name, NamedPoint] = Field(default_factory=dict, max_length=MAX_LOCATIONS)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RosMap(YamlFile):
+    """A ROS map whose data are those of a map of ours; complaints name the lines of its own two files."""
+
+    places: YamlFile | None = None
+
+    def where(self, location: Location) -> Where:
+        """The place of a value, or of the nearest thing around it that stands in one of the files."""
+        if location[:1] == ("locations",) and self.places is not None:
+            return self.places.where(location)
+        return YamlFile.where(self, location)
+
+
+def is_ros_map(data: object) -> bool:
+    """Whether YAML is of a ROS map, and not of a map or a scenario of ours."""
+    return isinstance(data, Mapping) and "image" in data and "schema_version" not in data
+
+
+def converted(file: YamlFile) -> RosMap:
+    """A ROS map as a map of ours: one room, its holes, and the places that the file beside it names.
+
+    Raises:
+        InputError: Where one of the three files cannot be used.
+    """
+    ros = file.check(RosMapFile)
+    beside = places_beside(file.path)
+    places = read_yaml(beside, str(Path(file.name).with_name(beside.name))) if beside.exists() else None
+    told = places.check(PlacesFile) if places is not None else PlacesFile(schema_version=1)
+    with file.placing("image"):
+        picture = read_grey(file.path.parent / ros.image, ros.image)
+    free, unknown = cells(picture, ros)
+    tolerance_m = told.tolerance_m or ros.resolution
+    floor = _floor(free.tobytes(), free.shape, tolerance_m / ros.resolution)
+    if floor is None:
+        raise _no_floor(ros).at(file.where(("image",)))
+    notes = " ".join(_notes(ros, (free, unknown), picture, floor, tolerance_m))
+    data: dict[str, Any] = {
+        "schema_version": 1,
+        "name": re.sub(r"\.(map|yaml|yml)", "", file.path.name) or file.path.name,
+        "about": f"{told.about.strip()} {notes}".strip(),
+        "rooms": {FLOOR: {"polygon_m": _in_metres(floor.outline, ros)}},
+        "holes_m": [_in_metres(hole, ros) for hole in floor.holes],
+        "locations": {} if places is None else places.data.get("locations", {}),
+    }
+    own = {field.name: getattr(file, field.name) for field in fields(file)} | {"data": data}
+    return RosMap(**own, places=places)
+
+
+def places_beside(path: Path) -> Path:
+    """The file that names the places of a ROS map."""
+    return path.with_suffix(PLACES_SUFFIX)
+
+
+def cells(picture: GreyPicture, ros: RosMapFile) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """The cells that are free, and those that are neither free nor occupied; the lowest row first.
+
+    Args:
+        picture: The picture that the map names.
+        ros: Its thresholds and mode: `trinary` takes a translucent cell for a darker one, `scale` for
+            unknown; `raw` has the values of an occupancy grid, 0 to 100 in percent, and above unknown.
+    """
+    grey, opaque = picture.grey, picture.opaque
+    known = np.ones(grey.shape, dtype=bool)
+    if ros.mode == "raw":
+        occupied = grey * 255.0 / 100.0
+        known = occupied <= 1.0
+    else:
+        shade = grey
+        if ros.mode == "trinary" and picture.has_alpha:
+            shade = (grey * picture.colours + 1.0 - opaque) / (picture.colours + 1)
+        occupied = shade if ros.negate else 1.0 - shade
+        if ros.mode == "scale":
+            known = opaque >= 1.0
+    free = known & (occupied < ros.free_thresh)
+    unknown = ~free & ~(known & (occupied > ros.occupied_thresh))
+    return np.ascontiguousarray(free[::-1]), unknown[::-1]
+
+
+@lru_cache(maxsize=KEPT)
+def _floor(free: bytes, shape: tuple[int, int], tolerance: float) -> Floor | None:
+    return floor_of_cells(np.frombuffer(free, dtype=bool).reshape(shape), tolerance)
+
+
+def _in_metres(corners: tuple[XY, ...], ros: RosMapFile) -> list[list[float]]:
+    x, y, yaw = ros.origin
+    at = np.array(corners) * ros.resolution
+    turned = at @ np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+    return [[float(x + u), float(y + v)] for u, v in turned.round(MILLIMETRES)]
+
+
+def _notes(
+    ros: RosMapFile,
+    found: tuple[NDArray[np.bool_], NDArray[np.bool_]],
+    picture: GreyPicture,
+    floor: Floor,
+    tolerance_m: float,
+) -> Iterator[str]:
+    """What was understood: size, how exact it is, how much was unknown or left out."""
+    free, unknown = found
+    rows, columns = free.shape
+    yield f"{columns} x {rows} cells of {ros.resolution:g} m, walls to {tolerance_m:g} m."
+    if unknown.any():
+        yield f"Unknown cells, {_percent(unknown.mean())}, count as not free."
+    doubtful = free[::-1] & np.isclose(picture.grey, USUALLY_UNKNOWN)
+    if ros.mode != "raw" and doubtful.any():
+        yield (
+            f"{_percent(doubtful.mean())} of the cells are 205, which often means unknown: here free, by "
+            f"free_thresh {ros.free_thresh:g}; 0.196 would keep them out."
+        )
+    if round(100 * (1 - floor.share)) > 0:
+        yield f"{_percent(1 - floor.share)} of the free cells are left out: apart, or too narrow."
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %" if share >= 0.005 else "less than 1 %"
+
+
+def _no_floor(ros: RosMapFile) -> InputError:
+    return InputError(
+        expected=f"a picture with free cells: {'darker' if ros.negate else 'lighter'} than "
+        f"free_thresh {ros.free_thresh:g}",
+        got="none, or none that hang together",
+        remedy="Check negate, free_thresh and mode.",
+    )
