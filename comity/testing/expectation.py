@@ -1,10 +1,10 @@
-"""What an expectation is: one sentence of a scenario, which can be held against what happened."""
+"""What an expectation is: one sentence of a scenario, which can be compared with what happened."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, runtime_checkable
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeGuard
 
 if TYPE_CHECKING:
     from comity.testing.judging.among import Among
@@ -24,56 +24,61 @@ class Finding:
     """What else differs, a line each; no causes."""
 
 
-class Kind(Protocol):
-    """One kind of expectation: how it is written, and whom it names."""
+class Sentence:
+    """One kind of expectation: how it is written, and which people it names."""
+
+    __slots__ = ()
 
     RULE: ClassVar[str]
     """What it looks like, in lark's notation."""
     EXAMPLE: ClassVar[str]
-    """How somebody writes it."""
+    """One sentence of the kind."""
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From what the grammar found: names, amounts, times, or None for what was left out."""
-        ...
+        """From what the grammar found: names, bounds, counts, or None for what was left out."""
+        return cls(*parts)
 
     @property
     def people(self) -> Sequence[str]:
-        """The people of the scenario whom it names."""
-        ...
+        """The people of the scenario that it names: its `person`, where it has one."""
+        person: str | None = getattr(self, "person", None)
+        return (person,) if person else ()
 
 
-@runtime_checkable
-class Expectation(Kind, Protocol):
-    """What is held against every case by itself."""
+class Expectation(Sentence):
+    """What is compared with every case by itself."""
+
+    __slots__ = ()
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
-        ...
+        raise NotImplementedError
 
 
-@runtime_checkable
-class Comparison(Kind, Protocol):
-    """What is held against all profiles together, once."""
+class ProfileComparison(Sentence):
+    """What is compared across all profiles, once."""
+
+    __slots__ = ()
 
     @property
     def profiles(self) -> Sequence[str]:
         """The profiles that it names."""
-        ...
+        return ()
 
     def compare(self, among: Among) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
-        ...
+        raise NotImplementedError
 
 
-def compares(meaning: Expectation | Comparison) -> TypeGuard[Comparison]:
-    """Whether it is held against all profiles together; `isinstance` takes its time with protocols."""
-    return hasattr(meaning, "compare")
+def compares(meaning: Expectation | ProfileComparison) -> TypeGuard[ProfileComparison]:
+    """Whether it is compared across all profiles."""
+    return isinstance(meaning, ProfileComparison)
 
 
-def judges(meaning: Expectation | Comparison) -> TypeGuard[Expectation]:
-    """Whether it is held against one case; as above."""
-    return hasattr(meaning, "judge")
+def judges(meaning: Expectation | ProfileComparison) -> TypeGuard[Expectation]:
+    """Whether it is compared with one case."""
+    return isinstance(meaning, Expectation)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,9 +87,9 @@ class Written:
 
     text: str
     where: Where
-    meaning: Expectation | Comparison
+    meaning: Expectation | ProfileComparison
     profiles: tuple[str, ...]
-    """For whom it holds; empty for everybody."""
+    """The profiles for which it holds; empty for all."""
 
     def concerns(self, profile: str) -> bool:
         """Whether it holds for the cases of a profile."""

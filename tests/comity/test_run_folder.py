@@ -162,7 +162,7 @@ place: {width_m: 6, height_m: 4}
 robot: {at_m: [1, 2]}
 people: {anna: {profile: german_woman, at_m: [5, 2], facing_deg: 180}}
 goals: [{greet: anna}]
-expect: [finishes within 1 s]
+expect: [duration at most 1 s]
 """
 
 

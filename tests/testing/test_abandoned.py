@@ -16,7 +16,7 @@ from comity.testing.trials.trial import attempted
 @pytest.fixture
 def golden(write) -> Path:
     """A folder of golden episodes whose scenario was removed."""
-    path = write("finishes within 60 s")
+    path = write("duration at most 60 s")
     folder = store(attempted(claims_in(path)[0].case)).parent
     path.unlink()
     return folder

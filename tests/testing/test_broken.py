@@ -15,7 +15,7 @@ from comity.testing.runner.result import Result, result_of
 
 FILES = ("hall", "room")
 PROFILES = ("arab_man", "german_man", "german_woman")
-SENTENCES = tuple((f"hall.scenario.yaml:{line}", f"finishes within {line} s") for line in range(20, 24))
+SENTENCES = tuple((f"hall.scenario.yaml:{line}", f"duration at most {line} s") for line in range(20, 24))
 
 
 def result(name: str, profile: str, broken: list[tuple[str, str]]) -> Result:

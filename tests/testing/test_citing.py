@@ -61,7 +61,7 @@ def test_rules_that_hold_as_possible_are_named_too(sentence, write):
 
 
 def test_where_no_rule_is_named_there_is_no_such_line(write):
-    (claim,) = claims_in(write("never plans anew", "plans anew at least once"))
+    (claim,) = claims_in(write("never replans", "replans at least once"))
     assert "\n  rules " not in failure_text(claim, judged(claim).failures)
 
 

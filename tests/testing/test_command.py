@@ -27,7 +27,7 @@ def comity(comity):
 
 def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
     """In the log of a build somebody sees where it is; what is printed at the end stays by itself."""
-    write("finishes within 7 s, for german_man", more=MATRIX)
+    write("duration at most 7 s, for german_man", more=MATRIX)
     done = comity()
     lines = [line.split()[:2] for line in done.err.splitlines()]
     assert lines == [
@@ -41,7 +41,7 @@ def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
 @pytest.mark.parametrize("options", [(), ("--json",)])
 def test_golden_episodes_of_no_case_are_named(options, comity, write):
     """Whoever renames a profile, a world or a seed leaves them behind, and nothing is compared any more."""
-    path = write("finishes within 60 s", more=MATRIX)
+    path = write("duration at most 60 s", more=MATRIX)
     assert comity("--update").code == 0
     path.write_text(path.read_text().replace("[arab_woman, german_man]", "[arab_woman]"))
     done = comity(*options)
@@ -53,7 +53,7 @@ def test_golden_episodes_of_no_case_are_named(options, comity, write):
 @pytest.mark.parametrize("options", [(), ("--json",), ("-k", "arab_woman"), ("--profile", "german_woman")])
 def test_golden_episodes_whose_scenario_is_not_there_are_named(options, comity, write):
     """Whoever renames or removes a scenario leaves all of them behind."""
-    path = write("finishes within 60 s", more=MATRIX)
+    path = write("duration at most 60 s", more=MATRIX)
     assert comity("--update").code == 0
     path.rename(path.with_name("chamber.scenario.yaml"))
     done = comity(*options)
@@ -64,7 +64,7 @@ def test_golden_episodes_whose_scenario_is_not_there_are_named(options, comity, 
 
 
 def test_golden_episodes_whose_folder_was_called_as_the_scenario_hold_again(comity, write):
-    path = write("finishes within 60 s", more=MATRIX)
+    path = write("duration at most 60 s", more=MATRIX)
     assert comity("--update").code == 0
     path.rename(path.with_name("chamber.scenario.yaml"))
     path.with_name("room.golden").rename(path.with_name("chamber.golden"))
@@ -74,7 +74,7 @@ def test_golden_episodes_whose_folder_was_called_as_the_scenario_hold_again(comi
 
 
 def test_a_folder_with_nothing_but_golden_episodes_is_told_with_them(comity, write):
-    path = write("finishes within 60 s", more=MATRIX)
+    path = write("duration at most 60 s", more=MATRIX)
     assert comity("--update").code == 0
     path.unlink()
     done = comity(".")
@@ -86,7 +86,7 @@ def test_a_folder_with_nothing_but_golden_episodes_is_told_with_them(comity, wri
     "options", [("--profile", "arab_woman"), ("-k", "arab_woman"), ("{}::two-in-a-room[arab_woman-seed0]",)]
 )
 def test_golden_episodes_of_cases_that_are_left_out_are_not(options, comity, write):
-    path = write("finishes within 60 s", more=MATRIX)
+    path = write("duration at most 60 s", more=MATRIX)
     assert comity("--update").code == 0
     done = comity(*(option.format(path) for option in options))
     assert done.code == 0
@@ -94,14 +94,14 @@ def test_golden_episodes_of_cases_that_are_left_out_are_not(options, comity, wri
 
 
 def test_json_comes_alone(comity, write):
-    write("finishes within 60 s", more=MATRIX)
+    write("duration at most 60 s", more=MATRIX)
     done = comity("--json")
     assert (done.code, done.err) == (0, "")
     assert json.loads(done.out)["passed"] == 2
 
 
 def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
-    write("finishes within 7 s", more=MATRIX)
+    write("duration at most 7 s", more=MATRIX)
     done = comity("-x")
     assert "1 test: 0 passed, 1 failed" in done.out
     assert done.err.count("\n") == 1
@@ -113,11 +113,11 @@ def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(com
     folder.mkdir(parents=True)
     name = folder.relative_to(tmp_path) / "room of two.scenario.yaml"
     rest = "matrix: {profiles: [arab_woman, 'a man.profile.yaml']}\n"
-    write("finishes within 1 s", more=rest, name=str(name))
+    write("duration at most 1 s", more=rest, name=str(name))
     (folder / "a man.profile.yaml").write_text(f"schema_version: 1\nname: {'man of the house ' * 5}\n")
 
     lines = comity("--failed", "runs/failed", "-k", "house").out.splitlines()
-    assert any(line.startswith(f"{name}:") and line.endswith(": finishes within 1 s") for line in lines)
+    assert any(line.startswith(f"{name}:") and line.endswith(": duration at most 1 s") for line in lines)
     (picture,) = (line.removeprefix("  picture    ") for line in lines if line.startswith("  picture "))
     assert (tmp_path / picture).is_file()
     (again,) = (line.removeprefix("  again      ") for line in lines if line.startswith("  again "))
@@ -136,7 +136,7 @@ def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(com
     ],
 )
 def test_what_ships_is_by_itself_and_stays_as_it_is(options, remedy, comity, write):
-    write("finishes within 60 s")
+    write("duration at most 60 s")
     done = comity(*options)
     assert done.code == 2
     assert remedy in done.err
@@ -144,7 +144,7 @@ def test_what_ships_is_by_itself_and_stays_as_it_is(options, remedy, comity, wri
 
 
 def test_the_command_that_a_failure_names_runs_that_test(comity, write):
-    write("finishes within 7 s", "'same for all: conversational_distance'", more=MATRIX)
+    write("duration at most 7 s", "'same for all: conversational_distance'", more=MATRIX)
     told = json.loads(comity("--json", "--profile", "japanese_woman", "--profile", "german_woman").out)
     assert [one["id"].split("[")[1] for one in told["tests"]] == [
         "japanese_woman-seed0]",
@@ -238,7 +238,7 @@ def test_where_a_process_is_killed_what_ended_before_is_told_with_what_happened(
     """As where memory runs out."""
     for n in range(4):
         write(
-            "finishes within 1 s",
+            "duration at most 1 s",
             more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n",
             name=f"room{n}.scenario.yaml",
         )
@@ -257,7 +257,7 @@ def test_where_a_process_is_killed_what_ended_before_is_told_with_what_happened(
 
 
 def test_of_a_file_with_many_cases_some_are_told_before_the_last_has_ended(write, tmp_path):
-    write("finishes within 1 s", more=f"matrix: {{profiles: [german_man], seeds: {list(range(60))}}}\n")
+    write("duration at most 1 s", more=f"matrix: {{profiles: [german_man], seeds: {list(range(60))}}}\n")
     command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", ""]
     with signals_of_a_terminal():
         process = subprocess.Popen(
@@ -285,7 +285,7 @@ def test_a_file_in_parts_tells_what_it_tells_in_one_piece(comity, write):
 @pytest.mark.parametrize(("as_json", "stop"), [(True, ctrl_c), (False, told_to_end), (True, timed_out)])
 def test_what_failed_before_it_was_stopped_is_told(as_json, stop, write, tmp_path):
     """Where the second failed test's run is written, the first test has ended."""
-    write("finishes within 1 s", more="matrix: {profiles: [german_man], seeds: [0, 1, 2, 3, 4, 5, 6, 7]}\n")
+    write("duration at most 1 s", more="matrix: {profiles: [german_man], seeds: [0, 1, 2, 3, 4, 5, 6, 7]}\n")
     command = [sys.executable, "-m", "comity", "test", "--jobs", "1", *(["--json"] if as_json else [])]
     with signals_of_a_terminal():
         process = subprocess.Popen(
@@ -302,10 +302,10 @@ def test_what_failed_before_it_was_stopped_is_told(as_json, stop, write, tmp_pat
         answer = json.loads(told)
         assert answer["failed"] >= 1
         assert answer["failed"] + answer["not_run"] == 8
-        assert "finishes within 1 s" in answer["tests"][0]["text"]
+        assert "duration at most 1 s" in answer["tests"][0]["text"]
     else:
         assert told.startswith(
-            "FAILED two-in-a-room[german_man-seed0]\nroom.scenario.yaml:13: finishes within 1 s"
+            "FAILED two-in-a-room[german_man-seed0]\nroom.scenario.yaml:13: duration at most 1 s"
         )
         assert " not run in " in told
 
@@ -338,7 +338,7 @@ def test_one_object_is_printed_where_it_is_stopped_before_any_test(stop, tmp_pat
     ],
 )
 def test_one_object_is_printed_where_there_is_nothing_to_test(options, said, comity, write):
-    write("finishes within 60 s")
+    write("duration at most 60 s")
     done = comity("--json", *options)
     told = json.loads(done.out)
     assert (done.code, told["tests"], told["not_run"]) == (2, [], None)
@@ -369,7 +369,7 @@ def test_where_every_file_is_refused_each_is_told(comity, write):
 def test_what_is_wrong_for_every_profile_is_told_once(comity, write, tmp_path):
     """A rulebook that all of them read; each test is named."""
     (tmp_path / "rules.yaml").write_text("")
-    write("finishes within 60 s", more=f"rulebook: rules.yaml\n{MATRIX}")
+    write("duration at most 60 s", more=f"rulebook: rules.yaml\n{MATRIX}")
     done = comity()
     assert done.code == 2
     assert done.out.count("REFUSED two-in-a-room[") == 2
@@ -383,7 +383,7 @@ def test_the_command_of_a_refused_file_has_its_profiles(comity, write):
 
 
 def test_brackets_choose(comity, write):
-    write("finishes within 60 s", more=MATRIX)
+    write("duration at most 60 s", more=MATRIX)
     done = comity("-k", "(german or japanese) and seed0")
     assert "1 test: 1 passed" in done.out
     assert comity("-k", "(german").code == 2
@@ -391,7 +391,7 @@ def test_brackets_choose(comity, write):
 
 def test_a_file_that_cannot_be_used_does_not_hide_the_others(comity, write, tmp_path):
     """Each is told with its name: a wrong sentence, a pipe, and a link to nowhere."""
-    write("finishes within 60 s")
+    write("duration at most 60 s")
     write("finishes in 60 s", name="wrong.scenario.yaml")
     os.mkfifo(tmp_path / "pipe.scenario.yaml")
     (tmp_path / "link.scenario.yaml").symlink_to("nowhere.yaml")

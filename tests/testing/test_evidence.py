@@ -18,7 +18,7 @@ from comity.testing.runner.result import known_or_result, result_of
 def failing(write, tmp_path, monkeypatch):
     """A test that fails, seen from its folder."""
     monkeypatch.chdir(tmp_path)
-    return claims_in(write("finishes within 1 s"))[0]
+    return claims_in(write("duration at most 1 s"))[0]
 
 
 def test_scenarios_of_the_same_name_in_two_folders_have_a_picture_each(write, tmp_path, monkeypatch):
@@ -69,7 +69,7 @@ def test_who_breaks_everything_is_told_that_not_all_are_drawn(failing, tmp_path,
 @pytest.fixture
 def mended(failing, write) -> Callable[[], Claim]:
     """The same test, after what is expected was put right."""
-    return lambda: claims_in(write("finishes within 100 s"))[0]
+    return lambda: claims_in(write("duration at most 100 s"))[0]
 
 
 def test_what_was_kept_of_a_failure_goes_once_the_case_passes(failing, mended, tmp_path):

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from comity.testing.collection.cases import claims_in
-from comity.testing.kinds.hearing import Hearing, NeverHears
+from comity.testing.kinds.hearing import Hearing
 from comity.testing.trials.trial import Trial, attempted
 from comity_fis import InputError
 
@@ -89,8 +89,8 @@ def test_words_that_were_broken_off_were_heard_for_all_one_knows_and_not_to_the_
     trial = attempted(claim.case)
     acts = tuple(replace(act, stopped=True) for act in trial.episode.acts)
     broken_off = Trial(trial.case, replace(trial.episode, acts=acts))
-    for kind in (Hearing, NeverHears):
-        (finding,) = kind("host", "Hello").judge(broken_off)
+    for never in (False, True):
+        (finding,) = Hearing("host", never, "Hello").judge(broken_off)
         assert finding.got == "“Hello, Host.” (broken off)"
 
 
@@ -110,7 +110,7 @@ def with_tea(room: str) -> str:
 def test_a_choice_of_a_company_is_one_for_each_of_its_members(judge, member):
     """Before whichever of them the robot stands: `comity plan` tells it of all of them."""
     (verdict,) = judge(
-        f"visiting {member} with a handshake is ruled out because 'touch consent'",
+        f"visiting {member} with a handshake is excluded because 'touch consent'",
         f"visiting {member} with 'one by one' would cost at least 1 cm more",
         room=in_a_group,
     )

@@ -13,8 +13,7 @@ from comity.testing.judging.measured import measured
 from comity.testing.judging.safety import dangers
 from comity.testing.judging.verdict import Failure, judged
 from comity.testing.kinds import KINDS
-from comity.testing.kinds.intrusion import Intrusion
-from comity.testing.kinds.repetition import Repetition
+from comity.testing.metrics.moments import intrusion
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.trial import Trial, attempted
 from comity_fis import InputError
@@ -23,229 +22,213 @@ PAPER = "matrix: {people: [host], profiles: paper}\n"
 
 # A sentence that holds, one of the same kind that does not, and what is said about that.
 PAIRS = {
-    "distance": (
-        "distance within 1 cm of the culture-derived one",
-        "distance to host within 0.01 mm of the wanted one",
-        "0.6402 m from host, within 0.001 cm",
-        "too far",
-    ),
-    "approach": (
-        "approach to host from the front",
-        "approach from the left or right",
-        "left or right of host",
-        "front, at",
-    ),
-    "greeting": (
-        "greeting of host contains words and a nod and no touch",
-        "greeting of host contains a bow",
-        "bow for host",
-        "words and nod",
-    ),
-    "intrusion": (
-        "no intrusion into host's distance for longer than 1 s",
-        "no intrusion into a bystander's distance for longer than 0.1 s",
-        "1.091 m from sam, or nearer for at most 0.1 s",
-        "m, nearer for",
-    ),
-    "duration": ("finishes within 60 s", "finishes within 7 s", "an end within 7 s", "an end at t="),
-    "lasting": (
-        "nod lasts 1.5 s",
-        "nod lasts 1 s within 0.1 s",
-        "nod for 1.00 s, within 0.10 s",
-        "nod(host) for 1.50 s, from t=",
-    ),
-    "hearing": (
-        "host hears 'Hello, Host'",
-        "host hears 'Good morning'",
-        "“Good morning” to host",
-        "“Hello, Host.”",
-    ),
-    "never_hears": (
-        "host never hears 'Good morning'",
-        "host never hears 'Hello'",
-        "never “Hello” to host",
-        "“Hello, Host.”",
-    ),
-    "order": (
-        "visits in this order: host, guest",
-        "visits in this order: guest, host",
-        "guest, then host",
-        "host, then guest",
-    ),
-    "before": (
-        "visits host before guest",
-        "visits guest before host",
-        "guest, then host",
-        "host, then guest",
-    ),
-    "difference": (
-        "differs between german_man and arab_woman: conversational_distance, by at least 20 cm",
-        "differs between german_man and arab_woman: conversational_distance, by at least 50 cm",
-        "conversational_distance at least 50 cm apart",
-        "1.091 m for german_man, 0.640 m for arab_woman: 45.1 cm apart",
-    ),
-    "sameness": (
-        "same for all: safety, outcome, order, approach_direction",
-        "same for all: greeting_gesture",
-        "one greeting_gesture for all",
-        "nod for arab_woman, arab_man; wave for german_woman, german_man",
-    ),
-    "halt": (
-        "Dock_to_user is halted by docked? at least once",
-        "utter is halted by docked? at least once",
-        "utter halted by docked? at least once",
-        "utter was never halted",
-    ),
-    "never_halt": (
-        "utter is never halted",
-        "Dock_to_user is never halted",
-        "Dock_to_user halted never",
-        "twice",
-    ),
-    "succeeds": (
-        "docked? succeeds exactly twice",
-        "docked? succeeds at least 3 times",
-        "docked? ends with success at least 3 times",
-        "twice",
-    ),
-    "fails": (
-        "docked? fails at most twice",
-        "docked? fails at most once",
-        "docked? ends with failure at most once",
-        "twice",
-    ),
-    "never_succeeds": (
-        "Give_up never succeeds",
-        "nod never succeeds",
-        "nod ends with success never",
-        "once",
-    ),
-    "never_fails": (
-        "Dock_to_user never fails",
-        "docked? never fails",
-        "docked? ends with failure never",
-        "twice",
-    ),
-    "plans_anew": (
-        "plans anew at most once",
-        "plans anew exactly once",
-        "planned anew exactly once",
-        "never",
-    ),
-    "binds_anew": (
-        "binds anew at most once",
-        "binds anew at least once",
-        "bound anew at least once",
-        "never",
-    ),
-    "decided_by": (
-        "conversational_distance of host is decided by culture",
-        "conversational_distance of host is decided by setting",
-        "conversational_distance of host decided by setting",
-        "culture",
-    ),
-    "made_of": (
-        "conversational_distance of host is made of 'gender is female → close (rule 1, 0.84)'",
-        "conversational_distance of guest is made of 'gender is female → close'",
-        "conversational_distance of guest made of “gender is female → close”",
-        "individualism is LC2 and gender is male → far (rule 4, 0.99)",
-    ),
-    "instead_costly": (
-        "visiting host from the left would cost at least 90 cm more",
-        "visiting guest from the right would cost at least 1 m more",
-        "visiting guest from the right to cost at least 1.000 m more",
-        "0.330 m more, 67 cm too little",
-    ),
-    "instead_priced": (
-        "visiting host with a wave would cost 1.58 m more",
-        "visiting host with a bow would cost 3 m more within 1 m",
-        "visiting host with bow to cost from 2.000 m to 4.000 m more",
-        "5.430 m more, 143 cm too much",
-    ),
-    "instead_ruled_out": (
-        "visiting guest with a handshake is ruled out because 'touch consent'",
-        "visiting host with a handshake is ruled out because 'carries tea'",
-        "visiting host with handshake ruled out because of “carries tea”",
-        "it is ruled out: it requires that touch consent is given",
-    ),
-    "succeeds_because": (
-        "docked? succeeds because 'distance 0.64 m'",
-        "docked? succeeds because 'distance 0.64 m' at least twice",
-        "docked? succeeds because of “distance 0.64 m” at least twice",
-        "once, of 2 in all",
-    ),
-    "fails_because": (
-        "docked? fails because 'is not in 0.63..0.65' exactly once",
-        "docked? fails because 'a wheel is stuck'",
-        "docked? fails because of “a wheel is stuck” at least once",
-        "never, of 2 in all",
-    ),
-    "halted_because": (
-        "Dock_to_user is halted because 'conversational_distance' exactly twice",
-        "utter is halted because 'somebody spoke'",
-        "utter is halted because of “somebody spoke” at least once",
-        "never, of 0 in all",
-    ),
-    "plans_anew_because": (
-        "plans anew because 'guest moved' at most once",
-        "plans anew because 'guest moved'",
-        "plan_holds? plans anew because of “guest moved” at least once",
-        "never, of 0 in all",
-    ),
-    "binds_anew_because": (
-        "binds anew because 'host moved' at most once",
-        "binds anew because 'host moved'",
-        "plan_holds? binds anew because of “host moved” at least once",
-        "never, of 0 in all",
-    ),
-    "no_other_plan_because": (
-        "finds no other plan because 'wall' at most once",
-        "finds no other plan because 'wall'",
-        "plan_holds? finds no other plan because of “wall” at least once",
-        "never, of 0 in all",
-    ),
-    "lower": (
-        "min_clearance at least 30 cm",
-        "min_clearance at least 2 m",
-        "min_clearance at least 2.000 m",
-        "too little",
-    ),
-    "upper": (
-        "path_length at most 12 m",
-        "path_length at most 3 m",
-        "path_length at most 3.000 m",
-        "too much",
-    ),
-    "between": (
-        "conversational_distance of host between 60 and 70 cm",
-        "conversational_distance of guest between 60 and 70 cm",
-        "conversational_distance of guest from 0.600 m to 0.700 m",
-        "1.091 m, 39.1 cm too much",
-    ),
-    "close": (
-        "conversational_distance of host is 64 cm within 1 cm",
-        "approach_speed of host is 0.6 m/s within 0.01 m/s",
-        "approach_speed of host from 0.590 m/s to 0.610 m/s",
-        "too little",
-    ),
-    "state": (
-        "greeting_gesture of host is nod",
-        "host is unreached",
-        "host unreached",
-        "greeted",
-    ),
+    "metric": [
+        (
+            "docking_error at most 1 cm",
+            "docking_error of host at most 0.01 mm",
+            "docking_error of host at most",
+            "too much",
+        ),
+        (
+            "longest_intrusion of host at most 1 s",
+            "longest_intrusion at most 0.1 s",
+            "at most 0.10 s",
+            "s beside sam at t=",
+        ),
+        ("duration at most 60 s", "duration at most 7 s", "duration at most 7.00 s", "too much"),
+        (
+            "min_clearance at least 30 cm",
+            "min_clearance at least 2 m",
+            "min_clearance at least 2.000 m",
+            "too little",
+        ),
+        ("path_length at most 12 m", "path_length at most 3 m", "path_length at most 3.000 m", "too much"),
+        (
+            "conversational_distance of host between 60 and 70 cm",
+            "conversational_distance of guest between 60 and 70 cm",
+            "conversational_distance of guest from 0.600 m to 0.700 m",
+            "1.091 m, 39.1 cm too much",
+        ),
+        (
+            "conversational_distance of host is 64 cm within 1 cm",
+            "approach_speed of host is 0.6 m/s within 0.01 m/s",
+            "approach_speed of host from 0.590 m/s to 0.610 m/s",
+            "too little",
+        ),
+    ],
+    "state": [("greeting_gesture of host is nod", "host is unreached", "host unreached", "greeted")],
+    "event": [
+        (
+            "Dock_to_user is halted because 'docked?' at least once",
+            "utter is halted because 'docked?' at least once",
+            "utter is halted because of “docked?” at least once",
+            "never, of 0 in all",
+        ),
+        ("utter is never halted", "Dock_to_user is never halted", "Dock_to_user is halted never", "twice"),
+        (
+            "docked? succeeds exactly twice",
+            "docked? succeeds at least 3 times",
+            "docked? succeeds at least 3 times",
+            "twice",
+        ),
+        ("docked? fails at most twice", "docked? fails at most once", "docked? fails at most once", "twice"),
+        ("Give_up never succeeds", "nod never succeeds", "nod succeeds never", "once"),
+        ("Dock_to_user never fails", "docked? never fails", "docked? fails never", "twice"),
+        (
+            "docked? succeeds exactly once per person",
+            "docked? succeeds exactly twice per person",
+            "docked?(host) succeeds exactly twice",
+            "once",
+        ),
+        ("replans at most once", "replans exactly once", "replans exactly once", "never"),
+        (
+            "updates parameters at most once",
+            "updates parameters at least once",
+            "updates parameters at least once",
+            "never",
+        ),
+        (
+            "docked? succeeds because 'distance 0.64 m'",
+            "docked? succeeds because 'distance 0.64 m' at least twice",
+            "docked? succeeds because of “distance 0.64 m” at least twice",
+            "once, of 2 in all",
+        ),
+        (
+            "docked? fails because 'is not in 0.63..0.65' exactly once",
+            "docked? fails because 'a wheel is stuck'",
+            "docked? fails because of “a wheel is stuck” at least once",
+            "never, of 2 in all",
+        ),
+        (
+            "Dock_to_user is halted because 'conversational_distance' exactly twice",
+            "utter is halted because 'the person spoke'",
+            "utter is halted because of “the person spoke” at least once",
+            "never, of 0 in all",
+        ),
+        (
+            "replans because 'guest moved' at most once",
+            "replans because 'guest moved'",
+            "replans because of “guest moved” at least once",
+            "never, of 0 in all",
+        ),
+        (
+            "finds no other plan because 'wall' at most once",
+            "finds no other plan because 'wall'",
+            "finds no other plan because of “wall” at least once",
+            "never, of 0 in all",
+        ),
+    ],
+    "duration": [
+        (
+            "nod lasts 1.5 s",
+            "nod lasts 1 s within 0.1 s",
+            "nod for from 0.90 s to 1.10 s",
+            "nod(host) for 1.50 s, from t=",
+        ),
+        ("nod lasts at least 1 s", "nod lasts at most 1 s", "nod for at most 1.00 s", "0.5 s too much"),
+    ],
+    "order": [
+        (
+            "visits in this order: host, guest",
+            "visits in this order: guest, host",
+            "guest, then host",
+            "host, then guest",
+        )
+    ],
+    "approach": [
+        (
+            "approach to host from the front",
+            "approach from the left or right",
+            "left or right of host",
+            "front, at",
+        )
+    ],
+    "greeting": [
+        (
+            "greeting of host contains words and a nod and no touch",
+            "greeting of host contains a bow",
+            "bow for host",
+            "words and nod",
+        )
+    ],
+    "hearing": [
+        ("host hears 'Hello, Host'", "host hears 'Good morning'", "“Good morning” to host", "“Hello, Host.”"),
+        (
+            "host never hears 'Good morning'",
+            "host never hears 'Hello'",
+            "never “Hello” to host",
+            "“Hello, Host.”",
+        ),
+    ],
+    "decided_by": [
+        (
+            "conversational_distance of host is decided by culture",
+            "conversational_distance of host is decided by setting",
+            "conversational_distance of host decided by setting",
+            "culture",
+        ),
+        (
+            "conversational_distance of host is decided because 'gender is female → close (rule 1, 0.84)'",
+            "conversational_distance of guest is decided because 'gender is female → close'",
+            "conversational_distance of guest decided because of “gender is female → close”",
+            "culture: individualism is LC2 and gender is male → far (rule 4, 0.99)",
+        ),
+        (
+            "conversational_distance of host is decided by culture because 'gender is female → close'",
+            "conversational_distance of host is decided by setting because 'gender is female → close'",
+            "decided by setting because of “gender is female → close”",
+            "culture: ",
+        ),
+    ],
+    "alternative": [
+        (
+            "visiting host from the left would cost at least 90 cm more",
+            "visiting guest from the right would cost at least 1 m more",
+            "visiting guest from the right to cost at least 1.000 m more",
+            "0.330 m more, 67 cm too little",
+        ),
+        (
+            "visiting host with a wave would cost 1.58 m more",
+            "visiting host with a bow would cost 3 m more within 1 m",
+            "visiting host with bow to cost from 2.000 m to 4.000 m more",
+            "5.430 m more, 143 cm too much",
+        ),
+        (
+            "visiting guest with a handshake is excluded because 'touch consent'",
+            "visiting host with a handshake is excluded because 'carries tea'",
+            "visiting host with handshake excluded because of “carries tea”",
+            "it is excluded: it requires that touch consent is given",
+        ),
+    ],
+    "difference": [
+        (
+            "differs between german_man and arab_woman: conversational_distance, by at least 20 cm",
+            "differs between german_man and arab_woman: conversational_distance, by at least 50 cm",
+            "conversational_distance at least 50 cm apart",
+            "1.091 m for german_man, 0.640 m for arab_woman: 45.1 cm apart",
+        )
+    ],
+    "sameness": [
+        (
+            "same for all: safety, outcome, order, approach_direction",
+            "same for all: greeting_gesture",
+            "one greeting_gesture for all",
+            "nod for arab_woman, arab_man; wave for german_woman, german_man",
+        )
+    ],
 }
+EVERY = [pair for pairs in PAIRS.values() for pair in pairs]
 
 
 def test_every_kind_is_tried():
-    assert set(PAIRS) | {"repetition", "never_plans_anew", "never_binds_anew"} == set(KINDS)
+    assert list(PAIRS) == list(KINDS)
 
 
 @pytest.fixture(scope="module")
 def failures(tmp_path_factory) -> dict[str, Failure]:
     """All true and all wrong sentences in one scenario: what fails, by sentence (the first of each)."""
     path = tmp_path_factory.mktemp("kinds") / "room.scenario.yaml"
-    sentences = [*(wrong for _, wrong, *_ in PAIRS.values()), *(true for true, *_ in PAIRS.values())]
+    sentences = [*(wrong for _, wrong, *_ in EVERY), *(true for true, *_ in EVERY)]
     path.write_text(scenario(*sentences, more=PAPER), encoding="utf-8")
     as_written, *_, across = claims_in(path)
     assert as_written.case.profile == "arab_woman"
@@ -253,17 +236,17 @@ def failures(tmp_path_factory) -> dict[str, Failure]:
     return {failure.text: failure for failure in reversed(found)}
 
 
-@pytest.mark.parametrize("kind", PAIRS)
-def test_a_sentence_that_is_true_holds(kind, failures):
-    assert PAIRS[kind][0] not in failures
+@pytest.mark.parametrize("true", [true for true, *_ in EVERY])
+def test_a_sentence_that_is_true_holds(true, failures):
+    assert true not in failures
 
 
-@pytest.mark.parametrize("kind", PAIRS)
-def test_a_sentence_that_is_wrong_fails_for_the_stated_reason(kind, failures):
+@pytest.mark.parametrize("at", range(len(EVERY)), ids=[wrong for _, wrong, *_ in EVERY])
+def test_a_sentence_that_is_wrong_fails_for_the_stated_reason(at, failures):
     """With its own line, what was expected, what came, and a cause."""
-    _, wrong, expected, got = PAIRS[kind]
+    _, wrong, expected, got = EVERY[at]
     failure = failures[wrong]
-    assert failure.where.line == FIRST_LINE + list(PAIRS).index(kind)
+    assert failure.where.line == FIRST_LINE + at
     assert expected in failure.finding.expected
     assert got in failure.finding.got
     assert failure.finding.because
@@ -273,7 +256,7 @@ def test_a_sentence_that_is_wrong_fails_for_the_stated_reason(kind, failures):
     ("choice", "got"),
     [
         ("from the front", "front is what the plan has for host"),
-        ("with a handshake", "it is ruled out: "),
+        ("with a handshake", "it is excluded: "),
         ("with 'one by one'", "no such choice at any step"),
     ],
 )
@@ -318,14 +301,14 @@ def test_the_words_of_a_reason_may_be_those_with_which_a_failure_tells_it(judge)
 
 
 def test_a_repeated_gesture_is_noticed(write):
-    """Planted: nothing that ships repeats one."""
-    (claim,) = claims_in(write())
-    trial = attempted(claim.case)
-    nods = [act for act in trial.episode.acts if act.act == "nod"]
-    again = Trial(trial.case, replace(trial.episode, acts=(*trial.episode.acts, *nods)))
-    assert list(Repetition("nod").judge(trial)) == []
-    (finding,) = Repetition("nod").judge(again)
-    assert (finding.expected, finding.got) == ("nod at most once for host", "twice")
+    """Planted: nothing that ships repeats one. The count is per person: one nod for each is none too many."""
+    (claim,) = claims_in(write("nod succeeds at most once per person"))
+    trial, expectation = attempted(claim.case), claim.expectations[0].meaning
+    nods = [event for event in trial.episode.events if (event.node, event.status) == ("nod(host)", "success")]
+    again = Trial(trial.case, replace(trial.episode, events=(*trial.episode.events, *nods)))
+    assert list(expectation.judge(trial)) == []
+    (finding,) = expectation.judge(again)
+    assert (finding.expected, finding.got) == ("nod(host) succeeds at most once", "twice")
 
 
 def test_a_robot_that_comes_too_near_is_a_danger(write):
@@ -363,8 +346,8 @@ def test_a_robot_that_stays_beside_somebody_after_the_visit_does_not_leave_them(
     poses = frames.poses.copy()
     poses[later, 0, :2] = poses[0, host, :2] + [0.59 + frames.radius_m[0] + frames.radius_m[host], 0.0]
     planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
-    found = list(Intrusion("host", 1.0).judge(planted if stays else trial))
-    assert ["nearer for" in finding.got for finding in found] == ([True] if stays else [])
+    stay = intrusion(planted if stays else trial).longest(frames, "host")
+    assert (stay is not None and stay.length_s > 1.0) == stays
 
 
 @pytest.mark.parametrize(("gap_m", "intrudes"), [(0.42, True), (0.46, False)])
@@ -377,9 +360,8 @@ def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrude
     poses = frames.poses.copy()
     poses[:, i, :2] = poses[:, 0, :2] + [0.0, gap_m + frames.radius_m[0] + frames.radius_m[i]]
     planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
-    found = [each for each in Intrusion(None, 1.0).judge(planted) if "from passer-by 1," in each.expected]
-    told = f"{gap_m:.3f} m, nearer for {whole_s:.2f} s from t=0.00 s on"
-    assert [each.got for each in found] == ([told] if intrudes else [])
+    stay = intrusion(planted).longest(frames, "passer-by 1")
+    assert (stay is not None and stay.length_s == whole_s) == intrudes
     assert (measured(planted).intrusion_s == whole_s) == intrudes
 
 
@@ -392,7 +374,7 @@ people:
   anna: {profile: arab_man, at_m: [4, 1.0], facing_deg: 180}
   bob: {profile: arab_man, at_m: [10.5, 1.5], facing_deg: 180}
 goals: [{greet: anna}, {greet: bob}]
-expect: [no intrusion into anna's distance for longer than 1 s]
+expect: [longest_intrusion of anna at most 1 s]
 """
 
 
@@ -401,7 +383,7 @@ def test_who_is_passed_more_closely_after_their_visit_is_intruded_on(tmp_path):
     (tmp_path / "past-anna.scenario.yaml").write_text(PAST_ANNA)
     (claim,) = claims_in(tmp_path / "past-anna.scenario.yaml")
     (failure,) = judged(claim).failures
-    assert "nearer for" in failure.finding.got
+    assert "beside anna" in failure.finding.got
 
 
 def test_a_wrong_side_has_the_reasons_of_the_plan_by_which_it_was_chosen(judge):
@@ -419,14 +401,14 @@ def test_a_wrong_side_has_the_reasons_of_the_plan_by_which_it_was_chosen(judge):
     [
         (
             "person: guest, moves_to_m: [6.8, 5.0]",
-            "never plans anew",
-            ("plans anew exactly once", "never binds anew"),
+            "never replans",
+            ("replans exactly once", "never updates parameters"),
             "guest moved",
         ),
         (
             "person: host, says: {conversational_distance: 0.9}",
-            "never binds anew",
-            ("binds anew exactly once", "never plans anew"),
+            "never updates parameters",
+            ("updates parameters exactly once", "never replans"),
             "host asked for conversational_distance 0.9",
         ),
     ],
@@ -442,13 +424,13 @@ def test_another_plan_is_counted_and_so_are_new_numbers_for_the_same(judge, chan
 
 def test_a_gesture_that_the_rules_no_longer_give_is_missed_and_does_not_hide_what_else_fails(judge):
     """Another rule may give it: the word is known, and other sentences are judged, too."""
-    (verdict,) = judge("bow lasts 1.5 s", "finishes within 2 s")
+    (verdict,) = judge("bow lasts 1.5 s", "duration at most 2 s")
     lasting, late = verdict.failures
     assert lasting.finding.got == "the tree has no bow"
     because = " ".join(lasting.finding.because)
     assert "Greet_person(robot, host, both, nod)" in because
     assert "goes by   greeting_gesture of host nod: individualism is LC1 → nod (rule 19, 0.84)" in because
-    assert late.text == "finishes within 2 s"
+    assert late.text == "duration at most 2 s"
 
 
 WALLED_IN = "place: {width_m: 8.0, height_m: 6.0, walls_m: [[[2.0, 0], [2.0, 2.0]], [[2.0, 2.0], [0, 2.0]]]}"
@@ -464,7 +446,7 @@ def test_where_nobody_can_be_reached_what_is_said_of_their_nodes_is_judged_with_
         "host is greeted",
         "Navigate_to_user never fails",
         "Dock_to_user(guest) succeeds at least once",
-        "Dock_to_user is halted by docked?",
+        "Dock_to_user is halted because 'docked?'",
         "docked? succeeds because 'distance'",
         "Greet_person lasts 1.5 s",
     )
@@ -487,7 +469,9 @@ def test_a_slip_in_a_node_that_no_tree_has_is_refused_where_nobody_is_reached_to
     assert f"Did you mean '{near}'?" in refused.value.remedy
 
 
-@pytest.mark.parametrize("sentence", ["distance to host within 0.001 mm", "approach to host from the back"])
+@pytest.mark.parametrize(
+    "sentence", ["docking_error of host at most 0.001 mm", "approach to host from the back"]
+)
 def test_a_stop_is_told_with_the_docking_that_ended_there_and_not_with_a_later_one(judge, sentence):
     more = "  - greet: host\n  - {say: Tea?, to: host}\n  - take_leave: host\n"
     (verdict,) = judge(sentence, room=lambda room: room.replace("  - greet: host\n", more))
@@ -505,7 +489,7 @@ def test_each_run_that_lasted_otherwise_is_told_with_how_it_ended_itself(judge):
     ended = [failure.finding for failure in verdict.failures]
     assert len(ended) >= 3
     for finding in ended[:2]:
-        took, start = map(float, re.findall(r"[\d.]+(?= s)", finding.got))
+        took, start, _ = map(float, re.findall(r"[\d.]+(?= s)", finding.got))
         assert finding.because[0].startswith(f"t={start + took:.2f} s  Navigate_to_user(host) halted")
         assert "the emergency stop is pressed" in finding.because[1]
     assert not any("emergency" in line for line in ended[-1].because)
@@ -516,7 +500,7 @@ def test_a_node_with_children_lasts_from_running_to_its_result_or_its_halt(judge
     (verdict,) = judge("Greet_person(host) lasts 1 s", "Reach_user(host) lasts 1 s")
     greet, reach = (failure.finding for failure in verdict.failures)
     assert greet.got.startswith("Greet_person(host) for 1.50 s, from t=")
-    assert reach.got.endswith("from t=0.00 s")
+    assert "from t=0.00 s" in reach.got
     assert "Reach_user(host) halted" in reach.because[0]
 
 
@@ -542,7 +526,7 @@ def test_behind_a_figure_stands_what_was_planned_and_where_time_and_way_went(wri
 def test_the_rule_for_somebody_who_is_passed_by_is_named_behind_time_way_and_price(write):
     """Sam is nobody's goal, and the way leads round him; a price hangs on where others want the robot."""
     sentences = (
-        "finishes within 7 s",
+        "duration at most 7 s",
         "path_length at most 3 m",
         "visiting guest from the left would cost at least 9 m more",
     )
@@ -557,7 +541,7 @@ def test_the_rule_for_somebody_who_is_passed_by_is_named_behind_time_way_and_pri
 
 
 def test_a_parameter_behind_several_figures_is_told_once_in_a_text(write):
-    (claim,) = claims_in(write("finishes within 7 s", "path_length at most 3 m", "plan_cost at most 1 m"))
+    (claim,) = claims_in(write("duration at most 7 s", "path_length at most 3 m", "plan_cost at most 1 m"))
     text = failure_text(claim, judged(claim).failures)
     assert text.count("conversational_distance of host 0.640 m") == 1
     assert text.count("greeting_gesture of guest") == 1
@@ -608,41 +592,40 @@ def test_of_people_who_all_stay_it_is_told_that_they_do(judge):
 def test_when_and_where_the_robot_stood_before_somebody_is_a_number(judge):
     """The place that it chose last, which nobody barred, is the wanted one."""
     (verdict,) = judge(
-        "reached of host between 5 and 10 s",
+        "docking_time of host between 5 and 10 s",
         "chosen_distance of host is 64 cm within 1 cm",
         "chosen_bearing of host is 0 deg within 1 deg",
-        "reached of guest at most 10 s",
+        "docking_time of guest at most 10 s",
         "chosen_distance of guest at most 1 m",
     )
     late, far = verdict.failures
-    assert late.finding.expected == "reached of guest at most 10.00 s"
+    assert late.finding.expected == "docking_time of guest at most 10.00 s"
     assert far.finding.got == "1.091 m, 9.1 cm too much"
     assert "Reach_user(robot, guest, front)" in " ".join(late.finding.because)
 
 
-def test_a_choice_that_is_open_is_not_ruled_out(judge):
-    (verdict,) = judge("visiting host with a wave is ruled out")
+def test_a_choice_that_is_open_is_not_excluded(judge):
+    (verdict,) = judge("visiting host with a wave is excluded")
     (failure,) = verdict.failures
-    assert failure.finding.got == "it is not ruled out"
+    assert failure.finding.got == "it is not excluded"
 
 
 NOTHING_TO_JUDGE = {
     "visiting guest with a dance would cost 3 m more": "a way to greet, or another choice of a plan",
     "visiting guest with a wav would cost 3 m more": "got 'wav'. Did you mean 'wave'?",
-    "visiting guest with a nodd is ruled out": "got 'nodd'. Did you mean 'nod'?",
+    "visiting guest with a nodd is excluded": "got 'nodd'. Did you mean 'nod'?",
     "visiting sam from the left would cost at least 1 cm more": "somebody whom the goals name",
-    "visiting sam with a wave is ruled out": "somebody whom the goals name",
-    "reached of sam at most 3 s": "somebody whom the goals name",
+    "visiting sam with a wave is excluded": "somebody whom the goals name",
+    "docking_time of sam at most 3 s": "somebody whom the goals name",
     "docket? fails because 'distance'": "got 'docket?'. Did you mean 'docked?'?",
     "overshoot of sam at most 3 m": "somebody whom the goals name, got 'sam'",
     "greeting of sam contains no words": "somebody whom the goals name",
-    "distance to sam within 5 cm": "somebody whom the goals name",
+    "docking_error of sam at most 5 cm": "somebody whom the goals name",
     "approach to sam from the front": "somebody whom the goals name",
-    "visits host before sam": "somebody whom the goals name",
+    "visits in this order: host, sam": "somebody whom the goals name",
     "sam is unreachable": "somebody whom the goals name",
     "e succeeds at least once": "a node of the behaviour tree, got 'e'",
     "Dock_to succeeds at least once": "a node of the behaviour tree, got 'Dock_to'",
-    "Dock_to_user is never halted by dock": "a node of the behaviour tree, got 'dock'",
     "greeting_gesture of guest is nood": "got 'nood'. Did you mean 'nod'?",
     "conversational_distance of host is near": "like `conversational_distance is 0.64 m within 0.01 m`.",
     "min_clearance is red": "a number: min_clearance is one, got 'red'. Write `min_clearance at most` or",
@@ -667,8 +650,8 @@ def test_a_node_is_named_up_to_its_bracket_or_with_it(judge):
     sentences = (
         "docked? succeeds twice",
         "docked?(host) succeeds once",
-        "Dock_to_user is halted by docked? exactly twice",
-        "Dock_to_user is halted by docked?(host) exactly once",
+        "Dock_to_user is halted because 'docked?' exactly twice",
+        "Dock_to_user is halted because 'docked?(host)' exactly once",
         "bow(host) never succeeds",
     )
     assert judge(*(each.replace("succeeds ", "succeeds exactly ") for each in sentences))[0].passed
@@ -713,12 +696,12 @@ def test_a_number_without_within_is_told_with_the_digits_in_which_it_differs(jud
             "conversational_distance of host is 640.21 mm within 0.001 mm",
             r"from (\S+) m to (\S+) m, got (\S+) m,",
         ),
-        ("distance to host within 0 mm", r"expected (\S+) m from host, within 0 cm, got (\S+) m at"),
+        ("docking_error of host at most 0 mm", r"at most (\S+) m, got (\S+) m at"),
         (
             "differs between arab_woman and german_man: conversational_distance, by at least 45.1 cm",
             r"at least (\S+) cm apart, got .*: (\S+) cm apart",
         ),
-        ("utter lasts 1.004 s within 0.001 s", r"expected utter for (\S+) s, within .*\) for (\S+) s,"),
+        ("utter lasts 1.004 s within 0.001 s", r"utter for from (\S+) s to (\S+) s, got .*\) for (\S+) s,"),
     ],
 )
 def test_sides_that_differ_are_told_with_the_digits_in_which_they_do(sentence, sides, judge):

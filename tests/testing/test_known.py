@@ -23,7 +23,7 @@ def key(path):
 
 
 def test_the_same_test_has_the_same_key(write):
-    path = write("finishes within 60 s")
+    path = write("duration at most 60 s")
     assert key(path) == key(path)
 
 
@@ -32,12 +32,12 @@ def test_the_same_test_has_the_same_key(write):
     [
         ("at_m: [1.0, 1.0]", "at_m: [1.0, 1.1]"),
         ("profile: arab_woman", "profile: arab_man"),
-        ("finishes within 60 s", "finishes within 61 s"),
+        ("duration at most 60 s", "duration at most 61 s"),
         ("facing_deg: 180", "facing_deg: 170"),
     ],
 )
 def test_whatever_matters_changes_the_key(was, becomes, write):
-    path = write("finishes within 60 s")
+    path = write("duration at most 60 s")
     before = key(path)
     path.write_text(path.read_text().replace(was, becomes))
     assert key(path) != before
@@ -94,7 +94,7 @@ GUEST = "schema_version: 1\nname: guest\nculture: DEU\ngender: male\n"
     ],
 )
 def test_what_a_scenario_names_counts_with_its_content(name, text, scenario, edit, write):
-    path = write("finishes within 60 s", room=lambda room: room.replace(*scenario))
+    path = write("duration at most 60 s", room=lambda room: room.replace(*scenario))
     path.with_name(name).write_text(text)
     before = key(path)
     path.with_name(name).write_text(text.replace(*edit))
@@ -128,7 +128,7 @@ def test_a_rule_changes_the_key_of_those_whose_values_it_moves_on_the_way(write,
 def test_tests_cross_to_another_process_as_they_are(write):
     """A comparison is still about the very cases that are tested before it."""
     more = "matrix: {people: [guest], profiles: [arab_woman, german_man], seeds: [0, 1]}\n"
-    path = write("finishes within 60 s", "same for all: safety", more=more)
+    path = write("duration at most 60 s", "same for all: safety", more=more)
     claims = claims_in(path)
     there = pickle.loads(pickle.dumps(claims))
     assert [claim.id for claim in there] == [claim.id for claim in claims]
@@ -150,7 +150,7 @@ def test_a_comparison_hangs_on_profiles_outside_the_matrix(write, tmp_path):
 )
 def test_whatever_is_not_as_it_was_written_is_not_known(content, write, tmp_path):
     known = Known(tmp_path / "known")
-    (claim,) = claims_in(write("finishes within 60 s"))
+    (claim,) = claims_in(write("duration at most 60 s"))
     assert known_or_result(claim, known).status == "passed"
     kept = tmp_path / "known" / key_of(claim)
     whole = kept.read_bytes()
@@ -163,7 +163,7 @@ def test_whatever_is_not_as_it_was_written_is_not_known(content, write, tmp_path
 
 def test_a_pipe_in_the_place_of_what_is_known_is_not_waited_for(write, tmp_path, piped):
     known = Known(tmp_path / "known")
-    (claim,) = claims_in(write("finishes within 60 s"))
+    (claim,) = claims_in(write("duration at most 60 s"))
     assert known_or_result(claim, known).status == "passed"
     piped(tmp_path / "known" / key_of(claim))
     assert known.recall(key_of(claim)) is None
@@ -171,7 +171,7 @@ def test_a_pipe_in_the_place_of_what_is_known_is_not_waited_for(write, tmp_path,
 
 def test_a_folder_in_the_place_of_what_is_known_leaves_nothing_behind(write, tmp_path):
     known = Known(tmp_path / "known")
-    (claim,) = claims_in(write("finishes within 60 s"))
+    (claim,) = claims_in(write("duration at most 60 s"))
     folder = tmp_path / "known" / key_of(claim)
     folder.mkdir(parents=True)
     assert known_or_result(claim, known).status == "passed"
@@ -179,7 +179,7 @@ def test_a_folder_in_the_place_of_what_is_known_leaves_nothing_behind(write, tmp
 
 
 def test_a_pipe_in_the_place_of_a_golden_episode_is_not_waited_for(write, piped):
-    path = write("finishes within 60 s")
+    path = write("duration at most 60 s")
     (claim,) = claims_in(path)
     assert result_of(claim, update=True).status == "passed"
     before = key(path)
@@ -189,19 +189,19 @@ def test_a_pipe_in_the_place_of_a_golden_episode_is_not_waited_for(write, piped)
 
 def test_what_passes_afresh_is_known_too(write, tmp_path, monkeypatch):
     monkeypatch.setenv("COMITY_CACHE", str(tmp_path / "cache"))
-    claims = claims_in(write("finishes within 60 s"))
+    claims = claims_in(write("duration at most 60 s"))
     assert [one.status for one in results(claims, jobs=1, update=True)] == ["passed"]
     assert Known.of_this_machine().recall(key_of(claims[0]))
 
 
 def test_only_what_passed_is_known(write, tmp_path):
     known = Known(tmp_path / "known")
-    (passing,) = claims_in(write("finishes within 60 s"))
+    (passing,) = claims_in(write("duration at most 60 s"))
     first = known_or_result(passing, known)
     again = known_or_result(passing, known)
     assert (first.status, again.status) == ("passed", "passed")
     assert first.measured == again.measured
-    (failing,) = claims_in(write("finishes within 1 s"))
+    (failing,) = claims_in(write("duration at most 1 s"))
     assert known_or_result(failing, known).status == "failed"
     assert len(list((tmp_path / "known").iterdir())) == 1
 
@@ -213,7 +213,7 @@ def test_a_file_that_goes_while_its_test_runs_is_told_of_that_test_alone(
     """It was there for the run, and is not when the rules behind it are cited or its content is noted."""
     rules = tmp_path / "own.yaml"
     shutil.copy(Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml", rules)
-    (claim,) = claims_in(write(f"finishes within {within_s} s", more=f"rulebook: {rules}\n"))
+    (claim,) = claims_in(write(f"duration at most {within_s} s", more=f"rulebook: {rules}\n"))
 
     def judged_then_gone(*args, **others):
         verdict = judged(*args, **others)

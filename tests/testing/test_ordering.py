@@ -26,7 +26,7 @@ def test_costs_of_the_other_order_are_told_by_their_parts(judge):
 
 def test_a_deadline_that_decides_is_named_with_its_line(judge):
     (verdict,) = judge(
-        "visits host before guest",
+        "visits in this order: host, guest",
         room=lambda room: far_host(room).replace("greet: guest", "{greet: guest, by_s: 22}"),
     )
     told = because(verdict)
@@ -40,7 +40,7 @@ def test_a_deadline_that_decides_is_named_with_its_line(judge):
 
 def test_a_priority_that_decides_is_named_with_its_line(judge):
     (verdict,) = judge(
-        "visits host before guest",
+        "visits in this order: host, guest",
         room=lambda room: room.replace("greet: guest", "{greet: guest, priority: 30}"),
     )
     told = because(verdict)

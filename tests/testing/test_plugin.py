@@ -83,9 +83,9 @@ def test_a_failure_reads_like_a_sentence(room, pytester):
 
 
 def test_the_picture_of_a_failure_goes_once_its_test_passes(room, pytester):
-    room("finishes within 1 s")
+    room("duration at most 1 s")
     pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(failed=1)
-    room("finishes within 100 s")
+    room("duration at most 100 s")
     pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(passed=1)
     assert list((pytester.path / "runs/failed").iterdir()) == []
 
@@ -139,7 +139,7 @@ def test_processes_share_the_work(room, pytester):
 
 
 def test_markers_come_from_the_file(room, pytester):
-    room("finishes within 1 s", more="markers: {slow: true, xfail: the robot is not that fast}\n")
+    room("duration at most 1 s", more="markers: {slow: true, xfail: the robot is not that fast}\n")
     said = pytester.runpytest_inprocess(*PLUGIN, "--strict-markers", "-rx")
     said.assert_outcomes(xfailed=1)
     said.stdout.fnmatch_lines(["*the robot is not that fast*"])
@@ -149,14 +149,14 @@ def test_markers_come_from_the_file(room, pytester):
 
 
 def test_what_passes_though_it_must_fail_is_reported(room, pytester):
-    room("finishes within 100 s", more="markers: {xfail: not yet}\n")
+    room("duration at most 100 s", more="markers: {xfail: not yet}\n")
     pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(failed=1)
 
 
 def test_a_comparison_may_hold_where_every_case_must_fail(room, pytester):
     """All of them are too slow alike: there is no other way to have the sentence in that file."""
     marked = f"{MATRIX}markers: {{xfail: the robot is not that fast}}\n"
-    room("finishes within 1 s", "same for all: outcome", more=marked)
+    room("duration at most 1 s", "same for all: outcome", more=marked)
     said = pytester.runpytest_inprocess(*PLUGIN)
     said.assert_outcomes(xfailed=4, xpassed=2)
     assert said.ret == 0
@@ -165,10 +165,10 @@ def test_a_comparison_may_hold_where_every_case_must_fail(room, pytester):
 
 
 def test_a_file_that_cannot_be_used_says_where(room, pytester):
-    room("distanse within 5 cm")
+    room("aproach from the front")
     said = pytester.runpytest_inprocess(*PLUGIN)
     said.assert_outcomes(errors=1)
-    said.stdout.fnmatch_lines(["room.scenario.yaml:13:5: expected*got 'distanse'. Did you mean 'distance'?"])
+    said.stdout.fnmatch_lines(["room.scenario.yaml:13:5: expected*got 'aproach'. Did you mean 'approach'?"])
 
 
 def test_a_word_that_only_this_scenario_can_refuse_is_no_traceback(room, pytester):
@@ -198,8 +198,8 @@ def test_without_scenarios_nothing_heavy_is_imported():
 @pytest.fixture
 def failed_once(room, pytester):
     """One scenario that passes, two that fail, and a test of another kind that failed and is mended."""
-    room("distance within 5 cm of the culture-derived one", name="good.scenario.yaml")
-    room("finishes within 1 s", more="matrix: {profiles: [german_man, arab_woman]}\n")
+    room("docking_error at most 5 cm", name="good.scenario.yaml")
+    room("duration at most 1 s", more="matrix: {profiles: [german_man, arab_woman]}\n")
     test = pytester.makepyfile(test_plain="def test_plain():\n    assert False\n")
     pytester.runpytest_inprocess(*REMEMBERING)
     test.write_text("def test_plain():\n    pass\n")

@@ -23,7 +23,7 @@ def room(write, tmp_path) -> Path:
     """A scenario whose matrix names a file."""
     (tmp_path / "my").mkdir()
     (tmp_path / "my" / "one.profile.yaml").write_text(AMAL)
-    return write("'finishes within 60 s, for amal'", more=FILES)
+    return write("'duration at most 60 s, for amal'", more=FILES)
 
 
 def test_a_file_is_called_by_its_name_from_wherever_one_looks(room, tmp_path, monkeypatch):
@@ -69,7 +69,7 @@ def test_a_comparison_calls_who_is_as_written_as_the_test_does(profile, room, wr
     [
         ("differs between german_man and amel: conversational_distance", "Did you mean 'amal'?"),
         ("differs between amal and arab_womn: conversational_distance", "Did you mean 'arab_woman'?"),
-        ("finishes within 60 s, for amel", "Did you mean 'amal'?"),
+        ("duration at most 60 s, for amel", "Did you mean 'amal'?"),
     ],
 )
 def test_an_unknown_profile_is_refused_with_the_closest(sentence, remedy, room, write):

@@ -19,23 +19,23 @@ from comity.testing.grammar.sentence import parsed
 from comity.testing.grammar.vocabulary import KEYWORDS, UNITS
 from comity.testing.judging.verdict import judged
 from comity.testing.kinds import KINDS
-from comity.testing.kinds.bound import Close, Upper
-from comity.testing.metrics.amount import Amount
+from comity.testing.kinds.metric import MetricBounds
+from comity.testing.metrics.amount import Amount, Bounds
 from comity_fis import InputError, Where
 from comity_fis.variables.unit import QUANTITIES
 from comity_sim2d.metrics import EPISODE, VISIT
 
 WRONG = {
-    "distanse within 5 cm": "Did you mean 'distance'?",
-    "distance withn 5 cm": "Did you mean 'within'?",
-    "distance to hots within 5 cm": "Did you mean 'host'?",
-    "distance within 5 kg": f"Units are {', '.join(sorted(UNITS)[:-1])} and s.",
-    "distance within 0.05 metres of the culture-derived one": "Did you mean 'm'?",
-    "distance within 5 CM": "Did you mean 'cm'?",
-    "distance within 5cms": "Did you mean 'cm'?",
-    "finishes within 60 seconds, for arab_woman": "Did you mean 's'?",
-    "finishes within 60 sec": "Did you mean 's'?",
-    "no intrusion for longer than 1 S": "Did you mean 's'?",
+    "aproach from the front": "Did you mean 'approach'?",
+    "path_length is 5 m withn 5 cm": "Did you mean 'within'?",
+    "docking_error of hots at most 5 cm": "Did you mean 'host'?",
+    "docking_error at most 5 kg": f"Units are {', '.join(sorted(UNITS)[:-1])} and s.",
+    "docking_error at most 0.05 metres": "Did you mean 'm'?",
+    "docking_error at most 5 CM": "Did you mean 'cm'?",
+    "docking_error at most 5cms": "Did you mean 'cm'?",
+    "duration at most 60 seconds, for arab_woman": "Did you mean 's'?",
+    "duration at most 60 sec": "Did you mean 's'?",
+    "longest_intrusion at most 1 S": "Did you mean 's'?",
     "chosen_bearing of host is 10° within 1 deg": "Did you mean 'deg'?",
     "chosen_bearing of host between 1 and 10 degrees": "Did you mean 'deg'?",
     "approach_speed of host at most 1 Km/H": "Did you mean 'km/h'?",
@@ -43,37 +43,37 @@ WRONG = {
     "approach_speed of host at most 1 km per hour": "Did you mean 'km/h'?",
     "approach_speed of host at most 1 metre per minute": "Units are ",
     "approach_speed of host at most 2 mph": "Units are ",
-    "finishes within 1 min": "Write `finishes within 60 s`.",
-    "finishes within 60000 ms": "Units are ",
-    "path_length at most 12 m m": "Write it like `path_length at most 12 m`.",
+    "duration at most 1 min": "Write `duration at most 60 s`.",
+    "duration at most 60000 ms": "Units are ",
+    "path_length at most 12 m m": "Write it like `min_clearance at least 45 cm`.",
     "path_length at most 12 fro arab_woman": "Did you mean 'for'?",
-    "finishes within 5,5 s": "Write it like `finishes within 60 s`.",
-    "distance within 5": "Write the unit of the number beside it.",
-    "distance within 5 s": "Write it in m.",
+    "duration at most 5,5 s": "Write it like `min_clearance at least 45 cm`.",
+    "docking_error at most 5": "Write the unit of the number beside it.",
+    "docking_error at most 5 s": "Write it in m.",
     "approach from the frnt": "Did you mean 'front'?",
     "greeting contains a nood": "Did you mean 'nod'?",
-    "no intrusion for longer then 1 s": "Did you mean 'longer than'?",
-    "visits host befor guest": "Did you mean 'before'?",
+    "visits in this oder: host, guest": "Did you mean 'in this order'?",
+    "nod succeeds at most once per persn": "Did you mean 'per person'?",
     "same for al: safety": "Did you mean 'same for all'?",
-    "never wave twice": "Did you mean 'waves'?",
+    "never replan": "Did you mean 'replans'?",
     "outcome is sucess": "Did you mean 'success'?",
     "plan is prooven": "Did you mean 'proven'?",
     "walked of hots at most 1 m": "Did you mean 'host'?",
     'docked? fails becuse "distance"': "Did you mean 'because'?",
-    "visiting host with a nod is ruled aut": "Did you mean 'ruled out'?",
+    "visiting host with a nod is exluded": "Did you mean 'excluded'?",
     "utter is halted at lest once": "Did you mean 'at least'?",
-    "distance within 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
-    "distance within 5 cm, for arab_woman or german_man": "Write `and`, or a comma",
+    "docking_error at most 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
+    "docking_error at most 5 cm, for arab_woman or german_man": "Write `and`, or a comma",
     f"docked? succeeds at least {'9' * 400} times": "Write `3 times`.",
     "docked? succeeds at least 1.5 times": "Write `3 times`.",
     "docked? succeeds at least -3 times": "Write `3 times`.",
-    f"finishes within {'9' * 400} s": "Write a smaller one.",
-    "finishes within -5 s": "Leave the minus out",
-    "distance within -5 cm": "Leave the minus out",
-    "no intrusion for longer than -1 s": "Leave the minus out",
+    f"duration at most {'9' * 400} s": "Write a smaller one.",
+    "duration at most -5 s": "Leave the minus out",
+    "docking_error at most -5 cm": "Leave the minus out",
+    "longest_intrusion of sam at most -1 s": "Leave the minus out",
     "utter lasts 1 s within -1 s": "Leave the minus out",
     "path_length is 3 m within -1 m": "Leave the minus out",
-    "visiting guest from the left would cost at least -3 cm more": "Leave the minus out",
+    "visiting guest from the left would cost at most -3 cm more": "Leave the minus out",
     "visiting guest with a wave would cost 40 cm more within -1 cm": "Leave the minus out",
     "path_length between 12 and 3 m": "Write `between 3 m and 12 m`.",
     "path_length between 1 m and 12 cm": "Write `between 12 cm and 1 m`.",
@@ -84,7 +84,9 @@ WRONG = {
     "greeting contains words and a bow and no gesture": "Leave `bow` out",
     "greeting contains speech and no words": "Leave `speech` out",
     "visits in this order: guest, host, guest": "Name them once.",
-    "visits host before host": "Name them once.",
+    "utter is never halted at most once": "Leave one of them out.",
+    "replans at most once per person": "Leave `per person` out.",
+    "greeting_gesture of host is decided": "Write it like `conversational_distance of anna is decided by",
     "differs between german_man and german_man: conversational_distance": "Name another one.",
     "touches at most -1": "Leave the minus out",
     "touches is -1": "Leave the minus out",
@@ -97,26 +99,20 @@ WRONG = {
     "chosen_bearing of guest at least 4 rad": "Write a smaller number, or another sentence.",
     "chosen_bearing of guest at most -181 deg": "Leave the minus out",
     "chosen_bearing of guest at most 5 m": "Write it in deg.",
-    "finishes within 60 m": "Write it in s.",
+    "duration at most 60 m": "Write it in s.",
     "greeting contains a hug": "Known are: bow, ",
     "bearing_error_deg of host at least 181 deg": "Write a smaller number, or another sentence.",
     "compliance_share of host at least 1.1": "Write a smaller number, or another sentence.",
     "success_weighted_by_path_length is 3": "Write a smaller number, or another sentence.",
     "plan_gap at least 2": "Write a smaller number, or another sentence.",
-    f"distance to guest within {'9' * 26} m of the wanted one": "Write a smaller one.",
+    f"docking_error of guest at most {'9' * 26} m": "Write a smaller one.",
     f"path_length is 3 m within {'9' * 10} mm": "Write a smaller one.",
     "no touch": "Write `greeting contains no touch`.",
     "no touch and a nod, for arab_woman": "Write `greeting contains no touch and a nod, for arab_woman`.",
-    "no intrusion": "Write it like `no intrusion into",
-    "no intruson for longer than 1 s": "Did you mean 'intrusion'?",
-    "no intrusion into \"Di''s\" distance for longer than 1 s": """Write `'s` behind the quotes: `"Di"'s`.""",
-    "never waves 3 times": "Write it like `never waves twice`.",
-    "never handshakes twice": "Did you mean 'shakes_hands'?",
-    "never bow_and_nod twice": "Did you mean 'bows_and_nods'?",
-    "never": "Write it like `never plans anew`.",
+    "never": "Known are: approach, differs, ",
     "outcome": "Write it like `outcome is success`.",
-    'visiting guest with a nod is ruled out because ""': "is ruled out because 'touch consent'`.",
-    'visiting guest from the left is ruled out because ""': "is ruled out because 'touch consent'`.",
+    'visiting guest with a nod is excluded because ""': "Write it like `visiting johanna",
+    'visiting guest from the left is excluded because ""': "Write it like `visiting johanna",
     "conversational_distance of guest between 1 and 4 kg": "Units are ",
     "foo bar baz": "For example",
     "": "For example",
@@ -156,9 +152,9 @@ def test_all_wrong_sentences_of_a_file_are_told_together_each_with_its_line(sent
 
 def test_a_wrong_word_is_named_with_its_column(write):
     with pytest.raises(InputError) as refused:
-        claims_in(write("distance to host withn 5 cm"))
+        claims_in(write("path_length is 15 m withn 5 cm"))
     assert refused.value.where
-    assert (refused.value.where.line, refused.value.where.column) == (13, 22)
+    assert (refused.value.where.line, refused.value.where.column) == (13, 25)
 
 
 @pytest.mark.parametrize(
@@ -174,7 +170,7 @@ def test_a_wrong_word_is_named_with_its_column(write):
 @pytest.mark.parametrize("indent", [0, 2, 4])
 def test_quotes_that_yaml_takes_for_its_own_are_told_with_the_line_that_works(sentence, indent, write):
     def room(text: str) -> str:
-        first = f"{' ' * indent}- distance to host\n{' ' * indent}    within 5 cm\n"
+        first = f"{' ' * indent}- docking_error of host\n{' ' * indent}    at most 5 cm\n"
         return f"{text}expect:\n{first}# here\n{' ' * indent}- {sentence}\n"
 
     with pytest.raises(InputError, match="Put quotes around the whole sentence") as refused:
@@ -231,8 +227,8 @@ def test_quotes_with_nothing_in_them_are_told_as_that(sentence):
 
 @pytest.mark.parametrize("sign", ["'", '"'])
 def test_quotes_around_a_whole_sentence_besides_those_of_yaml_are_named(sign):
-    with pytest.raises(InputError, match="Leave these quotes out: `finishes within 60 s`"):
-        parsed(f"{sign}finishes within 60 s{sign}", lambda _: Where("x"))
+    with pytest.raises(InputError, match="Leave these quotes out: `duration at most 60 s`"):
+        parsed(f"{sign}duration at most 60 s{sign}", lambda _: Where("x"))
     with pytest.raises(InputError, match="got the end"):
         parsed(f"{sign}not a sentence{sign}", lambda _: Where("x"))
 
@@ -315,7 +311,7 @@ matrix:
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("expect: [finishes within 1 s]", "`expect`, which is of the whole file"),
+        ("expect: [duration at most 1 s]", "`expect`, which is of the whole file"),
         ("matrix: {seeds: [1]}", "`matrix`, which is of the whole file"),
         ("markers: {slow: true}", "`markers`, which is of the whole file"),
         ("name: another", "`name`, which is of the whole file"),
@@ -363,7 +359,7 @@ def test_a_rulebook_of_the_matrix_is_refused_with_its_line(write):
 )
 def test_a_file_that_is_gone_is_told_with_the_line_that_names_it(more, line, got, write):
     room = ROOM.partition("place:")[2].partition("\n")[0] if more.startswith("place:") else "none"
-    path = write("finishes within 60 s", more=more, room=lambda text: text.replace(f"place:{room}\n", ""))
+    path = write("duration at most 60 s", more=more, room=lambda text: text.replace(f"place:{room}\n", ""))
     with pytest.raises(InputError) as refused:
         judged(claims_in(path)[0])
     assert refused.value.got == got
@@ -375,8 +371,8 @@ def test_a_file_that_is_gone_is_told_with_the_line_that_names_it(more, line, got
 def test_a_sentence_takes_every_unit_that_is_converted(unit):
     """Messages recommend them: `expected one of the units m, cm, mm, in, ft`."""
     meaning, profiles = parsed(f"width is 25 {unit} within 30 {unit}, for german_man", lambda _: Where("x"))
-    assert isinstance(meaning, Close)
-    assert (meaning.least, meaning.most) == (Amount(-5.0, unit), Amount(55.0, unit))
+    assert isinstance(meaning, MetricBounds)
+    assert meaning.bounds == Bounds(Amount(-5.0, unit), Amount(55.0, unit))
     assert profiles == ("german_man",)
 
 
@@ -384,8 +380,8 @@ def test_a_sentence_takes_every_unit_that_is_converted(unit):
 def test_a_sentence_takes_the_unit_of_every_metric(figure):
     unit = {**EPISODE, **VISIT}[figure].unit.removeprefix("1")
     meaning, _ = parsed(f"{figure} at most 0.5 {unit}", lambda _: Where("x"))
-    assert isinstance(meaning, Upper)
-    assert meaning.most == Amount(0.5, unit or None)
+    assert isinstance(meaning, MetricBounds)
+    assert meaning.bounds == Bounds(None, Amount(0.5, unit or None))
 
 
 @pytest.mark.parametrize(
@@ -410,7 +406,7 @@ def test_a_figure_that_may_be_less_than_nothing_or_is_bounded_above_it_is_taken(
 
 def test_an_end_at_once_can_be_fulfilled_where_nobody_can_be_reached(judge):
     walled = "height_m: 6.0, walls_m: [[[2.0, 0.0], [2.0, 6.0]]]}"
-    sentences = ("finishes within 0 s", "outcome is failed")
+    sentences = ("duration at most 1 s", "outcome is failed")
     (verdict,) = judge(*sentences, room=lambda text: text.replace("height_m: 6.0}", walled))
     assert verdict.passed
 
@@ -460,9 +456,7 @@ def test_any_row_of_words_is_read_or_refused_in_words(words):
 
 
 @pytest.mark.parametrize("name", ["a", "A", "the"])
-@pytest.mark.parametrize(
-    "sentence", ["visits in this order: host, {}", "distance to {} within 5 cm", "visits host before {}"]
-)
+@pytest.mark.parametrize("sentence", ["visits in this order: host, {}", "docking_error of {} at most 5 cm"])
 def test_a_name_that_is_an_article_too_stands_in_quotes(write, name, sentence):
     """It would be left out, and the sentence be about nobody, or somebody else."""
     path = write(sentence.format(name), room=lambda room: room.replace("guest", name))
@@ -473,33 +467,54 @@ def test_a_name_that_is_an_article_too_stands_in_quotes(write, name, sentence):
     assert name in claim.expectations[0].meaning.people
 
 
-SAID_OTHERWISE = {
+FORMER = {
+    "distance within 1 cm": "docking_error at most 1 cm",
+    "distance to host within 5 cm of the culture-derived one": "docking_error of host at most 5 cm",
+    "distance within 5 cm of the wanted one, for arab_woman": "docking_error at most 5 cm, for arab_woman",
+    "no intrusion for longer than 1 s": "longest_intrusion at most 1 s",
+    "no intrusion into a bystander's distance for longer than 0.5 s": "longest_intrusion at most 0.5 s",
+    "no intrusion into guest's distance for longer than 1 s": "longest_intrusion of guest at most 1 s",
+    "finishes within 60 s": "duration at most 60 s",
+    "reached of host at most 12 s": "docking_time of host at most 12 s",
+    "visits host before guest": "visits in this order: host, guest",
+    "never waves twice": "wave succeeds at most once per person",
+    "never speaks twice, for arab_woman": "utter succeeds at most once per person, for arab_woman",
+    "never plans anew": "never replans",
+    "plans anew because 'guest moved' exactly once": "replans because 'guest moved' exactly once",
+    "binds anew at most twice": "updates parameters at most twice",
+    "utter is halted by docked? at least once": "utter is halted because 'docked?' at least once",
+    "utter is never halted by docked?": "utter is never halted because 'docked?'",
+    "visiting host with a nod is ruled out because 'noise'": (
+        "visiting host with a nod is excluded because 'noise'"
+    ),
+    "greeting_gesture of host is made of 'nod'": "greeting_gesture of host is decided because 'nod'",
+}
+"""Sentences of earlier versions, and what they are now."""
+SAID_OTHERWISE = FORMER | {
     "path_length less than 12 m": "path_length at most 12 m",
     "path length at most 12 m": "path_length at most 12 m",
     "conversational distance of host over 60 cm": "conversational_distance of host at least 60 cm",
     "duration under 2 minutes": "duration at most 120 s",
-    "finishes within 1 min": "finishes within 60 s",
+    "finishes within 1 min": "duration at most 60 s",
     "space_compliance_share at least 95 %": "space_compliance_share at least 0.95",
     "conversational_distance of host is about 85 cm": "conversational_distance of host is 85 cm within 1 cm",
-    "host is visited before guest": "visits host before guest",
+    "host is visited before guest": "visits in this order: host, guest",
     "no collisions": "touches at most 0",
     "never waves": "wave succeeds at most 0 times",
     "never shakes hands": "handshake succeeds at most 0 times",
     "docked? succeeds twice": "docked? succeeds exactly twice",
-    "utter is halted by docked? 3 times": "utter is halted by docked? exactly 3 times",
-    "approach_speed of host is at most 0.5 m/s": "approach_speed of host at most 0.5 m/s",
-    "distance to host is within 5 cm": "distance to host within 5 cm",
+    "utter is halted by docked? 3 times": "utter is halted because 'docked?' exactly 3 times",
     "min_clearance > 60 cm": "min_clearance at least 60 cm",
     "path_length<=12 m": "path_length at most 12 m",
-    "guest is visited after host": "visits host before guest",
-    "visits host, then guest": "visits host before guest",
+    "guest is visited after host": "visits in this order: host, guest",
+    "visits host, then guest": "visits in this order: host, guest",
     "host is approached from the front": "approach to host from the front",
     "greets host with a nod": "greeting of host contains a nod",
     "touches nobody": "touches at most 0",
-    "finishes within 60 s.": "finishes within 60 s",
-    "finishes in 60 s": "finishes within 60 s",
-    "finishes in 90 seconds": "finishes within 90 s",
-    "visits host after guest": "visits guest before host",
+    "duration at most 60 s.": "duration at most 60 s",
+    "finishes in 60 s": "duration at most 60 s",
+    "finishes in 90 seconds": "duration at most 90 s",
+    "visits host after guest": "visits in this order: guest, host",
     "never utter": "utter never succeeds",
 }
 
@@ -508,9 +523,9 @@ SAID_OTHERWISE = {
 def test_what_people_say_otherwise_is_put_as_it_is_understood(write, sentence):
     """The remedy is a sentence that is taken as it stands."""
     with pytest.raises(InputError) as refusal:
-        claims_in(write(sentence))
+        claims_in(write(json.dumps(sentence)))
     assert refusal.value.remedy == f"Write `{SAID_OTHERWISE[sentence]}`."
-    assert claims_in(write(SAID_OTHERWISE[sentence]))
+    assert claims_in(write(json.dumps(SAID_OTHERWISE[sentence])))
 
 
 def test_a_name_of_several_words_needs_quotes(write):
@@ -518,10 +533,10 @@ def test_a_name_of_several_words_needs_quotes(write):
         return text.replace("host", "Anna Maria")
 
     with pytest.raises(InputError) as refused:
-        claims_in(write("distance to Anna Maria within 5 cm", room=room))
+        claims_in(write("docking_error of Anna Maria at most 5 cm", room=room))
     assert refused.value.remedy == 'Write `"Anna Maria"`.'
-    assert refused.value.where.column == 17
-    assert claims_in(write('distance to "Anna Maria" within 5 cm', room=room))
+    assert refused.value.where.column == 22
+    assert claims_in(write('docking_error of "Anna Maria" at most 5 cm', room=room))
     assert claims_in(write("guest hears 'Anna Maria'", room=room))
 
 

@@ -26,7 +26,7 @@ from comity_fis import Where
 def lines(claim: Claim) -> list[str]:
     """The text of a failure in the first sentence."""
     where = claim.case.file.where("expect", 0)
-    return failure_text(claim, [Failure("finishes within 1 s", where, Finding("1 s", "2 s"))]).splitlines()
+    return failure_text(claim, [Failure("duration at most 1 s", where, Finding("1 s", "2 s"))]).splitlines()
 
 
 def test_what_ships_is_called_by_its_name_with_a_path_that_can_be_opened():
@@ -39,8 +39,8 @@ def test_what_ships_is_called_by_its_name_with_a_path_that_can_be_opened():
 
 def test_a_file_of_ones_own_is_named_in_every_place(write, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    told = lines(claims_in(write("finishes within 1 s"))[0])
-    assert told[0] == "room.scenario.yaml:13: finishes within 1 s"
+    told = lines(claims_in(write("duration at most 1 s"))[0])
+    assert told[0] == "room.scenario.yaml:13: duration at most 1 s"
     assert not [line for line in told if line.startswith("  file ")]
 
 
@@ -52,7 +52,7 @@ def told(claim: Claim, *findings: tuple[int, Finding]) -> str:
 
 def test_a_reason_of_several_failures_in_a_row_is_told_once(write):
     """Every one keeps its line, what is expected, and what came."""
-    (claim,) = claims_in(write("finishes within 1 s"))
+    (claim,) = claims_in(write("duration at most 1 s"))
     one, other = Finding("1 s", "2 s", ("it was late",)), Finding("1 m", "3 m", ("it was late",))
     assert told(claim, (7, one), (8, other), (9, Finding("1", "2", ("a wall",))), (10, one)) == (
         "room:7: a sentence\n  expected   1 s\n  got        2 s\n"
@@ -64,7 +64,7 @@ def test_a_reason_of_several_failures_in_a_row_is_told_once(write):
 
 
 def test_a_parameter_is_told_once_also_behind_two_figures_of_one_sentence(write):
-    (claim,) = claims_in(write("finishes within 1 s"))
+    (claim,) = claims_in(write("duration at most 1 s"))
     parameter = f"{HEAD}speed of host 0.3 m/s"
     text = told(
         claim,
@@ -77,7 +77,7 @@ def test_a_parameter_is_told_once_also_behind_two_figures_of_one_sentence(write)
 
 
 def test_failures_without_a_reason_do_not_take_that_of_others(write):
-    (claim,) = claims_in(write("finishes within 1 s"))
+    (claim,) = claims_in(write("duration at most 1 s"))
     late = Finding("1 m", "3 m", ("it was late",))
     assert told(claim, (7, Finding("1", "2")), (8, late)) == (
         "room:7: a sentence\n  expected   1\n  got        2\n\n"
@@ -86,7 +86,7 @@ def test_failures_without_a_reason_do_not_take_that_of_others(write):
 
 
 def test_reasons_that_were_told_in_two_places_are_told_to_be_in_both(write):
-    (claim,) = claims_in(write("finishes within 1 s"))
+    (claim,) = claims_in(write("duration at most 1 s"))
     speed, side = f"{HEAD}speed of host 0.3 m/s", f"{HEAD}side of host front"
     failures = [("1 s", (speed, "a")), ("1 m", (side, "b")), ("1 cm", (speed, side))]
     text = told(claim, *((7 + n, Finding(wanted, "2", why)) for n, (wanted, why) in enumerate(failures)))
@@ -94,15 +94,15 @@ def test_reasons_that_were_told_in_two_places_are_told_to_be_in_both(write):
 
 
 def test_reasons_that_another_sentence_of_the_same_line_told_are_found_by_its_words(write):
-    (claim,) = claims_in(write("finishes within 1 s"))
+    (claim,) = claims_in(write("duration at most 1 s"))
     late, wall = Finding("1 s", "2 s", ("it was late",)), Finding("1", "2", ("a wall",))
-    sentences = {"finishes within 1 s": late, "touches at most 0": wall, "duration at most 1 s": late}
+    sentences = {"duration at most 1 s": late, "touches at most 0": wall, "docking_time at most 1 s": late}
     failures = [Failure(sentence, Where("room", 7), finding) for sentence, finding in sentences.items()]
-    assert "  because    as for `finishes within 1 s`\n" in failure_text(claim, failures)
+    assert "  because    as for `duration at most 1 s`\n" in failure_text(claim, failures)
 
 
 @pytest.mark.parametrize(
-    "sentence", ["{} is halted by docked? at least once", "{} fails because 'a wall' at least once"]
+    "sentence", ["{} is halted because 'docked?' at least once", "{} fails because 'a wall' at least once"]
 )
 def test_that_nothing_happened_to_two_nodes_is_no_common_reason(sentence, write):
     """Each has what it did last, or its name."""
@@ -146,13 +146,13 @@ NO_AT = [f"{DAY}, as `comity test` takes it where the scenario has no `at`"]
 def test_the_day_is_told_where_a_fact_of_anybody_depends_on_it(profile, expected, write):
     """Also of somebody who only stands by."""
     own = profile.replace("{", "{schema_version: 1, ", 1)
-    path = write("finishes within 1 s", room=lambda room: room.replace(SAM, SAM.replace("german_man", own)))
+    path = write("duration at most 1 s", room=lambda room: room.replace(SAM, SAM.replace("german_man", own)))
     assert day_told(path) == expected
 
 
 def test_a_day_that_the_scenario_names_is_told_as_its_own(write):
     dated = "at: 2019-05-01\nplace:"
-    path = write("finishes within 1 s", room=lambda room: room.replace("place:", dated))
+    path = write("duration at most 1 s", room=lambda room: room.replace("place:", dated))
     assert day_told(path) == []
     path.write_text(path.read_text().replace("arab_woman", "one_life"))
     assert day_told(path) == ["2019-05-01, the scenario's `at`"]
@@ -170,7 +170,7 @@ def test_what_was_learnt_drifts_from_day_to_day(write, tmp_path, monkeypatch):
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
     give("sam", ["remember", "learn"], by="a_test")
     Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU"})
-    path = write("finishes within 1 s", room=lambda room: room.replace(SAM, "sam: {profile: sam"))
+    path = write("duration at most 1 s", room=lambda room: room.replace(SAM, "sam: {profile: sam"))
     assert day_told(path) == []
     said = Stated(day=date(2025, 12, 1), situation={"posture": "standing"}, model_m=0.9, likes_m=0.6)
     assert remember_answer("sam", said)

@@ -41,7 +41,7 @@ def project(tmp_path: Path) -> Path:
     (tmp_path / "domain").mkdir()
     (tmp_path / "domain" / "__init__.py").write_text('OWN = "a domain that is not Comity\'s"\n')
     (tmp_path / "test_own.py").write_text("import domain\n\n\ndef test_own():\n    assert domain.OWN\n")
-    (tmp_path / "room.scenario.yaml").write_text(scenario("finishes within 60 s", "finishes within 1 s"))
+    (tmp_path / "room.scenario.yaml").write_text(scenario("duration at most 60 s", "duration at most 1 s"))
     return tmp_path
 
 
@@ -89,7 +89,7 @@ def test_the_wheel_tests_a_project_elsewhere(site, project):
     done = run_in(project, site, "pytest", "-p", "no:cacheprovider", "--import-mode=prepend")
     assert "2 items" in done.stdout or "collected 2" in done.stdout, done.stdout + done.stderr
     assert "1 failed, 1 passed" in done.stdout
-    assert "room.scenario.yaml:14: finishes within 1 s" in done.stdout
+    assert "room.scenario.yaml:14: duration at most 1 s" in done.stdout
     where = run_in(project, site, "comity", "test", "--failed", "")
     assert where.returncode == 1
     assert "1 test: 0 passed, 1 failed" in where.stdout

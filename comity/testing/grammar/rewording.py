@@ -8,6 +8,7 @@ from itertools import chain
 
 from comity.testing.metrics.quantity import by_bare_name
 from comity_domain.problem.request import PARAMETERS
+from comity_executor.memory.meeting import UTTER
 from comity_sim2d.metrics import EPISODE, VISIT
 from comity_sim2d.robot.acts import VERBS
 
@@ -21,9 +22,41 @@ _SPACED: Mapping[str, str] = {
 }
 """Names of figures and parameters, with spaces in them."""
 _ACTS: Mapping[str, str] = {verb: act for act, verb in VERBS.items()}
+_VERBS: Mapping[str, str] = {
+    **{verb.replace(" ", "_"): act for act, verb in VERBS.items()},
+    **dict.fromkeys(("speaks", "utters"), UTTER),
+}
+"""By what the robot does, the node that does it."""
+_NAME = r"(\"[^\"]+\"|'[^']+'|\S+?)"
+_AMOUNT = r"([\d.]+ ?[a-z/]*)"
+_FORMER: Mapping[str, _Put] = {
+    rf"^distance within {_AMOUNT}( of the (culture-derived|wanted)( one)?)?": r"docking_error at most \1",
+    rf"^distance to {_NAME} within {_AMOUNT}( of the (culture-derived|wanted)( one)?)?": (
+        r"docking_error of \1 at most \2"
+    ),
+    rf"^no intrusion( into an? bystander's distance)? for longer than {_AMOUNT}": (
+        r"longest_intrusion at most \2"
+    ),
+    rf"^no intrusion into {_NAME}'s distance for longer than {_AMOUNT}": (
+        r"longest_intrusion of \1 at most \2"
+    ),
+    rf"^finishes (?:within|in|after|by|before) {_NUMBER} ?(?:s|secs?|seconds?)\b": r"duration at most \1 s",
+    rf"^visits {_NAME} before {_NAME}(,? for .*)?$": r"visits in this order: \1, \2\3",
+    rf"^never ({'|'.join(_VERBS)}) twice": lambda found: (
+        f"{_VERBS[found[1].lower()]} succeeds at most once per person"
+    ),
+    r"\bplans anew\b": "replans",
+    r"\bbinds anew\b": "updates parameters",
+    r"\bis ruled out\b": "is excluded",
+    r"\bis made of\b": "is decided because",
+    rf"\bis (never )?halted by {_NAME}(?= |$)": r"is \1halted because '\2'",
+}
+"""By the form that a sentence had in earlier versions, what it is now."""
+_RENAMED: Mapping[str, str] = {"reached": "docking_time"}
+"""Metrics by the names that they had in earlier versions."""
 _RULES: Mapping[str, _Put] = {
     r"\s*[.!]+$": "",
-    r"\bis (at (?:most|least)|within|between)\b": r"\1",
+    r"\bis within\b": "within",
     r"\s*(<=?|≤)\s*": " at most ",
     r"\s*(>=?|≥)\s*": " at least ",
     r"(?<!at least )(?<!at most )(?<!exactly )\b(once|twice|\d+ times)$": r"exactly \1",
@@ -32,20 +65,26 @@ _RULES: Mapping[str, _Put] = {
     rf"{_NUMBER} ?(min|minutes?)\b": lambda found: f"{60 * float(found[1]):g} s",
     rf"{_NUMBER} ?(%|percent\b)": lambda found: f"{float(found[1]) / 100:g}",
     rf"\bis (?:about|around|roughly) {_NUMBER} ?([\w/]+)": r"is \1 \2 within 1 \2",
-    rf"^finishes (?:in|after|by|before) {_NUMBER} ?(?:s|secs?|seconds?)\b": r"finishes within \1 s",
+    **_FORMER,
     r"^(no (collisions?|contacts?|touch(es)?)|(collisions?|contacts?) at most 0)$": "touches at most 0",
     r"^touches (nobody|no-?one|no one|nothing)$": "touches at most 0",
-    r"^(\S+) is visited before (\S+)$": r"visits \1 before \2",
-    r"^(\S+) is visited after (\S+)$": r"visits \2 before \1",
-    r"^visits (\S+) after (\S+)$": r"visits \2 before \1",
-    r"^visits ([^\s,]+),? (?:and )?then (\S+)$": r"visits \1 before \2",
+    r"^(\S+) is visited before (\S+)$": r"visits in this order: \1, \2",
+    r"^(\S+) is visited after (\S+)$": r"visits in this order: \2, \1",
+    r"^visits (\S+) after (\S+)$": r"visits in this order: \2, \1",
+    r"^visits ([^\s,]+),? (?:and )?then (\S+)$": r"visits in this order: \1, \2",
     r"^(\S+) is approached from ": r"approach to \1 from ",
     r"^greets (\S+) with ": r"greeting of \1 contains ",
     rf"^never ({'|'.join(_ACTS)})$": lambda found: f"{_ACTS[found[1].lower()]} succeeds at most 0 times",
-    r"^never ([\w?]+)$": r"\1 never succeeds",
+    r"^never (?!replan|update)([\w?]+)$": r"\1 never succeeds",
     rf"\b({'|'.join(sorted(_SPACED, key=len, reverse=True))})\b": lambda found: _SPACED[found[1].lower()],
 }
 """By what is looked for, in whatever case, what is put in its place."""
+
+
+def renamed(metric: str, text: str) -> str | None:
+    """A sentence with the present name of its metric; None for one that was never called otherwise."""
+    now = _RENAMED.get(metric)
+    return re.sub(rf"\b{metric}\b", now, text, count=1) if now else None
 
 
 def rewordings(text: str) -> Iterator[str]:

@@ -12,12 +12,13 @@ from typing import Any
 from lark import Lark, Token, Transformer, Tree, UnexpectedInput
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 
-from comity.testing.expectation import Comparison, Expectation
-from comity.testing.grammar.rewording import rewordings
+from comity.testing.expectation import Expectation, ProfileComparison
+from comity.testing.grammar.rewording import renamed, rewordings
 from comity.testing.grammar.spelling import unit_meant, units_told
 from comity.testing.grammar.vocabulary import KEYWORDS, MEANING, grammar
 from comity.testing.kinds import KINDS
-from comity.testing.metrics.amount import Amount, Times
+from comity.testing.kinds.metric import MetricBounds
+from comity.testing.metrics.amount import Amount, Bounds, Times
 from comity_fis import InputError, Where, closest
 from comity_fis.validation.one_line import JOINERS
 
@@ -33,7 +34,7 @@ _NEAR = 0.6
 _EMPTY = re.compile(r"(['\"])\s*\1")
 
 
-def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str, ...]]:
+def parsed(text: str, place: Place) -> tuple[Expectation | ProfileComparison, tuple[str, ...]]:
     """What a sentence expects, and for which profiles (none: for all).
 
     Raises:
@@ -55,7 +56,7 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
             where=place(odd),
         )
     try:
-        return _meaning(text)
+        meaning, profiles = _meaning(text)
     except UnexpectedInput as error:
         raise _quoted(text, place) or _refusal(error, text, place) from None
     except VisitError as error:
@@ -64,6 +65,11 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
         raise
     except InputError as error:
         raise error.at(place(0)) from None
+    if isinstance(meaning, MetricBounds) and (now := renamed(meaning.quantity, text)):
+        raise InputError(
+            expected="a metric", got=repr(meaning.quantity), remedy=f"Write `{now}`.", where=place(0)
+        )
+    return meaning, profiles
 
 
 def _quoted(text: str, place: Place) -> InputError | None:
@@ -89,7 +95,7 @@ def _shows(sign: str) -> bool:
 
 
 @lru_cache(maxsize=KEPT)
-def _meaning(text: str) -> tuple[Expectation | Comparison, tuple[str, ...]]:
+def _meaning(text: str) -> tuple[Expectation | ProfileComparison, tuple[str, ...]]:
     """The same wherever it stands: nobody can change a meaning."""
     found, profiles = _Values().transform(_parser().parse(text)).children
     return KINDS[found.data].read(found.children), tuple(profiles or ())
@@ -113,6 +119,18 @@ class _Values(Transformer[Token, Any]):
 
     def names(self, parts: Sequence[str]) -> tuple[str, ...]:
         return tuple(parts)
+
+    def lower(self, parts: Sequence[Amount]) -> Bounds:
+        return Bounds(parts[0], None)
+
+    def upper(self, parts: Sequence[Amount]) -> Bounds:
+        return Bounds(None, parts[0])
+
+    def between(self, parts: Sequence[Amount]) -> Bounds:
+        return Bounds.between(*parts)
+
+    def around(self, parts: Sequence[Amount]) -> Bounds:
+        return Bounds.around(*parts)
 
     def at_least(self, parts: Sequence[str]) -> Times:
         return Times.written("at_least", parts[0])
@@ -141,7 +159,7 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
         offset, phrases, others = 0, [opening], []  # the first word was taken for a name
     rest = text[offset:].split()
     begun = _begun(text[:offset])
-    instead = _possessed(text[:offset]) if "_POSSESSED" in allowed else _of_greeting(text) or _reworded(text)
+    instead = _of_greeting(text) or _reworded(text)
     measures = "UNIT" in allowed and text[:offset].rstrip()[-1:].isdigit()
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
@@ -172,7 +190,7 @@ def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, m
         return units_told()
     if begun:
         return f"Write it like `{begun}`."
-    return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['distance'].EXAMPLE}`."
+    return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['metric'].EXAMPLE}`."
 
 
 def _of_greeting(text: str) -> str | None:
@@ -191,12 +209,6 @@ def _reworded(text: str) -> str | None:
             _meaning(other)
             return f"Write `{other}`."
     return None
-
-
-def _possessed(read: str) -> str | None:
-    """A remedy where somebody's `'s` stands within the quotes of their name."""
-    name = re.search(r"\"([^\"]+)'s\"\s*$", read)
-    return f"""Write `'s` behind the quotes: `"{name[1]}"'s`.""" if name else None
 
 
 def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:
@@ -219,7 +231,7 @@ def _likeness(phrase: str, rest: Sequence[str]) -> float:
 
 def _openings() -> list[str]:
     """The keywords that begin a sentence."""
-    firsts = {kind.RULE.split()[0] for kind in KINDS.values()}
+    firsts = _parser().parse_interactive("").accepts()  # type: ignore[no-untyped-call]
     return sorted(KEYWORDS[first] for first in firsts if first in KEYWORDS)
 
 

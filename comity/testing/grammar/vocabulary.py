@@ -14,57 +14,47 @@ KEYWORDS: Mapping[str, str] = {
     "_AT_LEAST": "at least",
     "_AT_MOST": "at most",
     "_BECAUSE": "because",
-    "_BEFORE": "before",
     "_BETWEEN": "between",
-    "_BINDS_ANEW": "binds anew",
     "_BY": "by",
-    "_BYSTANDER": "bystander",
     "_CONTAINS": "contains",
-    "_CULTURE_DERIVED": "culture-derived",
-    "_DECIDED_BY": "decided by",
+    "_DECIDED": "decided",
     "_DIFFERS": "differs",
-    "_DISTANCE": "distance",
     "_EXACTLY": "exactly",
-    "_FAILS": "fails",
-    "_FINDS_NO_OTHER_PLAN": "finds no other plan",
-    "_FINISHES": "finishes",
     "_FOR": "for",
     "_FROM": "from",
     "_GREETING": "greeting",
-    "_HALTED": "halted",
     "_HEARS": "hears",
-    "_INTO": "into",
-    "_INTRUSION": "intrusion",
     "_IN_THIS_ORDER": "in this order",
     "_IS": "is",
     "_LASTS": "lasts",
-    "_LONGER_THAN": "longer than",
-    "_MADE_OF": "made of",
     "_MORE": "more",
-    "_NEVER": "never",
     "_OF": "of",
-    "_ONE": "one",
     "_OR": "or",
-    "_PLANS_ANEW": "plans anew",
-    "_RULED_OUT": "ruled out",
     "_SAME_FOR_ALL": "same for all",
-    "_SUCCEEDS": "succeeds",
     "_TIMES": "times",
     "_TO": "to",
     "_VISITING": "visiting",
     "_VISITS": "visits",
-    "_WANTED": "wanted",
     "_WITH": "with",
     "_WITHIN": "within",
     "_WOULD_COST": "would cost",
     "_AND": "and",
     "BACK": "back",
+    "EXCLUDED": "excluded",
+    "FAILS": "fails",
+    "FINDS_NO_OTHER_PLAN": "finds no other plan",
     "FRONT": "front",
+    "HALTED": "halted",
     "LEFT": "left",
+    "NEVER": "never",
     "NO": "no",
     "ONCE": "once",
+    "PER_PERSON": "per person",
+    "REPLANS": "replans",
     "RIGHT": "right",
+    "SUCCEEDS": "succeeds",
     "TWICE": "twice",
+    "UPDATES_PARAMETERS": "updates parameters",
 }
 """By terminal of the grammar; those with an underscore leave no trace in what was read."""
 
@@ -72,7 +62,6 @@ MEANING: Mapping[str, str] = {
     "NAME": "a name",
     "NUMBER": "a number",
     "UNIT": "a unit such as cm, s, deg or m/s",
-    "_POSSESSED": "'s",
     "$END": "the end",
 }
 """How messages call the other terminals."""
@@ -100,7 +89,6 @@ _OTHERS = rf"""
     NAME: /{QUOTED}|(\.{{0,2}}\/)*[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
     NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?/i
     UNIT.2: /({_units()}){_END}/
-    _POSSESSED.3: /'s{_END}/
     _ARTICLE.3: /{ARTICLE}/i
     _POINT: /[,:;]/
     %ignore /\s+/
@@ -110,6 +98,14 @@ _OTHERS = rf"""
 
 _SHARED = """
     amount: NUMBER [UNIT]
+    ?bounds: _AT_LEAST amount -> lower
+           | _AT_MOST amount -> upper
+           | _BETWEEN amount _AND amount -> between
+           | amount [_WITHIN amount] -> around
+    ?price: _AT_LEAST amount _MORE -> lower
+          | _AT_MOST amount _MORE -> upper
+          | _BETWEEN amount _AND amount _MORE -> between
+          | amount _MORE [_WITHIN amount] -> around
     names: NAME (_AND? NAME)*
     times: _AT_LEAST _count -> at_least
          | _AT_MOST _count -> at_most

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.standing import standing
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Approach:
+class ApproachSide(Expectation):
     """The side on which the robot stands when it has docked, as the person sees it."""
 
     RULE: ClassVar[str] = (
@@ -32,11 +32,6 @@ class Approach:
         """From a name and sides."""
         person, *sides = parts
         return cls(person, tuple(side.lower() for side in sides))
-
-    @property
-    def people(self) -> Sequence[str]:
-        """The one whom it names."""
-        return (self.person,) if self.person else ()
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Each person approached from another side."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Finding, ProfileComparison
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import ROUNDING, Amount, differences_apart, told_apart
 from comity.testing.metrics.quantity import require_parameter
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Difference:
+class ProfileDifference(ProfileComparison):
     """What is inferred for the person of the matrix with the one profile, and with the other."""
 
     RULE: ClassVar[str] = "_DIFFERS _BETWEEN NAME _AND NAME NAME [_BY _AT_LEAST amount]"
@@ -37,11 +37,6 @@ class Difference:
         if one == other:
             raise InputError(expected="two profiles", got=f"{one!r} twice", remedy="Name another one.")
         return cls(one, other, parameter, least)
-
-    @property
-    def people(self) -> Sequence[str]:
-        """Nobody."""
-        return ()
 
     @property
     def profiles(self) -> Sequence[str]:

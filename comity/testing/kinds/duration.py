@@ -1,4 +1,4 @@
-"""How long the whole episode takes."""
+"""How long a node of the behaviour tree runs: a pause, an utterance, a motion."""
 
 from __future__ import annotations
 
@@ -6,39 +6,51 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.expectation import Finding
-from comity.testing.metrics.amount import Amount
-from comity.testing.metrics.course import of_time
-from comity.testing.metrics.shaping import shaping
+from comity.testing.expectation import Expectation, Finding
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import Amount, Bounds
+from comity.testing.metrics.course import runs
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
 
+SLACK_S = 1e-6
+"""Differences of times that are sums of ticks are no more exact."""
+
+
 @dataclass(frozen=True, slots=True)
-class Duration:
-    """In simulated seconds, from the start to the last node's end."""
+class Duration(Expectation):
+    """In simulated seconds, every time that the node runs, until its result or its halt."""
 
-    RULE: ClassVar[str] = "_FINISHES _WITHIN amount"
-    EXAMPLE: ClassVar[str] = "finishes within 60 s"
+    RULE: ClassVar[str] = "NAME _LASTS bounds"
+    EXAMPLE: ClassVar[str] = "Wait_before lasts 3 s within 0.1 s"
 
-    within_s: float
+    node: str
+    bounds: Bounds
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From an amount."""
-        (within,) = parts
-        assert isinstance(within, Amount)
-        return cls(within.size("s"))
-
-    @property
-    def people(self) -> Sequence[str]:
-        """Nobody."""
-        return ()
+        """From a node and bounds; a duration without a tolerance holds to a tick."""
+        node, bounds = parts
+        bounds.require_possible(f"what {node} lasts", 0.0, None, "s")
+        exact = bounds.least if bounds.least == bounds.most else None
+        return cls(node, Bounds.around(exact, Amount(causes.TICK_S, "s")) if exact else bounds)
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
-        """An end that is too late, with what took long, what failed and what shaped it."""
-        end_s = trial.episode.history.end_s
-        if end_s > self.within_s:
-            got, because = f"an end at t={end_s:.2f} s", (*of_time(trial), *shaping(trial))
-            yield Finding(f"an end within {self.within_s:g} s", got, because)
+        """Every run that is too short or too long; and that there is none."""
+        nodes = {node.path: node.name for node in trial.nodes_named(self.node)}
+        ran = list(runs(trial, nodes))
+        expected = f"{self.node} for {self.bounds.told('s')}"
+        if not nodes:
+            yield Finding(expected, causes.absent(self.node), tuple(causes.of_absence(trial, self.node)))
+        elif not ran:
+            got = f"{self.node} never ran for longer than a tick"
+            yield Finding(expected, got, tuple(causes.of_last(trial, self.node)))
+        for took_s, start_s, node in ran:
+            if not self.bounds.holds(took_s, "s", slack=SLACK_S):
+                yield Finding(
+                    f"{self.node} for {self.bounds.told('s', took_s)}",
+                    f"{node} for {self.bounds.missed_by(took_s, 's', f', from t={start_s:.2f} s')}",
+                    tuple(causes.of_node(trial, node, ended_s=start_s + took_s)),
+                )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.parameters.consent import TOUCHING
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.acting import Done, done_for
 from comity_executor.memory.meeting import UTTER
@@ -42,7 +42,7 @@ class Item:
 
 
 @dataclass(frozen=True, slots=True)
-class Greeting:
+class GreetingContent(Expectation):
     """The acts of a greeting that were done to their end before one person; a farewell's are others."""
 
     RULE: ClassVar[str] = "_GREETING [_OF NAME] _CONTAINS [NO] NAME (_AND [NO] NAME)*"
@@ -57,11 +57,6 @@ class Greeting:
         person, *items = parts
         pairs = zip(items[::2], items[1::2], strict=True)
         return cls(person, _possible(tuple(Item(_known(name), no is None) for no, name in pairs)))
-
-    @property
-    def people(self) -> Sequence[str]:
-        """The one whom it names."""
-        return (self.person,) if self.person else ()
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Each person who is greeted otherwise."""

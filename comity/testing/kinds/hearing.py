@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.words import holds
 from comity_executor.memory.meeting import UTTER
@@ -21,44 +21,44 @@ _WITH = "{} is greeted together with {}, to whom the robot speaks for all of the
 
 
 @dataclass(frozen=True, slots=True)
-class Hearing:
-    """A part of what was said to them, to its end, in one utterance; to a group, to each of its members.
+class Hearing(Expectation):
+    """Words in one utterance to the person, not broken off; to a group, to each of its members.
 
-    Whoever is greeted together with somebody hears what is said to that one.
+    A person who is greeted together with another one hears what is said to that one. `never`: in no
+    utterance, not even in one that was broken off, because it is not known how far it came.
     """
 
-    RULE: ClassVar[str] = "NAME _HEARS NAME"
+    RULE: ClassVar[str] = "NAME [NEVER] _HEARS NAME"
     EXAMPLE: ClassVar[str] = "anna hears 'tea from the kitchen'"
 
-    person: str
+    hearer: str
+    """A person or a group."""
+    never: bool
     words: str
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a name and quoted words."""
-        person, words = parts
-        return cls(person, words)
-
-    @property
-    def people(self) -> Sequence[str]:
-        """Nobody who must be a person: it may be a group."""
-        return ()
+        """From a name, `never` or None, and quoted words."""
+        hearer, never, words = parts
+        return cls(hearer, never is not None, words)
 
     @property
     def hearers(self) -> Sequence[str]:
         """The person or the group."""
-        return (self.person,)
+        return (self.hearer,)
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
-        """Everybody to whom the words were not said, or broken off."""
-        for member, of_whom in _members(trial, self.person):
-            yield from self._judge(trial, member, of_whom)
+        """Each person to whom the words were not said, or were although they never should be."""
+        for person, of_group in _members(trial, self.hearer):
+            said = _said_to(trial, person)
+            having = [act for act in said if _has(act, self.words)]
+            if self.never and having:
+                yield self._said(trial, person, of_group, having)
+            elif not self.never and all(act.stopped for act in having):
+                yield self._not_said(trial, person, of_group, said)
 
-    def _judge(self, trial: Trial, person: str, of_whom: str) -> Iterator[Finding]:
+    def _not_said(self, trial: Trial, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
         spoken_to = _spoken_to(trial, person)
-        said = _said_to(trial, person)
-        if any(_has(act, self.words) and not act.stopped for act in said):
-            return
         counted = Counter(_quoted(act) for act in said)
         heard = " ".join(
             words if count == 1 else f"{words}, {count} times" for words, count in counted.items()
@@ -70,20 +70,9 @@ class Hearing:
             *causes.of_node(trial, f"{UTTER}({spoken_to})"),
             *causes.of_parameter(trial, "greeting_modality", person),
         )
-        yield Finding(f"“{self.words}” to {person}{of_whom}", heard or "not a word", because)
+        return Finding(f"“{self.words}” to {person}{of_group}", heard or "not a word", because)
 
-
-@dataclass(frozen=True, slots=True)
-class NeverHears(Hearing):
-    """No part of what was said to them, nor of what was broken off: nobody knows how far it came."""
-
-    RULE: ClassVar[str] = "NAME _NEVER _HEARS NAME"
-    EXAMPLE: ClassVar[str] = "anna never hears 'tea'"
-
-    def _judge(self, trial: Trial, person: str, of_whom: str) -> Iterator[Finding]:
-        said = [act for act in _said_to(trial, person) if _has(act, self.words)]
-        if not said:
-            return
+    def _said(self, trial: Trial, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
         spoken_to = _spoken_to(trial, person)
         because = (
             *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
@@ -91,7 +80,7 @@ class NeverHears(Hearing):
             *causes.of_node(trial, f"{said[0].act}({said[0].person})", ended_s=said[0].t_end),
         )
         heard = " ".join(dict.fromkeys(_quoted(act) for act in said))
-        yield Finding(f"never “{self.words}” to {person}{of_whom}", heard, because)
+        return Finding(f"never “{self.words}” to {person}{of_group}", heard, because)
 
 
 def _members(trial: Trial, who: str) -> Iterator[tuple[str, str]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes, ordering
 from comity_fis import InputError
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
-    """The order in which the robot docked at people; of those who are not named nothing is said."""
+class VisitOrder(Expectation):
+    """The order in which the robot docked at people; it says nothing of those it does not name."""
 
     RULE: ClassVar[str] = "_VISITS _IN_THIS_ORDER names"
     EXAMPLE: ClassVar[str] = "visits in this order: host, guest"
@@ -25,17 +25,21 @@ class Order:
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From names."""
+        """From names, each once: of a person who is visited again the first visit counts."""
         (names,) = parts
-        return cls(_each_once(tuple(names)))
+        again = next((name for name in names if names.count(name) > 1), None)
+        if again is not None:
+            got = f"{again!r} more than once"
+            raise InputError(expected="everybody once in an order", got=got, remedy="Name them once.")
+        return cls(names)
 
     @property
     def people(self) -> Sequence[str]:
-        """Everybody whom it names."""
+        """All that it names."""
         return self.names
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
-        """Another order, or somebody who was not visited."""
+        """Another order, or a person who was not visited."""
         trial.require_goal(*self.names)
         order = visited(trial)
         got = tuple(name for name in order if name in self.names)
@@ -46,29 +50,6 @@ class Order:
                 *(line for name in missing for line in causes.of_visit(trial, name)),
             )
             yield Finding(", then ".join(self.names), ", then ".join(order) or "nobody", because)
-
-
-@dataclass(frozen=True, slots=True)
-class Before(Order):
-    """The same for two people."""
-
-    RULE: ClassVar[str] = "_VISITS NAME _BEFORE NAME"
-    EXAMPLE: ClassVar[str] = "visits host before guest"
-
-    @classmethod
-    def read(cls, parts: Sequence[Any]) -> Self:
-        """From two names."""
-        one, other = parts
-        return cls(_each_once((one, other)))
-
-
-def _each_once(names: tuple[str, ...]) -> tuple[str, ...]:
-    """Of a person who is visited again the first visit counts, so that no order has them twice."""
-    again = next((name for name in names if names.count(name) > 1), None)
-    if again is not None:
-        got = f"{again!r} more than once"
-        raise InputError(expected="everybody once in an order", got=got, remedy="Name them once.")
-    return names
 
 
 def visited(trial: Trial) -> tuple[str, ...]:

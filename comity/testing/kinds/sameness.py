@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Finding, ProfileComparison
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.quantity import require_parameter
@@ -18,7 +18,7 @@ TOPICS = ("safety", "outcome", "order")
 
 
 @dataclass(frozen=True, slots=True)
-class Sameness:
+class ProfileSameness(ProfileComparison):
     """`safety` (the same limits, kept), `outcome`, `order` of the visits, or a parameter."""
 
     RULE: ClassVar[str] = "_SAME_FOR_ALL names"
@@ -31,16 +31,6 @@ class Sameness:
         """From names."""
         (topics,) = parts
         return cls(tuple(topics))
-
-    @property
-    def people(self) -> Sequence[str]:
-        """Nobody."""
-        return ()
-
-    @property
-    def profiles(self) -> Sequence[str]:
-        """None in particular."""
-        return ()
 
     def compare(self, among: Among) -> Iterator[Finding]:
         """Every topic in which profiles differ."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from comity.episode import Outcome
 from comity.monitoring.lateness import late_s
-from comity.testing.expectation import Finding
+from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.course import of_lateness, of_plan
 from comity.testing.metrics.quantity import is_figure, require_parameter
@@ -26,7 +26,7 @@ PROOFS = ("proven", "unproven")
 
 
 @dataclass(frozen=True, slots=True)
-class State:
+class State(Expectation):
     """`outcome is partial`, `plan is proven`, `vera is unreachable`, `greeting_gesture of yumi is bow`."""
 
     RULE: ClassVar[str] = "NAME [_OF NAME] _IS NAME"
@@ -45,11 +45,6 @@ class State:
         if subject == PLAN and word not in PROOFS:
             raise InputError(expected="what a plan may be", got=repr(word), remedy=closest(word, PROOFS))
         return cls(subject, person, word)
-
-    @property
-    def people(self) -> Sequence[str]:
-        """The one whose it is."""
-        return (self.person,) if self.person else ()
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another word."""

@@ -67,32 +67,110 @@ class Amount:
         return f"{self.number:g} {self.unit or ''}".strip()
 
 
-def ordered(least: Amount, most: Amount) -> tuple[Amount, Amount]:
-    """Two ends of a range; one that has no unit has the other's.
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """From one amount to another, both ends included; None where an end is open."""
 
-    Raises:
-        InputError: if they measure different things, or the first is the greater one.
-    """
-    least = replace(least, unit=least.unit or most.unit)
-    most = replace(most, unit=most.unit or least.unit)
-    if least.to(most.unit) > most.number:
-        raise InputError(
-            expected="the smaller number first",
-            got=f"{least} and {most}",
-            remedy=f"Write `between {most} and {least}`.",
-        )
-    return least, most
+    least: Amount | None
+    most: Amount | None
 
+    @classmethod
+    def between(cls, least: Amount, most: Amount) -> Self:
+        """Two ends; one that has no unit has the other's.
 
-def around(middle: Amount, within: Amount | None) -> tuple[Amount, Amount]:
-    """Two ends of a range, from its middle and how far off something may be; without a unit in the middle's.
+        Raises:
+            InputError: if they measure different things, or the first is the greater one.
+        """
+        least = replace(least, unit=least.unit or most.unit)
+        most = replace(most, unit=most.unit or least.unit)
+        if least.to(most.unit) > most.number:
+            raise InputError(
+                expected="the smaller number first",
+                got=f"{least} and {most}",
+                remedy=f"Write `between {most} and {least}`.",
+            )
+        return cls(least, most)
 
-    Raises:
-        InputError: if they measure different things, or it may be off by less than nothing.
-    """
-    within = within or Amount(0.0, middle.unit)
-    off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
-    return replace(middle, number=middle.number - off), replace(middle, number=middle.number + off)
+    @classmethod
+    def around(cls, middle: Amount, within: Amount | None) -> Self:
+        """A middle with a tolerance, which has the middle's unit where it has none; without one, exact.
+
+        Raises:
+            InputError: if they measure different things, or the tolerance is less than nothing.
+        """
+        within = within or Amount(0.0, middle.unit)
+        off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
+        return cls(replace(middle, number=middle.number - off), replace(middle, number=middle.number + off))
+
+    def ends(self, unit: str | None) -> tuple[float | None, float | None]:
+        """Both ends in a unit.
+
+        Raises:
+            InputError: if they measure something else.
+        """
+        low = None if self.least is None else self.least.to(unit)
+        return low, None if self.most is None else self.most.to(unit)
+
+    def holds(self, value: float, unit: str | None, *, slack: float = ROUNDING) -> bool:
+        """Whether a value is inside, to the slack."""
+        return passed_end(value, *self.ends(unit), slack=slack) is None
+
+    def require_possible(
+        self, what: str, lowest: float | None, highest: float | None, unit: str | None
+    ) -> None:
+        """Refuse bounds that lie outside of all that something can be.
+
+        Raises:
+            InputError: if nothing can keep them, or they measure something else.
+        """
+        low, high = self.ends(unit)
+        if high is not None and lowest is not None and high < lowest:
+            raise InputError(
+                expected=f"{Amount(lowest, unit)} or more: {what} is never less",
+                got=str(self.most),
+                remedy="Leave the minus out, or write another sentence.",
+            )
+        if low is not None and highest is not None and low > highest:
+            raise InputError(
+                expected=f"{Amount(highest, unit)} or less: {what} is never more",
+                got=str(self.least),
+                remedy="Write a smaller number, or another sentence.",
+            )
+
+    def require_breakable(
+        self, what: str, lowest: float | None, highest: float | None, unit: str | None
+    ) -> None:
+        """Refuse bounds that everything keeps.
+
+        Raises:
+            InputError: if nothing can break them, or they measure something else.
+        """
+        low, high = self.ends(unit)
+        keeps_low = low is None or (lowest is not None and low <= lowest)
+        keeps_high = high is None or (highest is not None and high >= highest)
+        if keeps_low and keeps_high:
+            known = [
+                f"never {word} than {Amount(end, unit)}"
+                for word, end in (("less", lowest), ("more", highest))
+                if end is not None
+            ]
+            ends = (("least", self.least), ("most", self.most))
+            raise InputError(
+                expected=f"a bound that a run may break: {what} is {' and '.join(known)}",
+                got=" and ".join(f"at {word} {end}" for word, end in ends if end),
+                remedy="Write another number, or leave the sentence out.",
+            )
+
+    def told(self, unit: str | None, *beside: float) -> str:
+        """What a value may be, with enough digits to tell the ends from the values beside them."""
+        return told_range(*self.ends(unit), unit, *beside)
+
+    def missed_by(self, value: float, unit: str | None, note: str = "") -> str:
+        """A value outside, what is to be noted of it, and by how much it is too little or too much."""
+        low, high = self.ends(unit)
+        end = passed_end(value, low, high)
+        beyond = "" if end is None else f", {told_beyond(value, end, unit)}"
+        return f"{told_beside(value, low, high, unit)}{note}{beyond}"
 
 
 @dataclass(frozen=True, slots=True)

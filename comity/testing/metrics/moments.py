@@ -9,19 +9,28 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.monitoring.measuring import known_of
+from comity.monitoring.told import later_distances_m
+from comity.parameters.passing import own_distance_m
 from comity.testing.metrics import causes
 from comity.testing.metrics.course import MOTIONS
 from comity.testing.metrics.happened import walking
 from comity.testing.metrics.shaping import DISTANCE, told_of
 from comity_executor import Limits
-from comity_sim2d.metrics import clearances_m, intrusion_of, seconds_to_collision, speeds_m_s
+from comity_sim2d.metrics import (
+    clearances_m,
+    intrusion_of,
+    own_distances_m,
+    seconds_to_collision,
+    speeds_m_s,
+)
+from comity_sim2d.navigation.route_map import COMFORT_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from comity.testing.trials.trial import Trial
     from comity_sim2d import Frames
-    from comity_sim2d.metrics.intrusion import Intrusion
+    from comity_sim2d.metrics.intrusion import Intrusion, Stay
 
 
 _NEAR = (*MOTIONS, "Keep_distance", "Wait_for_way")
@@ -102,6 +111,22 @@ def of_their_way(trial: Trial, person: str | None, until_s: float) -> Iterator[s
     """What had somebody walk by a time, who may be a passer-by; nothing of who stood."""
     if person in trial.prepared.file.scenario.people and (keys := walking(trial, person, until_s)):
         yield f"walks     {', '.join(keys)}"
+
+
+def of_stay(trial: Trial, stay: Stay) -> Iterator[str]:
+    """How near the robot was during a stay within a person's distance, why, and what the distance goes by."""
+    frames, episode = trial.episode.frames, trial.episode
+    during = (frames.time_s >= stay.start_s) & (frames.time_s <= stay.start_s + stay.length_s)
+    gaps_m = clearances_m(frames)[during, frames.entities.index(stay.person) - 1]
+    values = trial.prepared.values.get(stay.person)
+    start_m = COMFORT_M if values is None else own_distance_m(values)
+    later = later_distances_m(episode.told).get(stay.person, ())
+    own_m = own_distances_m(np.array([stay.start_s]), start_m, later)[0]
+    yield f"distance  {gaps_m.min():.3f} m at the nearest, their own {own_m:.3f} m"
+    yield from of_their_way(trial, stay.person, stay.start_s + stay.length_s)
+    yield from causes.at_time(trial, stay.start_s)
+    if values is not None:
+        yield from causes.of_parameter(trial, DISTANCE, stay.person, stay.start_s)
 
 
 def intrusion(trial: Trial) -> Intrusion:

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
 from comity.testing.metrics import causes
-from comity.testing.metrics.amount import Amount
+from comity.testing.metrics.amount import Bounds, told_apart
 from comity.testing.metrics.course import of_course, of_plan
-from comity.testing.metrics.moments import Moment, moment_of, of_moment, worst_stay
+from comity.testing.metrics.moments import Moment, intrusion, moment_of, of_moment, of_stay, worst_stay
+from comity.testing.metrics.standing import standing
 from comity.testing.metrics.touching import CONTACTS, of_contacts
-from comity.testing.metrics.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
+from comity.testing.metrics.whereabouts import (
+    DOCKING_ERROR,
+    OF_VISIT,
+    REACHED,
+    WALKED,
+    of_visit,
+    of_walk,
+    walked_m,
+)
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
@@ -53,7 +62,17 @@ class Quantity:
     """Of what is the least or the most of an episode, when that was, and with whom."""
 
 
-def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """No number of a person for whom there should be one."""
+
+    name: str
+    unit: str | None
+    got: str
+    because: Sequence[str]
+
+
+def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity | Missing]:
     """Of the plan, the episode or a visit, how far people went, or a parameter of somebody or of all visited.
 
     Raises:
@@ -67,6 +86,12 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         return
     if name in of_all and person is None:
         yield from _of_episode(trial, name, of_all[name])
+        return
+    if person is not None and of_all.get(name) == "longest_intrusion_s":
+        stay = intrusion(trial).longest(trial.episode.frames, person)
+        at = Moment(stay.start_s, person, "beside") if stay else None
+        because = partial(of_stay, trial, stay) if stay else partial(of_course, trial)
+        yield Quantity(f"{name} of {person}", stay.length_s if stay else 0.0, "s", because, at)
         return
     if name == WALKED:
         told = f"{name} of {person}" if person else name
@@ -102,65 +127,41 @@ def is_figure(name: str) -> bool:
     return name in (*PLAN, WALKED, *OF_VISIT, *by_bare_name(EPISODE), *by_bare_name(VISIT))
 
 
-def require_possible(name: str, least: Amount | None, most: Amount | None) -> None:
-    """Refuse a bound that is beyond all that a figure of the plan, the episode or a visit can be.
+def require_possible(name: str, bounds: Bounds) -> None:
+    """Refuse bounds outside of all that a metric can be.
 
     Raises:
-        InputError: if nothing can fulfil that, or the bound measures something else.
+        InputError: if nothing can keep them, or they measure something else.
     """
     lowest, highest, unit = _possible(name)
-    if most is not None and lowest is not None and _number(most, unit) < lowest:
-        raise InputError(
-            expected=f"{Amount(lowest, unit)} or more: {name} is never less",
-            got=str(most),
-            remedy="Leave the minus out, or write another sentence.",
-        )
-    if least is not None and highest is not None and _number(least, unit) > highest:
-        raise InputError(
-            expected=f"{Amount(highest, unit)} or less: {name} is never more",
-            got=str(least),
-            remedy="Write a smaller number, or another sentence.",
-        )
+    if (lowest, highest) != (None, None):
+        bounds.require_possible(name, lowest, highest, unit)
 
 
-def require_breakable(name: str, least: Amount | None, most: Amount | None) -> None:
-    """Refuse a bound that no figure of the plan, the episode or a visit can be outside of.
+def require_breakable(name: str, bounds: Bounds) -> None:
+    """Refuse bounds that every value of a metric keeps.
 
     Raises:
-        InputError: if everything fulfils that, or the bound measures something else.
+        InputError: if nothing can break them, or they measure something else.
     """
     lowest, highest, unit = _possible(name)
-    keeps_low = least is None or (lowest is not None and _number(least, unit) <= lowest)
-    keeps_high = most is None or (highest is not None and _number(most, unit) >= highest)
-    if keeps_low and keeps_high:
-        known = [
-            f"never {word} than {Amount(end, unit)}"
-            for word, end in (("less", lowest), ("more", highest))
-            if end is not None
-        ]
-        raise InputError(
-            expected=f"a bound that a run may break: {name} is {' and '.join(known)}",
-            got=" and ".join(f"at {word} {end}" for word, end in (("least", least), ("most", most)) if end),
-            remedy="Write another number, or leave the sentence out.",
-        )
+    if (lowest, highest) != (None, None):
+        bounds.require_breakable(name, lowest, highest, unit)
 
 
 def _possible(name: str) -> tuple[float | None, float | None, str | None]:
-    """The least and the most that a figure can be, None where there is none, and their unit."""
-    metrics = {**by_bare_name(EPISODE), **by_bare_name(VISIT)}
-    key = metrics.get(name, name)
+    """The least and the most that a metric can be, None where there is none, and its unit."""
+    metrics = {**EPISODE, **VISIT}
+    key = {**by_bare_name(EPISODE), **by_bare_name(VISIT)}.get(name, name)
     if key == "chosen_bearing":
         return -_HALF_TURN_DEG, _HALF_TURN_DEG, "deg"
-    if key in _SHARES or (name in metrics and key.endswith("_share")):
+    if key in _SHARES or (key in metrics and key.endswith("_share")):
         return 0.0, 1.0, None
-    if name in metrics and key.endswith("_deg"):
-        return 0.0, _HALF_TURN_DEG, "deg"
-    size = key in (*PLAN, WALKED, REACHED) or (name in metrics and key not in _EITHER_SIGN)
-    return 0.0 if size else None, None, None
-
-
-def _number(bound: Amount, unit: str | None) -> float:
-    return bound.number if unit is None else bound.to(unit)
+    if key in metrics:
+        unit = None if metrics[key].unit == "1" else metrics[key].unit
+        return (None if key in _EITHER_SIGN else 0.0), (_HALF_TURN_DEG if unit == "deg" else None), unit
+    sizes = {**PLAN, **OF_VISIT, WALKED: "m"}
+    return (0.0, None, sizes[key]) if key in sizes and key != "chosen_distance" else (None, None, None)
 
 
 def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) -> None:
@@ -184,7 +185,9 @@ def _of_episode(trial: Trial, name: str, key: str) -> Iterator[Quantity]:
     if key not in found:
         return
     unit, moment = EPISODE[key].unit, moment_of(trial, key)
-    if moment is not None:
+    if key == "longest_intrusion_s" and (stay := intrusion(trial).longest(trial.episode.frames)):
+        yield Quantity(name, found[key], unit, partial(of_stay, trial, stay), moment)
+    elif moment is not None:
         yield Quantity(name, found[key], unit, lambda: of_moment(trial, moment), moment)
     elif key in CONTACTS:
         yield Quantity(name, found[key], unit, lambda: [*of_contacts(trial, key)] or of_course(trial))
@@ -192,7 +195,7 @@ def _of_episode(trial: Trial, name: str, key: str) -> Iterator[Quantity]:
         yield Quantity(name, found[key], unit, lambda: of_course(trial, moving=unit != "s"))
 
 
-def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity]:
+def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity | Missing]:
     """A metric of each visit, or of one, where it has a value in this episode."""
     trial.require_goal(*((person,) if person else ()))
     for one in (person,) if person else trial.wanted:
@@ -200,6 +203,8 @@ def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterato
         if key in found:
             because = _of_stay if key == _OUTSIDE_VISITS else _of_visit_alone
             yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, partial(because, trial, one))
+        elif person or one in trial.approached:
+            yield _missing(trial, name, one, VISIT[key].unit)
 
 
 def _of_visit_alone(trial: Trial, person: str) -> Iterator[str]:
@@ -212,16 +217,43 @@ def _of_stay(trial: Trial, person: str) -> Iterator[str]:
     return of_moment(trial, stay) if stay else _of_visit_alone(trial, person)
 
 
-def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
+def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity | Missing]:
     """When and where the robot stood, of each visit in which it came to that, or of one."""
     trial.require_goal(*((person,) if person else ()))
     for one in (person,) if person else trial.wanted:
         if (number := of_visit(trial, name, one)) is not None:
-            if name == REACHED:  # the visits before take their time, too
+            at = None
+            if name == DOCKING_ERROR and (stood := standing(trial, one)):
+                because, at = partial(_of_docked, trial, one), Moment(stood.t)
+            elif name == REACHED:  # the visits before take their time, too
                 because = partial(of_course, trial, until=(one, number))
             else:
                 because = partial(of_course, trial, one, moving=True)
-            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], because)
+            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], because, at)
+        elif person or one in trial.approached:
+            yield _missing(trial, name, one, OF_VISIT[name])
+
+
+def _missing(trial: Trial, name: str, person: str, unit: str | None) -> Missing:
+    return Missing(
+        f"{name} of {person}",
+        unit,
+        "none: nothing happened to measure it by",
+        tuple(causes.of_visit(trial, person)),
+    )
+
+
+def _of_docked(trial: Trial, person: str) -> Iterator[str]:
+    """Why the robot stood where it docked, and what the distance goes by."""
+    visit, stood = trial.visit(person), standing(trial, person)
+    docked_s = visit.docked_s if visit else None
+    if stood is not None:
+        target = trial.episode.values_at(person, stood.t)["conversational_distance"]
+        target_m, actual_m = told_apart((target.number, stood.distance_m), "m")
+        yield f"distance  target {target_m}, actual {actual_m}"
+    yield from causes.of_node(trial, f"docked?({person})", "success", ended_s=docked_s)
+    yield from causes.of_visit(trial, person)
+    yield from causes.of_parameter(trial, "conversational_distance", person, docked_s)
 
 
 def by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:

@@ -9,14 +9,20 @@ import numpy as np
 
 from comity.testing.metrics.course import of_course
 from comity.testing.metrics.happened import walking
+from comity.testing.metrics.standing import standing
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
 WALKED = "walked"
 """The way of somebody's centre [m], by the frames; without a name of all people together, passers-by too."""
-REACHED = "reached"
-OF_VISIT: Mapping[str, str] = {REACHED: "s", "chosen_distance": "m", "chosen_bearing": "deg"}
+REACHED, DOCKING_ERROR = "docking_time", "docking_error"
+OF_VISIT: Mapping[str, str] = {
+    REACHED: "s",
+    DOCKING_ERROR: "m",
+    "chosen_distance": "m",
+    "chosen_bearing": "deg",
+}
 """Of a visit, with their units: when the robot docked last, and the place that it chose last."""
 
 _NOTHING = "no `walks`, no `reacts`, no `comfort`, no fault, and no change with `moves_to_m`"
@@ -51,6 +57,12 @@ def of_visit(trial: Trial, name: str, person: str) -> float | None:
         return None
     if name == REACHED:
         return visit.docked_s
+    if name == DOCKING_ERROR:
+        stood = standing(trial, person)
+        if stood is None or visit.docked_s is None:
+            return None
+        target_m = trial.episode.values_at(person, visit.docked_s)["conversational_distance"].number
+        return abs(stood.distance_m - target_m)
     if visit.pose is None:
         return None
     return visit.pose.distance_m if name == "chosen_distance" else visit.pose.bearing_deg

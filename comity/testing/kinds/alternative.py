@@ -1,0 +1,142 @@
+"""What an alternative to the first plan would cost, or why it is excluded: a side, a greeting, a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing.expectation import Expectation, Finding
+from comity.testing.metrics.amount import Bounds
+from comity.testing.metrics.shaping import shaping_price
+from comity.testing.metrics.words import holds
+from comity_domain.choices.greeting import NO_GESTURE
+from comity_domain.explanation.agenda_reason import AFTER, BEFORE
+from comity_domain.explanation.company_reason import ONE_BY_ONE
+from comity_fis import InputError, closest
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+    from comity_domain import PlanStep
+
+SIDES = ("front", "left", "right")
+
+
+@dataclass(frozen=True, slots=True)
+class OtherChoice(Expectation):
+    """The first plan with one choice for a person made otherwise."""
+
+    RULE: ClassVar[str] = (
+        "_VISITING NAME (_FROM (FRONT | LEFT | RIGHT) | _WITH NAME)"
+        " (_WOULD_COST price | _IS EXCLUDED [_BECAUSE NAME])"
+    )
+    EXAMPLE: ClassVar[str] = "visiting johanna from the left would cost at least 30 cm more"
+
+    person: str
+    choice: str
+    """A side, a word of a greeting, or what else stands next to a step under `Instead`."""
+    price: Bounds | None
+    """The additional cost, in metres of path; None: the choice is excluded."""
+    words: str
+    """Of the reason why it is excluded; empty for any."""
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a person, a choice, and bounds, or `excluded` and words of a reason."""
+        person, choice, *priced = parts
+        choice = choice.lower() if choice.lower() in SIDES else choice
+        if isinstance(priced[0], Bounds):
+            priced[0].require_possible("what an alternative adds", 0.0, None, "m")
+            return cls(person, choice, priced[0], "")
+        return cls(person, choice, None, priced[1] or "")
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Another price, no such choice, or one that is open."""
+        require_choice(trial, self.person, self.choice)
+        judged = self._judge_excluded(trial) if self.price is None else self._judge_price(trial, self.price)
+        yield from judged
+
+    def _judge_price(self, trial: Trial, price: Bounds) -> Iterator[Finding]:
+        steps = trial.prepared.plan.steps
+        found = [
+            (other.extra_cost, step, other.because)
+            for step in steps
+            if not self._is_meant(step, step.arguments)
+            for other in step.why.alternatives
+            if self._is_meant(step, other.arguments)
+        ]
+        if not found:
+            expected = f"{self} to cost {price.told('m')} more"
+            yield Finding(expected, self._why_none(steps), tuple(self._because(trial, steps)))
+            return
+        extra_cm, step, because = min(found, key=lambda each: each[0])
+        extra_m = extra_cm / 100
+        if not price.holds(extra_m, "m"):
+            yield Finding(
+                f"{self} to cost {price.told('m', extra_m)} more",
+                price.missed_by(extra_m, "m", " more"),
+                (*([because] if because else []), *self._because(trial, (step,))),
+            )
+
+    def _judge_excluded(self, trial: Trial) -> Iterator[Finding]:
+        steps = trial.prepared.plan.steps
+        reasons = list(self._reasons(steps))
+        if not any(holds(reason, self.words) for reason in reasons):
+            because = f" because of “{self.words}”" if self.words else ""
+            got = f"it is excluded: {reasons[0]}" if reasons else "it is not excluded"
+            yield Finding(f"{self} excluded{because}", got, tuple(self._because(trial, steps)))
+
+    def __str__(self) -> str:
+        chosen = f"from the {self.choice}" if self.choice in SIDES else f"with {self.choice}"
+        return f"visiting {self.person} {chosen}"
+
+    def _why_none(self, steps: Sequence[PlanStep]) -> str:
+        """That it is planned so, is excluded, or is no choice."""
+        if any(self._is_meant(step, step.arguments) for step in steps):
+            return f"{self.choice} is what the plan has for {self.person}"
+        reason = next(self._reasons(steps), None)
+        return f"it is excluded: {reason}" if reason else "no such choice at any step"
+
+    def _reasons(self, steps: Sequence[PlanStep]) -> Iterator[str]:
+        """Why the choice is excluded, wherever it is."""
+        for step in steps:
+            for out in step.why.ruled_out:
+                if self._is_meant(step, out.arguments):
+                    yield out.reason
+
+    def _is_meant(self, step: PlanStep, arguments: Sequence[str]) -> bool:
+        """Whether these arguments of a step make this choice for the person.
+
+        A greeting of a company is one for each member; the side concerns only the person before whom the
+        robot stands.
+        """
+        whose = arguments[1:2] if self.choice in SIDES else (*arguments[1:2], *step.people)
+        return self.person in whose and self.choice in arguments[2:]
+
+    def _because(self, trial: Trial, steps: Sequence[PlanStep]) -> Iterator[str]:
+        """The steps for the person, and what the plan goes by: the places of the others move the price."""
+        for step in steps:
+            if self.person in step.people:
+                arguments = ", ".join(step.arguments)
+                yield f"step      {step.action}({arguments}), cost {step.cost}: {step.why.text}"
+        yield from shaping_price(trial, self.person)
+
+
+def require_choice(trial: Trial, person: str, choice: str) -> None:
+    """Refuse a choice that no plan has: it would fail without a word about its typo.
+
+    Raises:
+        InputError: where no goal names the person, or no step of any plan can be done so.
+    """
+    trial.require_goal(person)
+    parameters = trial.prepared.rulebook.parameters
+    greetings = (parameters.get(name) for name in ("greeting_modality", "greeting_gesture"))
+    words = [category.name for each in greetings for category in getattr(each, "categories", ())]
+    planned = [word for step in trial.prepared.plan.steps for word in step.arguments[2:]]
+    known = (*SIDES, *words, NO_GESTURE, ONE_BY_ONE, BEFORE, AFTER, *planned)
+    if choice not in known:
+        raise InputError(
+            expected="a side, a way to greet, or another choice of a plan",
+            got=repr(choice),
+            remedy=closest(choice, dict.fromkeys(known)),
+        )

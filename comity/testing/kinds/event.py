@@ -1,0 +1,112 @@
+"""How often something happens, and why: a node returns a result or is halted, the robot replans."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing.expectation import Expectation, Finding
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import AT_LEAST_ONCE, NEVER, Times, times
+from comity.testing.metrics.words import holds
+from comity_fis import InputError
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+    from comity_executor import TraceEvent
+
+PLAN = "plan_holds?"
+"""The node whose events say what becomes of the plan."""
+STATUS: Mapping[str, str] = {
+    "succeeds": "success",
+    "fails": "failure",
+    "halted": "halted",
+    "replans": "replanned",
+    "updates parameters": "rebound",
+    "finds no other plan": "not_replanned",
+}
+"""By verb of the sentence, the status of the events that it counts."""
+MOST = 6
+"""Events that a failure shows: where another cause comes again and again, the first say it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event(Expectation):
+    """So many events of the nodes of a name; with words, those alone whose chain of causes holds them."""
+
+    RULE: ClassVar[str] = (
+        "(NAME [NEVER] (SUCCEEDS | FAILS) | NAME _IS [NEVER] HALTED"
+        " | [NEVER] (REPLANS | UPDATES_PARAMETERS | FINDS_NO_OTHER_PLAN))"
+        " [_BECAUSE NAME] [times] [PER_PERSON]"
+    )
+    EXAMPLE: ClassVar[str] = "docked? succeeds because 'distance 0.64 m' exactly once"
+
+    node: str
+    verb: str
+    words: str | None
+    often: Times
+    per_person: bool
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a node or none, `never` or None, a verb, words, a count, and `per person` or None."""
+        *node, never, verb, words, often, per_person = parts
+        if never and often:
+            raise InputError(
+                expected="`never` or a count", got=f"never, {often}", remedy="Leave one of them out."
+            )
+        if per_person and not node:
+            raise InputError(
+                expected="events of a node, for a count per person",
+                got="those of the plan, which is for everyone",
+                remedy="Leave `per person` out.",
+            )
+        often = NEVER if never else often or AT_LEAST_ONCE
+        return cls(node[0] if node else PLAN, " ".join(verb.lower().split()), words, often, bool(per_person))
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """A count that is wrong, with the events and their causes."""
+        events = trial.events_of(self.node)
+        happened = [event for event in events if event.status == STATUS[self.verb]]
+        counted = [event for event in happened if self.words is None or _holds(event, self.words)]
+        for whose, group in self._groups(trial, counted):
+            if not self.often.holds(len(group)):
+                others = [event for event in happened if event not in counted]
+                shown = group if self.often.exceeded_by(len(group)) else others or group or events[-1:]
+                yield Finding(
+                    self._expected(whose), self._got(group, happened), tuple(self._because(trial, shown))
+                )
+
+    def _groups(
+        self, trial: Trial, counted: Sequence[TraceEvent]
+    ) -> Iterator[tuple[str, Sequence[TraceEvent]]]:
+        """All events, or those about each person: `nod(anna)` and `nod(ben)` are named for them."""
+        if not self.per_person:
+            yield self.node, counted
+            return
+        names = dict.fromkeys(node.name for node in trial.nodes_named(self.node))
+        for name in names or (self.node,):
+            yield name, [event for event in counted if event.node == name]
+
+    def _expected(self, whose: str) -> str:
+        is_halted = "is halted" if self.verb == "halted" else self.verb
+        subject = (
+            "" if self.node == PLAN and self.verb not in ("succeeds", "fails", "halted") else f"{whose} "
+        )
+        because = f" because of “{self.words}”" if self.words else ""
+        return f"{subject}{is_halted}{because} {self.often}"
+
+    def _got(self, group: Sequence[TraceEvent], happened: Sequence[TraceEvent]) -> str:
+        return times(len(group)) + ("" if self.words is None else f", of {len(happened)} in all")
+
+    def _because(self, trial: Trial, shown: Sequence[TraceEvent]) -> Iterator[str]:
+        """What was counted or came instead; of a node without any event, why it never ran."""
+        told = list(causes.of_events(trial, self.node, shown[:MOST]))
+        yield from told or causes.of_last(trial, self.node)
+        if not shown:
+            yield from causes.of_unserved(trial)
+
+
+def _holds(event: TraceEvent, words: str) -> bool:
+    return any(holds(cause.words, words) for cause in event.because)

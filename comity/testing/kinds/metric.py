@@ -1,0 +1,45 @@
+"""Bounds on a metric of the run or of a visit, or on a parameter of a person."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from comity.testing.expectation import Expectation, Finding
+from comity.testing.metrics.amount import Bounds
+from comity.testing.metrics.quantity import Missing, quantities, require_breakable, require_possible
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+
+
+@dataclass(frozen=True, slots=True)
+class MetricBounds(Expectation):
+    """From one number to another, both ends included."""
+
+    RULE: ClassVar[str] = "NAME [_OF NAME] _IS? bounds"
+    EXAMPLE: ClassVar[str] = "min_clearance at least 45 cm"
+
+    quantity: str
+    person: str | None
+    """None for every person to visit, where it is no metric of the run."""
+    bounds: Bounds
+
+    def __post_init__(self) -> None:
+        require_possible(self.quantity, self.bounds)
+        if self.person is None:  # of one person, a number may be missing
+            require_breakable(self.quantity, self.bounds)
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Every number outside, and every person for whom there is none."""
+        for found in quantities(trial, self.quantity, self.person):
+            if isinstance(found, Missing):
+                yield Finding(f"{found.name} {self.bounds.told(found.unit)}", found.got, found.because)
+            elif not self.bounds.holds(found.number, found.unit):
+                note = f" {found.at}" if found.at else ""
+                yield Finding(
+                    f"{found.name} {self.bounds.told(found.unit, found.number)}",
+                    self.bounds.missed_by(found.number, found.unit, note),
+                    tuple(found.because()),
+                )
