@@ -68,11 +68,10 @@ def _tied(visits: Sequence[Visit], choices: Options) -> Sequence[Visit]:
 
 def _require_all_said(engine: str, request: VisitRequest) -> None:
     for visitee in request.visitees:
-        told = {"by_s": visitee.by_s, "after": visitee.after}
-        for key in (key for key, value in told.items() if value is not None):
+        if visitee.by_s is not None:
             raise InputError(
-                expected=f"a scenario without deadlines or an order for {engine}: the problem has none",
-                got=f"{key}: {told[key]} of {visitee.name}",
+                expected=f"a scenario without deadlines for {engine}: the problem has none",
+                got=f"by_s: {visitee.by_s} of {visitee.name}",
                 remedy=f"Leave it out, or plan with {ENGINE}.",
                 where=Where("--engine"),
             )

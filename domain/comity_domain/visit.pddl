@@ -22,12 +22,14 @@
     (due ?t - task)                    ; comes next with its person
     (done ?t - task)
     (whole ?c - company)               ; nobody of it was greeted alone, so it can be greeted at once
+    (waits ?u - user)                  ; somebody is to be visited before
     (now ?k - turn)                    ; how many were greeted, where somebody has a priority; else always the same
 
     ; what the person and the map allow
     (reachable ?u - user ?s - side)    ; the person accepts this side, and some route leads there
     (permitted ?u - user ?m - modality ?g - gesture)
     (route ?origin - place ?origin_side - side ?u - user ?s - side)
+    (after ?u - user ?first - user)    ; the order that the scenario asks for
     (way_to ?origin - place ?origin_side - side ?l - location ?s - side)
 
     ; what hands are good for
@@ -89,6 +91,7 @@
       (holds ?r ?h)
       (suits ?h ?u)
       (or (not (greeted ?u)) (begun ?u))
+      (not (waits ?u))
       (reachable ?u ?s)
       (route ?origin ?origin_side ?u ?s))
     :effect (and
@@ -97,6 +100,7 @@
       (not (at ?r ?origin ?origin_side))
       (not (docked ?r ?origin))
       (forall (?t - task) (when (and (begun ?u) (opens ?u ?t)) (due ?t)))
+      (forall (?v - user) (when (after ?v ?u) (not (waits ?v))))
       (not (free ?r))                  ; whoever is approached is served to the end before the robot goes on
       (increase (total-cost) (travel_cost ?origin ?origin_side ?u ?s))))
 
@@ -137,6 +141,7 @@
       (not (now ?k))
       (now ?next)
       (forall (?v - user) (when (member ?v ?c) (greeted ?v)))
+      (forall (?v - user ?w - user) (when (and (member ?w ?c) (after ?v ?w)) (not (waits ?v))))
       (increase (total-cost) (greet_together_cost ?c ?u ?s ?m ?g ?k))))
 
   ; Go where something is kept, and take it: before its person is reached, or once they wait for it.

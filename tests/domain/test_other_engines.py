@@ -50,6 +50,25 @@ def test_an_optimal_engine_finds_the_same_cost_with_parameters_and_reasons(
         assert all(one.parameters == step.parameters for one in same)
 
 
+@needs_fast_downward
+@pytest.mark.parametrize("seed", range(3))
+def test_an_order_that_is_asked_for_is_part_of_the_problem(rich_request, agenda_request, seed):
+    """Another engine keeps it, at the cost of ours, whoever has an agenda or belongs to a group."""
+    for make in (rich_request, agenda_request):
+        request = without_deadlines(make(3, seed))
+        first, last = visited(make_plan(request))[:: len(request.visitees) - 1]
+        asks = (replace(each, after=last if each.name == first else None) for each in request.visitees)
+        turned = replace(request, visitees=tuple(asks))
+        ours, theirs = make_plan(turned), plan_with("fast-downward-opt", turned)
+        assert theirs.cost == ours.cost
+        assert visited(theirs).index(last) < visited(theirs).index(first)
+
+
+def visited(plan) -> list[str]:
+    """Who is greeted, in order."""
+    return list(dict.fromkeys(name for step in plan.steps for name in step.people))
+
+
 def test_an_engine_that_is_not_installed_is_refused_with_those_that_are(rich_request):
     with pytest.raises(InputError) as refused:
         plan_with("fast-upward", rich_request(2, 0))

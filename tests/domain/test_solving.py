@@ -57,12 +57,12 @@ def test_a_deadline_is_kept_that_the_problem_cannot_say(rich_request):
     assert found
 
 
-def test_an_order_is_kept_that_the_problem_cannot_say(rich_request):
+def test_an_order_is_kept_that_the_problem_states(rich_request):
     request = served(rich_request(3, 1))
     free = [replace(each, by_s=None) for each in request.visitees]
     last = free[-1].name
     turned = replace(request, companies=(), visitees=(replace(free[0], after=last), *free[1:]))
-    plan = solve(problem_of(turned), timing_of(turned))
+    plan = solve(problem_of(turned))
     reached = [str(one.actual_parameters[1]) for one in plan.actions if one.action.name == "Reach_user"]
     assert reached.index(id_of(last)) < reached.index(id_of(free[0].name))
     assert cost(problem_of(turned), plan) == make_plan(turned).cost

@@ -98,6 +98,9 @@ def state_and_costs(options: Options) -> Iterator[Fact]:
     yield from (Fact("then", pair) for pair in _steps(turns, 1))
     for person in options.people.values():
         yield from _person(person, turns)
+        if person.after is not None and person.after in options.people:
+            yield Fact("waits", (Word(USER, person.name),))
+            yield Fact("after", (Word(USER, person.name), Word(USER, person.after)))
         yield from _agenda(person, _gestures(options))
     for company in options.companies.values():
         yield from _company(company, options, turns)

@@ -160,7 +160,7 @@ class _Stated:
             bringing=bringing or None,
             greeted=(user,) in self._by_fluent["greeted"],
             in_hand=bool(things) and self._one("holds") == things[0],
-            after=timing.after.get(user),
+            after=self._one("after", user) or None,
             is_told=user in timing.announced,
         )
 

@@ -1,4 +1,4 @@
-"""What no classical problem can say of the visits: deadlines, an order, and how long everything takes."""
+"""What no classical problem can say of the visits: deadlines, and how long everything takes."""
 
 from __future__ import annotations
 
@@ -20,8 +20,6 @@ class Timing:
 
     by_s: Mapping[str, float] = field(default_factory=dict)
     """By user, the latest time at which the greeting may end, from the start [s], > 0."""
-    after: Mapping[str, str] = field(default_factory=dict)
-    """By user, the user to be greeted before."""
     durations_s: Mapping[Way, float] = field(default_factory=dict)
     """From a user, a location or the start (None) to a user or a location [s], >= 0; needed for each route
     where there is a deadline."""
@@ -32,7 +30,7 @@ class Timing:
 
     def __bool__(self) -> bool:
         """Whether it restricts the plans: no other engine keeps it then."""
-        return bool(self.by_s or self.after)
+        return bool(self.by_s)
 
 
 NO_TIMING = Timing()
@@ -46,7 +44,6 @@ def timing_of(request: VisitRequest) -> Timing:
     places = ids | {at.place: names.id("location", at.place) for at in choices.locations}
     return Timing(
         {ids[name]: person.by_s for name, person in people.items() if person.by_s is not None},
-        {ids[name]: ids[person.after] for name, person in people.items() if person.after in ids},
         {
             (None if start is None else places[start], places[end]): seconds
             for (start, end), seconds in choices.durations_s.items()

@@ -46,11 +46,13 @@ STATES: Mapping[str, str] = {
     "due": "task",
     "done": "task",
     "whole": "company",
+    "waits": "user",
     "now": "turn",
     # what the person and the map allow
     "reachable": "user side",
     "permitted": "user modality gesture",
     "route": "place side user side",
+    "after": "user user",
     "way_to": "place side location side",
     # what hands are good for
     "empty": "thing",
@@ -162,12 +164,13 @@ class _Domain:
         act, (r, u, s, origin, origin_side, h) = self._action(
             REACH, r="robot", u="user", s="side", origin="place", origin_side="side", h="thing"
         )
-        holds, t = self._is, self._any("t", "task")
+        holds, t, v = self._is, self._any("t", "task"), self._any("v", "user")
         act.add_precondition(holds.free(r))
         act.add_precondition(holds.at(r, origin, origin_side))
         act.add_precondition(holds.holds(r, h))
         act.add_precondition(holds.suits(h, u))
         act.add_precondition(self._or(self._not(holds.greeted(u)), holds.begun(u)))
+        act.add_precondition(self._not(holds.waits(u)))
         act.add_precondition(holds.reachable(u, s))
         act.add_precondition(holds.route(origin, origin_side, u, s))
         act.add_effect(holds.at(r, u, s), True)
@@ -175,6 +178,7 @@ class _Domain:
         act.add_effect(holds.at(r, origin, origin_side), False)
         act.add_effect(holds.docked(r, origin), False)
         act.add_effect(holds.due(t), True, self._and(holds.begun(u), holds.opens(u, t)), forall=[t])
+        act.add_effect(holds.waits(v), False, holds.after(v, u), forall=[v])
         act.add_effect(holds.free(r), False)
         return act, holds.travel_cost(origin, origin_side, u, s)
 
@@ -211,7 +215,7 @@ class _Domain:
             **{"r": "robot", "c": "company", "u": "user", "s": "side", "m": "modality", "g": "gesture"},
             **{"k": "turn", "next": "turn"},
         )
-        holds, v = self._is, self._any("v", "user")
+        holds, v, w = self._is, self._any("v", "user"), self._any("w", "user")
         act.add_precondition(holds.docked(r, u))
         act.add_precondition(holds.at(r, u, s))
         act.add_precondition(holds.whole(c))
@@ -224,6 +228,8 @@ class _Domain:
         act.add_effect(holds.now(k), False)
         act.add_effect(holds.now(following), True)
         act.add_effect(holds.greeted(v), True, holds.member(v, c), forall=[v])
+        first = self._and(holds.member(w, c), holds.after(v, w))
+        act.add_effect(holds.waits(v), False, first, forall=[v, w])
         return act, holds.greet_together_cost(c, u, s, m, g, k)
 
     def _fetch(self) -> Priced:
