@@ -144,7 +144,7 @@ studies = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
-of_studies: tuple[Run, ...] = (study.plan,)
+of_studies: tuple[Run, ...] = (study.plan, study.run)
 for of_study in of_studies:
     studies.command(of_study.__name__, cls=Command)(_written(of_study))
 app.add_typer(studies)

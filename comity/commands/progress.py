@@ -5,9 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from time import monotonic
 from typing import TYPE_CHECKING
 
-from comity.report.text import console
+from comity.report.text import console, duration_text
 
 if TYPE_CHECKING:
     from comity.live_episode import Progress
@@ -64,6 +65,47 @@ def counting(count: int, *, quiet: bool) -> Iterator[Callable[[str], None]]:
         ended = iter(range(1, count + 1))
         with out.status(f"{count} tests") as status:
             yield lambda _: status.update(f"{next(ended)} of {count} tests")
+
+
+@contextmanager
+def rating(missing: int, total: int, *, quiet: bool) -> Iterator[Callable[[int], None]]:
+    """Tell how many episodes of a study have ended, how many a second, and how long the others will take.
+
+    Without a terminal, as in the log of a cluster, with a line each half a minute.
+
+    Args:
+        missing: Episodes that are to be carried out.
+        total: All episodes of the study.
+        quiet: Say nothing, wherever the output goes.
+    """
+    out, begin_s = console(to_errors=True), monotonic()
+    ended, told_s = 0, begin_s
+
+    def text() -> str:
+        took_s = max(monotonic() - begin_s, 1e-3)
+        rate = ended / took_s
+        left = f", {duration_text((missing - ended) / rate)} left" if ended else ""
+        return f"{total - missing + ended} of {total} episodes, {rate:.1f} a second{left}"
+
+    def count(more: int) -> None:
+        nonlocal ended, told_s
+        ended += more
+        if status is not None:
+            status.update(text())
+        elif not quiet and monotonic() - told_s >= EVERY_S:
+            told_s = monotonic()
+            _line(text())
+
+    if quiet or not out.is_terminal:
+        status = None
+        yield count
+        return
+    with out.status(text()) as status:
+        yield count
+
+
+EVERY_S = 30.0
+"""Between two lines in a log."""
 
 
 def _line(text: str) -> None:

@@ -4,15 +4,26 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import AsJson, print_json
 
+if TYPE_CHECKING:
+    from comity.study.carrying import Carrier
+
 StudyName = Annotated[Path, typer.Argument(metavar="FILE", help="A study; `comity schema study`.")]
 StudyJobs = Annotated[
     int | None, typer.Option("--jobs", min=1, max=1000, help="Processes; one on each core without it.")
+]
+StudyOut = Annotated[
+    Path,
+    typer.Option("--out", metavar="DIR", help="The study's folder; what it holds of the study is kept."),
+]
+SchedulerAddress = Annotated[
+    str | None,
+    typer.Option("--scheduler", metavar="ADDRESS", help="A Dask cluster, such as tcp://127.0.0.1:8786."),
 ]
 
 
@@ -34,3 +45,64 @@ def plan(file: StudyName, *, jobs: StudyJobs = None, as_json: AsJson = False) ->
         print_json(answer)
     else:
         show(*plan_text(answer))
+
+
+def run(
+    file: StudyName,
+    *,
+    out: StudyOut,
+    jobs: StudyJobs = None,
+    scheduler: SchedulerAddress = None,
+    as_json: AsJson = False,
+) -> None:
+    """Carry out what is missing of a study, and write its table.
+
+    What is in DIR already is not run again: a study that was stopped or killed goes on, and one with more
+    seeds or individuals runs only these. An episode that raises is a row with its error.
+
+    Example: comity study run groups.study.yaml --out runs/groups
+    """
+    from contextlib import ExitStack
+
+    from comity.commands.progress import rating
+    from comity.report.text import show
+    from comity.study.folder import require_study_folder
+    from comity.study.running import Watch, run_study
+    from comity.study.study_plan import load_study
+    from comity.study.telling import run_text
+
+    _refuse_both(jobs, scheduler)
+    study = load_study(file)
+    require_study_folder(out, study.written.name)
+    with ExitStack() as shown:
+
+        def start(missing: int, total: int) -> Watch:
+            return shown.enter_context(rating(missing, total, quiet=as_json))
+
+        answer = run_study(study, out, lambda: _carrier(jobs, scheduler), start)
+    if as_json:
+        print_json(answer)
+    else:
+        show(*run_text(answer))
+
+
+def _refuse_both(jobs: int | None, scheduler: str | None) -> None:
+    from comity_fis import InputError, Where
+
+    if jobs is not None and scheduler is not None:
+        raise InputError(
+            expected="--jobs or --scheduler",
+            got="both",
+            remedy="A cluster has as many workers as it has: leave --jobs out.",
+            where=Where("--jobs"),
+        )
+
+
+def _carrier(jobs: int | None, scheduler: str | None) -> Carrier:
+    if scheduler is None:
+        from comity.study.local_workers import local_carrier
+
+        return local_carrier(jobs or os.cpu_count() or 1)
+    from comity.study.cluster_workers import cluster_carrier
+
+    return cluster_carrier(scheduler)

@@ -174,3 +174,10 @@ def stated(fact: object, unit: str | None = None) -> str:
     """What was disclosed of a variable: `female`, `38`, `82 years`, roughly `60..70 years`."""
     text = f"{fact:g}" if isinstance(fact, float | int) else str(fact)
     return f"{text} {unit}" if unit and unit != "1" else text
+
+
+def duration_text(seconds: float) -> str:
+    """`40 s`, `12 min`, `3.5 h`."""
+    if seconds < 100:
+        return f"{max(seconds, 1):.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"

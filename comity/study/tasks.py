@@ -28,4 +28,5 @@ def task_of(plan: StudyPlan, cell: StudyCell, installed: Installation) -> StudyT
         comfort=None if one is None or one.comfort is None else one.comfort.model_dump(mode="json"),
         filtered=plan.written.tell if is_real else None,
         seed=cell.seed,
+        installed=installed,
     )

@@ -8,7 +8,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from comity.answers.study import StudyPlanAnswer, StudyRunAnswer
-from comity.report.text import table, unbroken
+from comity.report.text import duration_text, table, unbroken
 from comity.study.columns import column_of
 from comity.study.statement import STATEMENT
 from comity.study.table import plain_value
@@ -98,13 +98,6 @@ def plan_text(answer: StudyPlanAnswer) -> Iterator[RenderableType]:
 
 def _words(row: Mapping[str, Any], heading: tuple[str, ...]) -> tuple[str, ...]:
     return tuple("" if row.get(name) is None else str(row[name]) for name in heading)
-
-
-def duration_text(seconds: float) -> str:
-    """`40 s`, `12 min`, `3.5 h`."""
-    if seconds < 100:
-        return f"{max(seconds, 1):.0f} s"
-    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
 
 
 def size_text(count: float) -> str:

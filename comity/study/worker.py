@@ -32,6 +32,14 @@ _ONE_AT_A_TIME = Lock()
 
 
 @dataclass(frozen=True, slots=True)
+class Installation:
+    """What besides its input decides an episode."""
+
+    code: str
+    fingerprint: str
+
+
+@dataclass(frozen=True, slots=True)
 class StudyTask:
     """All that a worker needs for one episode."""
 
@@ -43,6 +51,8 @@ class StudyTask:
     comfort: Mapping[str, Any] | None
     filtered: Collection[Extra] | None
     seed: int
+    installed: Installation
+    """What the key counts on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,14 +63,6 @@ class TaskDone:
     rows: tuple[StudyRow, ...]
     took_s: float
     """CPU time of the worker."""
-
-
-@dataclass(frozen=True, slots=True)
-class Installation:
-    """What besides its input decides an episode."""
-
-    code: str
-    fingerprint: str
 
 
 def installation() -> Installation:

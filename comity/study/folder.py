@@ -1,0 +1,63 @@
+"""The folder of a study: whose it is, and that one command at a time writes to it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+from comity.study.results import ACCOUNT
+from comity.system.locks import LOCK, locked
+from comity.system.own_files import make_folder, read_regular, writing
+from comity_fis import InputError, Where
+
+
+@contextmanager
+def study_folder(path: Path, study: str) -> Iterator[Path]:
+    """The folder, made if it is not there, and kept from every other command.
+
+    Args:
+        path: Of the folder.
+        study: The name of the study: a folder of another one is left as it is.
+
+    Raises:
+        InputError: if it holds something else, or another command writes to it.
+    """
+    from filelock import Timeout
+
+    require_study_folder(path, study)
+    make_folder(path, private=True)
+    with ExitStack() as held:
+        try:
+            held.enter_context(locked(path, waits=False))
+        except Timeout:
+            raise _refusal(path, "one that is written to now", "Wait, or name another.") from None
+        yield path
+
+
+def require_study_folder(path: Path, study: str) -> None:
+    """Refuse a folder that holds something else than this study, before anything is computed.
+
+    Raises:
+        InputError: if it does.
+    """
+    with writing(path):
+        if not path.exists():
+            return
+        if not path.is_dir():
+            raise _refusal(path, "a file", "Name a folder, new or empty.")
+        if all(one.name == LOCK for one in path.iterdir()):
+            return
+    try:
+        found = json.loads(read_regular(path / ACCOUNT))["study"]
+    except (OSError, ValueError, TypeError, KeyError):
+        raise _refusal(
+            path, "a folder with other things in it", "Name a new or an empty folder: nothing is overwritten."
+        ) from None
+    if found != study:
+        raise _refusal(path, f"that of the study {found}", "Name another folder.")
+
+
+def _refusal(path: Path, got: str, remedy: str) -> InputError:
+    return InputError(expected="a folder for the study", got=got, remedy=remedy, where=Where(str(path)))

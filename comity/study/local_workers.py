@@ -1,0 +1,129 @@
+"""Processes on this machine: each has a pipe of its own, so that a lost one is known with its episode."""
+
+from __future__ import annotations
+
+import signal
+from collections import deque
+from collections.abc import Generator, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from multiprocessing.connection import Connection, wait
+from typing import TYPE_CHECKING, Any
+
+from comity.study.carrying import MOST_LOSSES, Carrier, Ended
+from comity.study.worker import StudyTask, TaskDone, carried_out, installation, lost_rows
+
+if TYPE_CHECKING:
+    from multiprocessing.context import SpawnProcess
+
+MOST_PROCESSES = 60
+"""Windows waits for no more at once."""
+
+
+def local_carrier(jobs: int) -> Carrier:
+    """So many processes here, which start clean."""
+    return Carrier(installation(), lambda tasks: _carried(tasks, min(jobs, MOST_PROCESSES)))
+
+
+@dataclass(slots=True)
+class _Attempt:
+    """An episode that a process has, or had when it was lost."""
+
+    task: StudyTask
+    losses: int = 0
+
+
+@dataclass(slots=True, eq=False)
+class _Process:
+    """A process and its end of the pipe."""
+
+    connection: Any
+    process: SpawnProcess
+    attempt: _Attempt | None = None
+
+    @classmethod
+    def started(cls) -> _Process:
+        context = get_context("spawn")
+        here, there = context.Pipe()
+        process = context.Process(target=_serve, args=(there,), daemon=True)
+        process.start()
+        there.close()  # so that the end of the process is the end of the pipe
+        return cls(here, process)
+
+    def begin(self, attempt: _Attempt) -> None:
+        self.attempt = attempt
+        with suppress(OSError):  # of one that is gone: its pipe says so when it is waited for
+            self.connection.send(attempt.task)
+
+    def end(self) -> None:
+        self.connection.close()
+        self.process.kill()
+        self.process.join()
+
+
+@dataclass(slots=True)
+class _Queue:
+    """Episodes that no process has: first those that lost theirs."""
+
+    tasks: Iterator[StudyTask]
+    again: deque[_Attempt] = field(default_factory=deque)
+
+    def next(self) -> _Attempt | None:
+        if self.again:
+            return self.again.popleft()
+        task = next(self.tasks, None)
+        return None if task is None else _Attempt(task)
+
+
+def _carried(tasks: Iterator[StudyTask], jobs: int) -> Generator[Ended]:
+    queue, processes = _Queue(tasks), list[_Process]()
+    try:
+        while len(processes) < jobs and (attempt := queue.next()):
+            processes.append(_Process.started())
+            processes[-1].begin(attempt)
+        while busy := {one.connection: one for one in processes if one.attempt}:
+            ready = [busy[connection] for connection in wait(list(busy))]
+            ended = [_received(process, processes, queue) for process in ready]
+            done = tuple(one for one, _ in ended if one is not None)
+            yield Ended(done, sum(is_lost for _, is_lost in ended))
+    finally:
+        for process in processes:
+            process.end()
+
+
+def _received(process: _Process, processes: list[_Process], queue: _Queue) -> tuple[TaskDone | None, bool]:
+    """What a process sent, and whether it was lost instead; it, or a new one, has the next episode then."""
+    attempt, done, is_lost = process.attempt, None, False
+    assert attempt is not None
+    try:
+        done = process.connection.recv()
+    except (EOFError, OSError):
+        is_lost = True
+        process.end()
+        processes.remove(process)
+        attempt.losses += 1
+        if attempt.losses < MOST_LOSSES:
+            queue.again.append(attempt)
+        else:
+            done = TaskDone(attempt.task.key, lost_rows(attempt.task, attempt.losses), 0.0)
+    process.attempt = None
+    if (following := queue.next()) is not None:
+        if is_lost:
+            process = _Process.started()
+            processes.append(process)
+        process.begin(following)
+    return done, is_lost
+
+
+def _serve(connection: Connection) -> None:
+    """Carry episodes out until the command closes the pipe, or is gone."""
+    import comity.system.garbage
+    import comity.system.threads  # noqa: F401
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole terminal: the command ends them
+    try:
+        while True:
+            connection.send(carried_out(connection.recv()))
+    except (EOFError, OSError):
+        return

@@ -1,0 +1,145 @@
+"""A study carried out: what is not in its journal yet, and at the end its tables.
+
+The command alone writes. The journal has every episode that ended, synced to the disk; so a study that was
+stopped or killed, whose disk was full or whose cluster was lost, goes on where it was.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import closing, suppress
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.answers.study import StudyRunAnswer
+from comity.study.episode_rows import ERROR
+from comity.study.estimate import factors_of
+from comity.study.folder import study_folder
+from comity.study.journal import opened_journal, read_journal
+from comity.study.parquet import has_pyarrow, write_parquet
+from comity.study.results import ACCOUNT, DICTIONARY, JOURNAL, PARQUET, RESULTS, WRITTEN
+from comity.study.statement import STATEMENT
+from comity.study.table import StudyTable, study_table
+from comity.study.tasks import task_of
+from comity.system.own_files import write_whole, written_whole
+from comity_fis import InputError
+
+if TYPE_CHECKING:
+    from comity.study.carrying import Carrier
+    from comity.study.study_plan import StudyCell, StudyPlan
+
+Watch = Callable[[int], None]
+"""Is told how many episodes have ended just now."""
+
+
+def run_study(
+    plan: StudyPlan,
+    out: Path,
+    connect: Callable[[], Carrier],
+    start: Callable[[int, int], Watch],
+) -> StudyRunAnswer:
+    """Carry out what is missing, and write the tables.
+
+    Args:
+        plan: The study.
+        out: Its folder.
+        connect: Gives what carries episodes out; called once the folder is known to be usable.
+        start: Is told how many episodes are missing and how many there are, and gives the watch.
+
+    Raises:
+        InputError: if the folder or the cluster cannot be used.
+        OSError: if there is no room.
+    """
+    with study_folder(out, plan.written.name):
+        carrier = connect()
+        missing, account = _begun(plan, out, carrier)
+        watch, lost, ended = start(len(missing), plan.episodes), 0, 0
+        try:
+            tasks = (task_of(plan, cell, carrier.installed) for cell in missing.values())
+            with opened_journal(out / JOURNAL) as journal, closing(carrier.carry_out(tasks)) as batches:
+                for batch in batches:
+                    journal.keep(batch.done)
+                    lost, ended = lost + batch.lost, ended + len(batch.done)
+                    watch(len(batch.done))
+        except BaseException:
+            with suppress(InputError):  # where there is no room, what it says of before stands
+                done = account.done + ended
+                _tell(out, account, status="stopped", done=done, run_now=ended, lost_workers=lost)
+            raise
+        return _finished(plan, out, carrier, account, lost=lost, ended=ended)
+
+
+def _begun(plan: StudyPlan, out: Path, carrier: Carrier) -> tuple[dict[str, StudyCell], StudyRunAnswer]:
+    """The episodes that the journal does not hold, by key, and an account that says so."""
+    known = read_journal(out / JOURNAL).keys()
+    missing: dict[str, StudyCell] = {}
+    there = 0
+    for cell in plan.cells():
+        key = cell.key(carrier.installed.code, carrier.installed.fingerprint)
+        if key in known:
+            there += 1
+        else:
+            missing.setdefault(key, cell)
+    account = StudyRunAnswer(
+        study=plan.written.name,
+        statement=STATEMENT,
+        status="running",
+        episodes=plan.episodes,
+        done=there,
+        run_now=0,
+        failed=0,
+        rows=0,
+        lost_workers=0,
+        version=version("comity"),
+        code=carrier.installed.code,
+        fingerprint=carrier.installed.fingerprint,
+        folder=str(out),
+        files=(),
+    )
+    write_whole(out / WRITTEN, plan.file.text.encode(), private=True)
+    return missing, _tell(out, account)
+
+
+def _finished(
+    plan: StudyPlan, out: Path, carrier: Carrier, account: StudyRunAnswer, *, lost: int, ended: int
+) -> StudyRunAnswer:
+    """The tables of all episodes of the study, and an account of them."""
+    rows = read_journal(out / JOURNAL)
+    installed = carrier.installed
+    keyed = [(cell, cell.key(installed.code, installed.fingerprint)) for cell in plan.cells()]
+    found = [(cell, key, rows[key]) for cell, key in keyed if key in rows]
+    table = study_table(factors_of(plan), found, installed, account.version)
+    files = tuple(_written(out, table))
+    return _tell(
+        out,
+        account,
+        status="done",
+        done=len(found),
+        run_now=ended,
+        failed=sum(any(row["outcome"] == ERROR for row in measured) for _, _, measured in found),
+        rows=len(table.rows),
+        lost_workers=lost,
+        files=files,
+    )
+
+
+def _written(out: Path, table: StudyTable) -> Iterator[str]:
+    """Write the tables; their names."""
+    write_whole(out / DICTIONARY, table.dictionary().encode(), private=True)
+    write_whole(out / RESULTS, table.csv().encode(), private=True)
+    yield from (RESULTS, DICTIONARY)
+    if has_pyarrow():
+        with written_whole(out / PARQUET, private=True) as part:
+            write_parquet(table, part)
+        yield PARQUET
+    else:
+        (out / PARQUET).unlink(missing_ok=True)  # one of fewer episodes
+    yield from (JOURNAL, ACCOUNT, WRITTEN)
+
+
+def _tell(out: Path, account: StudyRunAnswer, **now: object) -> StudyRunAnswer:
+    """Write the account as it is now."""
+    answer = account.model_copy(update=now)
+    write_whole(out / ACCOUNT, answer.model_dump_json(indent=2).encode() + b"\n", private=True)
+    return answer

@@ -1,0 +1,251 @@
+"""A study is carried out once, whatever stops it on the way, and its table is the same to the byte."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from study.writing import population, study
+
+from comity.study import Study
+from comity.study.carrying import MOST_LOSSES, Carrier, Ended
+from comity.study.journal import opened_journal, read_journal
+from comity.study.local_workers import local_carrier
+from comity.study.running import run_study
+from comity.study.study_plan import load_study
+from comity.study.tasks import task_of
+from comity.study.worker import TaskDone, carried_out, installation
+from comity_fis import InputError
+
+resource = pytest.importorskip("resource", reason="limits of POSIX")
+
+NOISY = {"robot.sensor.noise_m": [0.02], "rulebook": ["bruno2017", "evidence"]}
+COMMAND = Path(sys.executable).parent / "comity"
+
+
+def written(folder: Path, seeds: int = 2) -> Path:
+    """Eight episodes: two rulebooks, two individuals, two seeds."""
+    aged = {"individuals": 2, "facts": {"culture": "SWE", "age": {"from": 20, "to": 90}}}
+    population(folder / "people.yaml", groups={"swedes": aged})
+    return study(folder / "noisy.yaml", population="people.yaml", factors=NOISY, seeds=seeds)
+
+
+@pytest.fixture
+def noisy(here):
+    return written(here)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """The tables with two seeds, and with three, each carried out in one go in this process."""
+
+    def carry_out(tasks):
+        yield from (Ended((carried_out(task),)) for task in tasks)
+
+    found = {}
+    for seeds in (2, 3):
+        folder = tmp_path_factory.mktemp("whole")
+        plan = load_study(written(folder, seeds))
+        run_study(plan, folder / "out", lambda: Carrier(installation(), carry_out), lambda *_: lambda _: None)
+        found[seeds] = tables(folder / "out")
+    return found
+
+
+def run(comity, out, *words):
+    said = comity("study", "run", "noisy.yaml", "--out", out, *(words or ("--jobs", "1")), "--json")
+    assert said.code == 0, said.err
+    return said.json
+
+
+def tables(folder: Path) -> dict[str, bytes]:
+    names = ("results.csv", "dictionary.csv", "results.parquet")
+    return {name: (folder / name).read_bytes() for name in names if (folder / name).exists()}
+
+
+def kept(folder: Path) -> int:
+    """Episodes in its journal."""
+    return len(read_journal(folder / "journal.jsonl"))
+
+
+def begun(out: str, **options) -> subprocess.Popen[bytes]:
+    """The command, once its journal has an episode."""
+    command = [COMMAND, "study", "run", "noisy.yaml", "--out", out, "--jobs", "1"]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, **options)
+    while process.poll() is None and not kept(Path(out)):
+        time.sleep(0.02)
+    return process
+
+
+def test_two_processes_write_the_same_table_as_one(comity, here, noisy, whole):
+    answer = run(comity, "out", "--jobs", "2")
+    assert (answer["done"], answer["run_now"], answer["failed"], answer["rows"]) == (8, 8, 0, 8)
+    assert answer["status"] == "done"
+    assert tables(here / "out") == whole[2]
+
+
+def test_what_is_there_is_not_run_again_and_a_wider_study_runs_only_what_is_new(comity, here, noisy, whole):
+    run(comity, "out")
+    assert run(comity, "out")["run_now"] == 0
+    assert tables(here / "out") == whole[2]
+    written(here, seeds=3)
+    answer = run(comity, "out")
+    assert (answer["done"], answer["run_now"]) == (12, 4)
+    assert tables(here / "out") == whole[3]
+
+
+STOPS = [(signal.SIGINT, 130, "stopped"), (signal.SIGTERM, 143, "stopped"), (signal.SIGKILL, -9, "running")]
+
+
+@pytest.mark.parametrize("stop", STOPS, ids=lambda stop: stop[0].name)
+def test_a_study_that_is_stopped_or_killed_goes_on(comity, noisy, whole, stop):
+    number, code, status = stop
+    out = noisy.parent / "out"
+    process = begun("out")
+    process.send_signal(number)
+    process.communicate()
+    assert process.returncode == code
+    before = kept(out)
+    assert 1 <= before < 8
+    assert json.loads((out / "study.json").read_text())["status"] == status
+    assert run(comity, "out")["run_now"] == 8 - before
+    assert tables(out) == whole[2]
+
+
+def test_a_full_disk_ends_the_command_and_the_study_goes_on_with_room(comity, here, noisy, whole):
+    """The limit on the size of a file stands for the disk: the same call fails."""
+
+    def little_room() -> None:
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (9000, 9000))
+
+    process = begun("out", preexec_fn=little_room)
+    _, said = process.communicate()
+    assert process.returncode == 2
+    assert b"Traceback" not in said
+    assert 1 <= kept(here / "out") < 8
+    run(comity, "out")
+    assert tables(here / "out") == whole[2]
+
+
+def test_a_line_that_was_cut_off_is_taken_off_and_its_episode_runs_again(comity, here, noisy, whole):
+    run(comity, "out")
+    journal = here / "out/journal.jsonl"
+    journal.write_bytes(journal.read_bytes()[:-40])
+    assert run(comity, "out")["run_now"] == 1
+    assert tables(here / "out") == whole[2]
+    assert kept(here / "out") == journal.read_bytes().count(b"\n") == 8
+
+
+def test_a_journal_has_what_was_kept_before_the_next_line(tmp_path):
+    path = tmp_path / "journal.jsonl"
+    for key in "ab":
+        with opened_journal(path) as journal:
+            journal.keep([TaskDone(key, ({"person": "x", "value": 0.1 + 0.2},), 0.5)])
+            assert read_journal(path)[key] == ({"person": "x", "value": 0.1 + 0.2},)
+        path.write_bytes(path.read_bytes() + b'{"key": "c"')
+    assert [*read_journal(path)] == ["a", "b"]
+
+
+def _tasks(noisy):
+    plan, carrier = load_study(noisy), local_carrier(2)
+    return carrier, [task_of(plan, cell, carrier.installed) for cell in plan.cells()]
+
+
+def test_a_worker_that_is_killed_loses_no_episode(noisy):
+    carrier, tasks = _tasks(noisy)
+    ended, lost, killed = [], 0, False
+    for batch in carrier.carry_out(iter(tasks)):
+        ended, lost = [*ended, *batch.done], lost + batch.lost
+        if not killed:
+            killed = True
+            _kill_a_child()
+    assert lost == 1
+    assert {one.key for one in ended} == {one.key for one in tasks}
+    assert all("error" not in row for one in ended for row in one.rows)
+
+
+def _kill_a_child() -> None:
+    from multiprocessing import active_children
+
+    active_children()[0].kill()
+
+
+def test_an_episode_that_kills_every_worker_is_a_row_with_an_error_after_ten_losses(noisy, monkeypatch):
+    carrier, (task, *_) = _tasks(noisy)
+    monkeypatch.setattr("comity.study.local_workers._serve", _end_at_once)
+    ended = [*carrier.carry_out(iter([task]))]
+    assert sum(batch.lost for batch in ended) == MOST_LOSSES
+    (done,) = (one for batch in ended for one in batch.done)
+    (row,) = done.rows
+    assert (row["person"], row["outcome"]) == ("johanna", "error")
+    assert "10 workers" in row["error"]
+
+
+def _end_at_once(connection) -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_an_episode_that_raises_is_a_row_with_its_error(noisy, monkeypatch):
+    _, (task, *_) = _tasks(noisy)
+
+    def broken(*_, **__):
+        raise ZeroDivisionError("of all things")
+
+    monkeypatch.setattr("comity.study.worker.execute", broken)
+    (row,) = carried_out(task).rows
+    assert row == {"person": "johanna", "outcome": "error", "error": "ZeroDivisionError: of all things"}
+
+
+def test_an_episode_without_a_plan_is_a_row_with_the_reason(here):
+    factors = {"people.visited.at_m": [[0.4, 4.2]], "place.furniture": [[]]}
+    walls = [[[0, 3.5], [1.5, 3.5]], [[1.5, 3.5], [1.5, 4.5]]]
+    plan = load_study(study(here / "s.yaml", factors={**factors, "place.walls_m": [walls]}))
+    (cell,) = plan.cells()
+    (row,) = carried_out(task_of(plan, cell, local_carrier(1).installed)).rows
+    assert row["outcome"] in ("unreachable", "no_plan")
+    assert row["reason"]
+
+
+def test_a_folder_with_other_things_is_refused_before_anything_runs(comity, here, noisy):
+    (here / "taken").mkdir()
+    (here / "taken/thesis.txt").write_text("mine")
+    assert comity("study", "run", "noisy.yaml", "--out", "taken").code == 2
+    assert [path.name for path in (here / "taken").iterdir()] == ["thesis.txt"]
+    study(here / "other.yaml")
+    assert comity("study", "run", "other.yaml", "--out", "out").code == 0
+    said = comity("study", "run", "noisy.yaml", "--out", "out")
+    assert said.code == 2
+    assert "that of the study other" in said.err
+
+
+def test_two_commands_do_not_write_to_one_folder(comity, here, noisy):
+    process = begun("out")
+    said = comity("study", "run", "noisy.yaml", "--out", "out")
+    process.kill()
+    process.communicate()
+    assert said.code == 2
+    assert "written to now" in said.err
+
+
+def test_processes_and_a_cluster_are_not_asked_for_at_once(comity, noisy):
+    said = comity(
+        "study", "run", "noisy.yaml", "--out", "out", "--jobs", 2, "--scheduler", "tcp://127.0.0.1:1"
+    )
+    assert said.code == 2
+
+
+def test_a_study_that_was_run_is_loaded(comity, here, noisy):
+    run(comity, "out")
+    found = Study.load("out")
+    with (here / "out/results.csv").open(encoding="utf-8", newline="") as file:
+        assert [dict(row) for row in found.rows] == list(csv.DictReader(file))
+    assert found.columns["distance_actual_m"]["unit"] == "m"
+    with pytest.raises(InputError):
+        Study.load(here)
