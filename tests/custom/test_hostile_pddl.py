@@ -138,7 +138,7 @@ BAD_PROBLEMS = {
     "a fact without brackets": ("(at hall)", "at hall", 4, "Write sections in this order"),
     "constraints": ("(:metric", "(:constraints (and)) (:metric", 7, "as preconditions"),
     "a metric without a direction": ("minimize", "least", 7, "Write sections in this order"),
-    "a metric that is a number": ("(total-cost)", "3", 7, "Write sections in this order"),
+    "a metric that is a number": ("(total-cost)", "3", 7, "Write (total-cost)"),
     "a goal that contradicts itself": ("(held tea)", "(and (at hall) (not (at hall)))", 6, "exclude each"),
     "a goal of no alternatives": ("(held tea)", "(or)", 6, "a goal that can be true"),
     "an unknown object in the goal": ("(held tea)", "(held tee)", 6, "Did you mean 'tea'?"),

@@ -143,7 +143,7 @@ def test_where_no_engine_looked_at_the_metric_the_answer_says_so(own, comity):
         for text in (CALLS[0].replace("(total-cost) 2)", "(total-cost) (price))"), CALLS[1])
     )
     own(with_table)
-    words = ["plan", "--domain", "d.pddl", "--problem", "p.pddl", "--engine", "aries", "--limit", "5"]
+    words = ["plan", "--domain", "d.pddl", "--problem", "p.pddl", "--engine", "aries", "--limit", "20"]
     assert "aries did not look at the metric" in " ".join(comity(*words).out.split())
     answer = comity(*words, "--json").json
     assert answer["own"]["metric_ignored"] is True

@@ -11,11 +11,14 @@ import shutil
 import subprocess
 import sys
 import threading
+import traceback
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from comity_domain.custom.process import ANSWER, CALL, STARTED, end, started
+from comity_domain.custom.process import ANSWER, CALL, STARTED, end, out_of_memory, started
+from comity_domain.errors import PlanningFailed
+from comity_fis.errors import ComityError
 
 FRAMES = 10_000
 """unified-planning's reader takes about 20 for a pair of brackets, of which 60 may be nested."""
@@ -32,17 +35,27 @@ def main() -> None:
     try:
         answer = (True, pickle.loads((folder / CALL).read_bytes())())
         written = pickle.dumps(answer)
-    except Exception as refusal:
-        from comity_fis.errors import ComityError
-
-        if not isinstance(refusal, ComityError):
-            raise
-        written = pickle.dumps((False, refusal))
+    except Exception as error:
+        written = pickle.dumps(
+            (False, error if isinstance(error, ComityError) else _failure(error, megabytes))
+        )
     if ending.is_set():
         threading.Event().wait()  # the other thread ends all of this
     (folder / "part").write_bytes(written)
     (folder / "part").replace(folder / ANSWER)
     os._exit(0)  # an engine may have left threads that never end
+
+
+def _failure(error: Exception, megabytes: int) -> PlanningFailed:
+    """What a mistake, in a library or in the files, comes to."""
+    if isinstance(error, MemoryError):
+        return out_of_memory(megabytes)
+    if isinstance(error, ZeroDivisionError):
+        remedy = "Keep 0 out of what divides in conditions, effects and goals."
+        return PlanningFailed("something is divided by 0", remedy=remedy)
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    at = f"{type(error).__name__}: {error}, in {place.name} of {Path(place.filename).name}"
+    return PlanningFailed(f"planning broke off ({at})", remedy="Plan with another engine, or report this.")
 
 
 def _end_with_parent(folder: Path, ending: threading.Event) -> None:

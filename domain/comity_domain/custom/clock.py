@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 
 from comity_domain.custom.process import LATEST_S
 from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.engines import GRACE_S
 from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_custom
 from comity_domain.errors import PlanningFailed, out_of_time
 
 READING_S = 0.5
 """So much of starting, reading and binding takes nothing from the engine's time (our choice)."""
-LEAST_S = 0.1
+LEAST_S, HANDING_OVER_S = 0.1, 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +31,8 @@ class Clock:
 
     @property
     def left_s(self) -> float:
-        """What is left for all else, with half a second to hand over the answer [s]."""
-        return max(self.started_s + self.limit_s + LATEST_S - 0.5 - time.time(), LEAST_S)
+        """What is left for engines that look what stands in the way, so that the answer is in time [s]."""
+        return self.started_s + self.limit_s + LATEST_S - GRACE_S - HANDING_OVER_S - time.time()
 
 
 def planned(bound: Bound, clock: Clock) -> CustomPlan:
@@ -46,4 +47,5 @@ def planned(bound: Bound, clock: Clock) -> CustomPlan:
     except PlanningFailed as failed:
         if failed.reason == out_of_time(engine_s).reason:
             raise out_of_time(clock.limit_s) from None  # reading took the rest
-        raise diagnosed(bound, failed, patience_s=clock.left_s) from None
+        left_s = clock.left_s
+        raise (diagnosed(bound, failed, patience_s=left_s) if left_s > LEAST_S else failed) from None

@@ -128,10 +128,15 @@ def _nothing(code: int | None, log: str, limit_s: float, memory_mb: int) -> Plan
     if code is None:
         return out_of_time(limit_s)
     if "MemoryError" in log:
-        reason = f"no plan was found within {memory_mb} MB of memory"
-        return PlanningFailed(reason, remedy="Ask for less at once.", cut_off=True)
+        return out_of_memory(memory_mb)
     if code < 0:
         remedy = "Plan again; where memory is short, the system ends the largest process."
         return PlanningFailed("planning was killed from outside", remedy=remedy)
     lines = " / ".join(line.strip() for line in log.splitlines() if line.strip())[-300:]
     return PlanningFailed(f"planning broke off ({lines})", remedy="Plan with another engine, or report this.")
+
+
+def out_of_memory(memory_mb: int) -> PlanningFailed:
+    """That no plan was found within so many megabytes."""
+    reason = f"no plan was found within {memory_mb} MB of memory"
+    return PlanningFailed(reason, remedy="Ask for less at once.", cut_off=True)

@@ -121,8 +121,8 @@ class _Weighing:
         """Where another plan costs as much as the one in hand; None where it is not cheaper at the factor."""
         fixed, moving = self.line(self.steps, options)
         other_fixed, other_moving = self.line(other, options)
-        dearer = other_fixed + factor * other_moving > fixed + factor * moving - NEAR
-        if dearer or abs(moving - other_moving) < NEAR:
+        more = other_fixed + factor * other_moving > fixed + factor * moving - NEAR
+        if more or abs(moving - other_moving) < NEAR:
             return None
         return min(HIGHEST, max(LOWEST, (other_fixed - fixed) / (moving - other_moving)))
 
@@ -135,8 +135,10 @@ class _Weighing:
             row = row_of(GroundAction(name, objects), self.bound)
             assert row is not None  # no weight rules anything out
             own = {one.lower() for bound, one in options if bound.lower() == name}
-            part = sum(liking.dislike for key, liking in row.likings.items() if key in own)
-            fixed, moving = fixed + row.base + row.dislike - part, moving + part
+            part = sum(
+                preference.preference_cost for key, preference in row.preferences.items() if key in own
+            )
+            fixed, moving = fixed + row.base + row.preference_cost - part, moving + part
         return fixed, moving
 
     def cheapest(self, factors: Factors) -> tuple[Steps, bool] | None:

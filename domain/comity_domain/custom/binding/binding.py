@@ -9,7 +9,7 @@ from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis.errors import WrongValueError
 
 OptionValue = str | float | tuple[float, float] | None
-"""What an object stands for: a category, a number or range of a parameter, or nothing to like or dislike."""
+"""What an object stands for: a category, a number or range of a parameter, or nothing to prefer."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,7 +19,7 @@ class Option:
     parameter: str
     """A parameter of the rulebook."""
     weight: float = 1.0
-    """What disliking is worth: units of the domain's own cost per unit of -ln(desirability)."""
+    """Preference cost: units of the domain's own cost per unit of -ln(desirability)."""
     objects: Mapping[str, OptionValue] = field(default_factory=dict)
     """What objects stand for; one that is not named stands for the category of its own name."""
 

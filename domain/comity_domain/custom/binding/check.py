@@ -47,7 +47,7 @@ class _Check(Names):
         self.everybody_matters(binding)
 
     def everybody_matters(self, binding: Binding) -> None:
-        """Refuse somebody whom nothing bound can be for: their profile would silently mean nothing."""
+        """Refuse a person that no binding can reach: the profile would silently mean nothing."""
         bound = [self.types(name)[action.person.lower()] for name, action in binding.actions.items()]
         bound += [self.function(name).signature[0].type for name in binding.fluents]
         reached = {one.name for type_ in bound for one in self.own.problem.objects(type_)}
@@ -100,14 +100,14 @@ class _Check(Names):
             raise refused((*place, "parameter"), "a numeric parameter", got, "Name another.")
 
     def person(self, bound: str, type_: Type, others: Mapping[str, Type], place: Location) -> None:
-        """Refuse what may be an object that is nobody: it would silently be somebody unknown."""
-        if not (nobody := strangers(self.own, self.people, type_)):
+        """Refuse an argument that may be no person: it would silently be taken for an unknown one."""
+        if not (no_people := strangers(self.own, self.people, type_)):
             return
         better = " or ".join(f"?{name}" for name in can_be_people(self.own, self.people, others))
         instead = f"Bind {better}" if better else "Bind another"
         raise BindingRefusedError(
             place,
-            expected=f"an argument that is always somebody, as {listed(tuple(self.people.known))}",
-            got=f"{bound}, which may be {listed(nobody)}",
-            remedy=f"{instead}; whoever of them is a person belongs under `people` (profile: unknown).",
+            expected=f"an argument that is always a person, as {listed(tuple(self.people.known))}",
+            got=f"{bound}, which may be {listed(no_people)}",
+            remedy=f"{instead}; a person among them belongs under `people` (profile: unknown).",
         )

@@ -74,7 +74,7 @@ def _with_options(binding: Binding) -> Iterator[str]:
 
 
 def _in_range(meaning: OptionValue, parameter: NumericParameter, place: Location) -> None:
-    """Refuse numbers that the parameter never has: nobody could like them."""
+    """Refuse numbers that the parameter never has."""
     low = min(parameter.rules.low, parameter.ask.low)
     high = max(parameter.rules.high, parameter.ask.high)
     ends = meaning if isinstance(meaning, tuple) else (meaning,)

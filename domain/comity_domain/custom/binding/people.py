@@ -18,7 +18,7 @@ class People:
     """By the object's name, as the files have it, in any case."""
     rulebook: Rulebook
     anybody: Inference = field(init=False, repr=False)
-    """Of whom nothing is known."""
+    """A person without a profile."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "anybody", self.rulebook.infer({}))

@@ -15,10 +15,10 @@ MOST_NAMED = 3
 
 
 def strangers(own: CustomProblem, people: People, type_: Type) -> tuple[str, ...]:
-    """The objects of a type that are nobody, as the files name them.
+    """The objects of a type that are no people, as the files name them.
 
-    An object is somebody who is named, or of the type of somebody who is. Where nobody is named, all may be
-    people of whom nothing is known.
+    An object is a person if it is named, or of the type of an object that is. Where none is named, all may be
+    people without a profile.
 
     Args:
         own: The problem.
@@ -26,9 +26,9 @@ def strangers(own: CustomProblem, people: People, type_: Type) -> tuple[str, ...
         type_: Of an argument that is bound as a person.
     """
     named = [own.problem.object(name.lower()) for name in people.known]
-    somebody = {one.name for person in named for one in own.problem.objects(person.type)}
+    people_too = {one.name for person in named for one in own.problem.objects(person.type)}
     return tuple(
-        own.as_written(one.name) for one in own.problem.objects(type_) if named and one.name not in somebody
+        own.as_written(one.name) for one in own.problem.objects(type_) if named and one.name not in people_too
     )
 
 

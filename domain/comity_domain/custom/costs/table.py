@@ -1,4 +1,4 @@
-"""What every action costs for every combination of objects, liking included, and what is ruled out."""
+"""What every action costs for every combination of objects, preference included, and what is ruled out."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from comity_domain.custom.costs.cost import (
     objects_for,
     own_costs,
 )
-from comity_domain.custom.costs.liking import Liking, likings
+from comity_domain.custom.costs.preference import Preference, preferences
 from comity_domain.custom.reading.places import Atom
 from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis.errors import InputError, Where, WrongValueError
@@ -43,18 +43,20 @@ class Row:
     cost: int
     """As the planner counts it."""
     base: float
-    """What it would cost without any dislike, in units of the domain's own cost."""
-    likings: Mapping[str, Liking] = field(default_factory=dict)
+    """The cost without any preference cost, in units of the domain's own cost."""
+    preferences: Mapping[str, Preference] = field(default_factory=dict)
     """Of the person, by option argument."""
 
     @property
-    def dislike(self) -> float:
-        """What all choices are disliked, in the same units."""
-        return sum(liking.dislike for liking in self.likings.values())
+    def preference_cost(self) -> float:
+        """Preference cost of all choices, in the same units."""
+        return sum(preference.preference_cost for preference in self.preferences.values())
 
     def parts(self) -> Mapping[str, int]:
         """What the cost is made of: `domain`, and each option by its argument; they add up to it."""
-        exact = {"domain": self.base} | {f"?{name}": one.dislike for name, one in self.likings.items()}
+        exact = {"domain": self.base} | {
+            f"?{name}": one.preference_cost for name, one in self.preferences.items()
+        }
         total = sum(exact.values()) or 1.0
         counted = {name: self.cost * part / total for name, part in exact.items()}
         whole = {name: math.floor(part) for name, part in counted.items()}
@@ -120,7 +122,7 @@ def natural_scale(own: CustomProblem) -> int:
     return scale
 
 
-Likings = Mapping[str, Mapping[str, Mapping[str, Liking]]]
+Preferences = Mapping[str, Mapping[str, Mapping[str, Preference]]]
 """By option argument, person and object."""
 
 
@@ -133,7 +135,7 @@ class _Pricing:
     values: Values
 
     def plain(self, action: Action) -> Table:
-        """The table of an action that nobody's preference is bound to."""
+        """The table of an action that no person's preference is bound to."""
         formula = self.formulas[action.name]
         deciding = arguments_in(formula, action)
         rows, unpriced = {}, {}
@@ -151,9 +153,9 @@ class _Pricing:
         """The table of an action whose person likes its options more or less."""
         formula = self.formulas[action.name] if binding.base is None else None
         fixed = Fraction(binding.base or 0)
-        likings = self.likings(action, bound_as, binding)
+        preferences = self.preferences(action, bound_as, binding)
         person = binding.person.lower()
-        chosen = {person, *likings, *arguments_in(formula, action)}
+        chosen = {person, *preferences, *arguments_in(formula, action)}
         deciding = tuple(one.name for one in action.parameters if one.name in chosen)
         rows, unpriced, count = {}, {}, 0
         for assignment in self.groundings(action, deciding):
@@ -162,10 +164,10 @@ class _Pricing:
             if cost is None:
                 unpriced[tuple(assignment.values())] = self.missing(formula, assignment)
                 continue
-            seen = {name: by[assignment[person]][assignment[name]] for name, by in likings.items()}
+            seen = {name: by[assignment[person]][assignment[name]] for name, by in preferences.items()}
             if all(one.permitted for one in seen.values()):
                 base = float(cost + fixed)
-                total = base + sum(one.dislike for one in seen.values())
+                total = base + sum(one.preference_cost for one in seen.values())
                 if base * self.scale < MOST_COST <= total * self.scale:
                     raise _too_heavy(bound_as, binding, seen, MOST_COST / self.scale)
                 price = self.whole(total, action, formula, assignment)
@@ -180,7 +182,7 @@ class _Pricing:
         """The first function of a formula that has no value."""
         return next((atom for atom in atoms_in(formula, assignment) if atom not in self.values), None)
 
-    def likings(self, action: Action, bound_as: str, binding: ActionBinding) -> Likings:
+    def preferences(self, action: Action, bound_as: str, binding: ActionBinding) -> Preferences:
         """How everybody who may be the action's person sees what may be chosen."""
         assert self.people is not None
         people = self.people
@@ -191,7 +193,7 @@ class _Pricing:
             full = option.full(self.own, objects)
             try:
                 found[argument.lower()] = {
-                    person: likings(full, people[written][option.parameter], written)
+                    person: preferences(full, people[written][option.parameter], written)
                     for person in persons
                     if (written := self.own.as_written(person))
                 }
@@ -228,10 +230,10 @@ class _Pricing:
 
 
 def _too_heavy(
-    bound_as: str, binding: ActionBinding, seen: Mapping[str, Liking], limit: float
+    bound_as: str, binding: ActionBinding, seen: Mapping[str, Preference], limit: float
 ) -> BindingRefusedError:
     """A weight that makes a cost larger than the planner can count."""
-    worst = max(binding.options, key=lambda name: seen[name.lower()].dislike)
+    worst = max(binding.options, key=lambda name: seen[name.lower()].preference_cost)
     return BindingRefusedError(
         ("actions", bound_as, "options", worst, "weight"),
         expected=f"a weight with which {bound_as} costs less than {limit:g}",

@@ -80,6 +80,9 @@ def refuse_misread(domain: PddlText, problem: PddlText) -> None:
     for action in domain.actions().values():
         _refuse_twice(domain, action)
     _refuse_other_domain(domain, problem)
+    metric = problem.section(":metric")
+    for word in (item for item in metric.rest[1:] if item.word) if metric else ():
+        raise problem.refused(word, "an expression in brackets", f"'{word}'", "Write (total-cost).")
     _refuse_second_values(problem)
 
 

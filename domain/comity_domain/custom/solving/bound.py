@@ -66,7 +66,7 @@ def bind(own: CustomProblem, binding: Binding | None = None, people: People | No
         BindingRefusedError: something in the binding that does not fit.
     """
     if binding is not None and people is None:
-        raise ValueError("a binding needs people, if only the rulebook for those of whom nothing is known")
+        raise ValueError("a binding needs people, if only the rulebook for those without a profile")
     own = replace(own, problem=counter_as_costs(own.problem))
     if binding is not None and people is not None:
         check_binding(own, binding, people)

@@ -9,12 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from comity_domain.custom.costs.classical import MAXIMIZED, beyond_classical
-from comity_domain.custom.solving.lacking import lacking
 from comity_domain.errors import NoEngine
 from comity_fis.errors import InputError, Where, closest
 
 if TYPE_CHECKING:
-    from unified_planning.engines import Factory
+    from unified_planning.engines import CompilerResult, Factory
     from unified_planning.model import Problem
 
 FAST_DOWNWARD = "fast-downward"
@@ -25,6 +24,25 @@ _ANSWERED_BY_COST = ("fast-downward", "lpg", "lpg-anytime")
 _FREE = "pip install up-aries (MIT; whole numbers and durations)"
 _JAVA = "pip install up-enhsp (GPL-3, needs Java 17; numeric, no durations)"
 _EXTRA = "pip install 'comity[fast-downward]'"
+
+
+_LACKS = (
+    (
+        {"GENERAL_NUMERIC_PLANNING"},
+        "changes of a number by anything but a number that is written out, nor products",
+        "Write a number, as in (increase (f) 2), with an action for each case",
+    ),
+    (
+        {"REAL_FLUENTS", "REAL_TYPE_DURATIONS", "REAL_NUMBERS_IN_ACTIONS_COST"},
+        "fractions",
+        "Write it in whole numbers",
+    ),
+)
+"""What aries does not take, the engine for numbers and durations that pip installs without Java.
+
+By its names in unified-planning, in words, and what to write instead. Quantifiers and conditional effects are
+compiled away.
+"""
 
 
 def engine_for(problem: Problem) -> str:
@@ -40,6 +58,32 @@ def engine_for(problem: Problem) -> str:
     if problem.quality_metrics:
         ranked.sort(key=lambda name: not _sees_metric(problem, name))
     return ranked[0]
+
+
+def without_quantifiers(problem: Problem) -> CompilerResult | None:
+    """The problem without quantifiers, disjunctions and conditional effects, by unified-planning's compilers.
+
+    Returns:
+        None where it has none of them, or they cannot be compiled away.
+    """
+    from unified_planning.engines import CompilationKind
+
+    kind = problem.kind
+    wanted = {
+        CompilationKind.QUANTIFIERS_REMOVING: kind.has_existential_conditions()
+        or kind.has_universal_conditions()
+        or kind.has_forall_effects(),
+        CompilationKind.DISJUNCTIVE_CONDITIONS_REMOVING: kind.has_disjunctive_conditions(),
+        CompilationKind.CONDITIONAL_EFFECTS_REMOVING: kind.has_conditional_effects(),
+    }
+    kinds = [name for name, is_wanted in wanted.items() if is_wanted]
+    if not kinds:
+        return None
+    try:
+        with problem.environment.factory.Compiler(problem_kind=kind, compilation_kinds=kinds) as compiler:
+            return compiler.compile(problem)
+    except Exception:  # whatever they do not take, there is none
+        return None
 
 
 def require_able(engine: str, problem: Problem) -> None:
@@ -128,7 +172,7 @@ def _can(problem: Problem, name: str) -> bool:
 
 
 def _refuse(problem: Problem) -> NoReturn:
-    beyond, lack = beyond_classical(problem), lacking(problem)
+    beyond, features = beyond_classical(problem), problem.kind.features
     if beyond is None:
         raise NoEngine(
             "a custom domain needs the planning engine Fast Downward, which is not installed",
@@ -139,9 +183,10 @@ def _refuse(problem: Problem) -> NoReturn:
     install = f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}."
     if beyond == MAXIMIZED:
         install = f"Minimize what is lost instead, which needs no other engine; or: {_JAVA}."
-    elif lack is not None:
+    elif lack := next((one for one in _LACKS if one[0] & features), None):
+        _, what, instead = lack
         has = "is installed, and" if has_aries else "could be installed, and"
-        beyond = f"{beyond}; aries {has} takes no {lack.what}"
-        first = lack.remedy if has_aries else f"{lack.remedy}, and {_FREE}"
+        beyond = f"{beyond}; aries {has} takes no {what}"
+        first = instead if has_aries else f"{instead}, and {_FREE}"
         install = f"{first}." if durative else f"{first}; or: {_JAVA}."
     raise NoEngine(f"no engine that is installed solves this problem, which has {beyond}", remedy=install)

@@ -10,7 +10,7 @@ import re
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import chdir
 from queue import Empty, Queue
 from typing import TYPE_CHECKING, Any
@@ -22,11 +22,12 @@ from comity_domain.custom.solving.choosing import (
     improves,
     installed,
     optimizes,
+    without_quantifiers,
 )
 from comity_domain.custom.solving.searching import ANY_PLAN, search_for
 from comity_domain.custom.solving.solution import Solution, ground_actions
 from comity_domain.custom.solving.stated import stated
-from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed, out_of_time
+from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed, out_of_time
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -52,7 +53,7 @@ def solve(
         NoPlan: There is none.
         PlanningFailed: None was found within the limit, or no engine can.
     """
-    name = _chosen(problem, engine)
+    name, problem, back = _chosen(problem, engine)
     search = ANY_PLAN if any_plan else search_for(problem, time_limit_s)
     runs = _fast_downward if name == FAST_DOWNWARD else _other
     copy = stated(problem) if _writes_pddl(problem, name) else problem.clone()
@@ -72,13 +73,29 @@ def solve(
             raise PlanningFailed(f"{name} broke off ({text})", remedy="Plan with another engine.") from None
     if best is None:
         raise _none_found(name, last, time_limit_s)
+    best = best.replace_action_instances(back) if back else best
     return _solution(name, best, last, ignored=ignored)
 
 
-def _chosen(problem: Problem, engine: str | None) -> str:
-    if engine is None or engine not in installed(problem.environment.factory):
-        return engine_for(problem)
-    return engine
+Back = Callable[[Any], Any]
+"""From an action of the problem that is solved to that of the problem that was given."""
+
+
+def _chosen(problem: Problem, engine: str | None) -> tuple[str, Problem, Back | None]:
+    """The engine, and the problem that it gets: compiled where no engine takes it as it is."""
+    if engine is not None and engine in installed(problem.environment.factory):
+        return engine, problem, None
+    try:
+        return engine_for(problem), problem, None
+    except NoEngine:
+        compiled = without_quantifiers(problem)
+        if compiled is None:
+            raise
+        try:
+            return engine_for(compiled.problem), compiled.problem, compiled.map_back_action_instance
+        except NoEngine:
+            pass
+        raise  # as it is, it is the user's own
 
 
 def _writes_pddl(problem: Problem, name: str) -> bool:

@@ -63,7 +63,11 @@ class _Search:
 
     def told(self) -> NoPlan:
         goals = _parts(self.bound.problem.goals)
-        failing = [goal for goal in goals if not self.reaches([goal])]
+        reached = {goal: self.reaches([goal]) for goal in goals}
+        failing = [goal for goal in goals if reached[goal] is False]
+        if not failing and None in reached.values():
+            remedy = "Allow more time to be told which goal stands in the way."
+            return NoPlan("no plan reaches all goals", remedy=remedy)
         if not failing:
             return self._conflict(goals)
         names = " and ".join(map(self.words, failing))
@@ -90,7 +94,9 @@ class _Search:
 
     def _conflict(self, goals: Sequence[FNode]) -> NoPlan:
         """Each goal has a plan, and all of them together have none."""
-        found = in_the_way(goals, lambda lifted: self.reaches([one for one in goals if one not in lifted]))
+        found = in_the_way(
+            goals, lambda lifted: bool(self.reaches([one for one in goals if one not in lifted]))
+        )
         names = " or ".join(map(self.words, found.any_of)) or " and ".join(map(self.words, found.all_of))
         if not names:
             return NoPlan(
@@ -112,10 +118,16 @@ class _Search:
             if self.bound.classical
             for condition in _parts(action.preconditions)
         ]
-        found = [one for one in needed if self.reaches(failing, [one])]
-        texts = [f"{self._name(one.action)} did not need {self.words(one.condition)}" for one in found]
+        found = {one: self.reaches(failing, [one]) for one in needed}
+        texts = [
+            f"{self._name(one.action)} did not need {self.words(one.condition)}"
+            for one in needed
+            if found[one]
+        ]
         if texts:
             return f"It would be possible if {', or if '.join(texts)}."
+        if None in found.values():
+            return "Allow more time to be told which condition of an action stands in the way."
         return "No single condition of an action stands in the way: look for what several of them need."
 
     def _if_open(self, steps: Sequence[GroundAction]) -> str:
@@ -130,10 +142,14 @@ class _Search:
         """What is left for all looks."""
         return self.until - time.monotonic()
 
-    def reaches(self, goals: Sequence[FNode], without: Sequence[Needed] = ()) -> bool:
-        """Whether some plan is found for these goals, and without these conditions of actions."""
+    def reaches(self, goals: Sequence[FNode], without: Sequence[Needed] = ()) -> bool | None:
+        """Whether there is a plan for these goals, and without these conditions of actions.
+
+        Returns:
+            None where that was not known in time.
+        """
         if self.left_s <= 0.0:
-            return False
+            return None
         problem = self.bound.problem.clone()
         problem.clear_goals()
         problem.clear_quality_metrics()  # any plan will do
@@ -143,12 +159,14 @@ class _Search:
             _lift(problem.action(one.action), one.condition)
         return self._has_plan(problem, min(EACH_S, self.left_s))
 
-    def _has_plan(self, problem: Problem, limit_s: float) -> bool:
+    def _has_plan(self, problem: Problem, limit_s: float) -> bool | None:
         try:
             engine = FAST_DOWNWARD if self.bound.classical else None
             solve(problem, engine=engine, time_limit_s=limit_s, any_plan=True)
-        except PlanningFailed:
+        except NoPlan:
             return False
+        except PlanningFailed:
+            return None
         return True
 
     def _is_made(self, goal: FNode) -> bool:

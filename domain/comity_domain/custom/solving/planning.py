@@ -31,7 +31,7 @@ class CustomPlan:
     times: tuple[tuple[float, float] | None, ...]
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
     whose: tuple[str | None, ...]
-    """The person whose preferences are bound to each step; None where nobody's are."""
+    """The person whose preferences are bound to each step; None where none are."""
 
 
 def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = True) -> CustomPlan:
@@ -40,8 +40,8 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
     Args:
         bound: The problem.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        diagnose: Whether to look for what stands in the way where there is no plan; nobody looks where the
-            engine is named.
+        diagnose: Whether to look for what stands in the way where there is no plan; not where the engine
+            is named.
 
     Raises:
         NoPlan: There is none; diagnosed, it says which goal fails and which condition stands in its way.
@@ -135,7 +135,7 @@ def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> d
     row = row_of(action, bound) if bound.classical else None
     found = {name: person[name].value for name in binding.parameters}
     for argument, option in binding.options.items():
-        chosen = row.likings[argument.lower()].value if row else None
+        chosen = row.preferences[argument.lower()].value if row else None
         if isinstance(chosen, str):
             found[option.parameter] = chosen
     return found

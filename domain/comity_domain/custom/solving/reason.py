@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from comity_domain.custom.binding.binding import ActionBinding
-from comity_domain.custom.costs.liking import Liking
+from comity_domain.custom.costs.preference import Preference
 from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.solution import GroundAction
-from comity_domain.custom.solving.swap import argument_of, other_ways, row_of
+from comity_domain.custom.solving.swap import argument_of, other_ways, row_of, tries
 from comity_domain.plans.plan import Alternative, Why
 from comity_domain.problem.setting import is_setting
 from comity_fis.explanation.disclosure import facts_first, kept_back
@@ -26,11 +26,11 @@ def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bou
         _option(
             bound.own.as_written(argument_of(action, argument.lower(), bound)),
             option.parameter,
-            liking,
+            preference,
             person,
         )
         for argument, option in binding.options.items()
-        if row and (liking := row.likings[argument.lower()])
+        if row and (preference := row.preferences[argument.lower()])
     ]
     reasons += [_value(person[parameter], person) for parameter in binding.parameters]
     whose = f"{bound.own.as_written(name)}: " if reasons else ""
@@ -38,6 +38,8 @@ def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bou
     if not row or not binding.options:
         return Why(chosen, (), chosen=chosen)
     others = list(_others(index, actions, binding, bound))
+    if not others and not tries(actions, bound):
+        return Why(f"{chosen}; no other option was tried: the plan is too large", (), chosen=chosen)
     text = f"{chosen}; {_runner_up(others, binding, action, bound)}"
     return Why(text, tuple(others), chosen=chosen)
 
@@ -50,12 +52,12 @@ def _others(
         yield Alternative(tuple(map(bound.own.as_written, other.arguments)), extra)
 
 
-def _option(name: str, parameter: str, liking: Liking, person: Inference) -> str:
-    if liking.value is None:
+def _option(name: str, parameter: str, preference: Preference, person: Inference) -> str:
+    if preference.value is None:
         return f"{name}: nothing to like or dislike"
-    category = liking.value if isinstance(liking.value, str) else None
+    category = preference.value if isinstance(preference.value, str) else None
     because = _because(person[parameter], person, category)
-    return f"{name}: desirability {liking.desirability:.2f} as {_words(parameter)} ({because})"
+    return f"{name}: desirability {preference.desirability:.2f} as {_words(parameter)} ({because})"
 
 
 def _value(value: ParameterValue, person: Inference) -> str:

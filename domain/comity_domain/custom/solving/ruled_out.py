@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import objects_for
-from comity_domain.custom.costs.liking import likings
+from comity_domain.custom.costs.preference import preferences
 from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew
 from comity_domain.custom.solving.choosing import FAST_DOWNWARD
 from comity_domain.custom.solving.engines import solve
@@ -103,7 +103,7 @@ def _against(step: GroundAction, bound: Bound) -> Iterator[str]:
         ]
         chosen, value = argument_of(step, argument.lower(), bound), people[person][option.parameter]
         full = option.full(own, objects)
-        if not likings(full, value, person)[chosen].permitted:
+        if not preferences(full, value, person)[chosen].permitted:
             meant = f"{own.as_written(chosen)} stands for {option.parameter} {full.objects[chosen]}"
             wanted = f"asked for {value.value}" if is_setting(value) else "did not consent to it"
             yield f"{meant}, and {person} {wanted}"

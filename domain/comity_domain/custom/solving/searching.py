@@ -1,4 +1,4 @@
-"""How Fast Downward looks for a plan in a domain that nobody has seen before.
+"""How Fast Downward looks for a plan in a domain that it was not tuned for.
 
 Greedy search comes first: it finds some plan where there is one, and that is what is left when time or memory
 runs out. Each search between it and the proof has its share of the time, because any of them may be hopeless:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, product
+from math import prod
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import objects_for
@@ -14,10 +15,14 @@ from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.solution import GroundAction
 
 if TYPE_CHECKING:
+    from unified_planning.model import Problem
     from unified_planning.plans import SequentialPlan
 
-MOST_TRIED = 200
-"""Other ways that are tried for a whole plan, each by a run of the validator; a step gets its share."""
+MOST_TRIED, MOST_ATOMS = 200, 100_000
+"""Other ways that are tried for a whole plan, each by a run of the validator; a step gets its share.
+
+The validator looks at every atom that the objects can make: so many in all runs together (about 3 s).
+"""
 LONGEST_PLAN = 200
 """Steps; for longer plans no other ways are tried."""
 
@@ -48,21 +53,33 @@ def other_ways(
         options: The arguments of the step that are options.
         bound: What was planned.
     """
-    if len(actions) > LONGEST_PLAN:
-        return
     cost = _cost(actions, bound)
     found = []
-    share = max(2, MOST_TRIED // len(actions))
-    for other in islice(_variants(actions[index], options, bound), share):
+    for other in islice(_variants(actions[index], options, bound), tries(actions, bound)):
         for plan in (
             [*actions[:index], other, *actions[index + 1 :]],
             _everywhere(actions, actions[index], other),
         ):
-            dearer = _cost(plan, bound)
-            if cost is not None and dearer is not None and works(plan, bound):
-                found.append((other, dearer - cost))
+            other_cost = _cost(plan, bound)
+            if cost is not None and other_cost is not None and works(plan, bound):
+                found.append((other, other_cost - cost))
                 break
     yield from sorted(found, key=lambda pair: pair[1])
+
+
+def tries(actions: Sequence[GroundAction], bound: Bound) -> int:
+    """How many other ways are tried for one step of a plan; 0 where the plan or the problem is too large."""
+    if len(actions) > LONGEST_PLAN:
+        return 0
+    return min(max(2, MOST_TRIED // len(actions)), MOST_ATOMS // (_atoms(bound.problem) * len(actions)))
+
+
+def _atoms(problem: Problem) -> int:
+    """How many atoms the objects can make of predicates and functions, at least 1."""
+    counts = {type_: len(list(problem.objects(type_))) for type_ in problem.user_types}
+    return 1 + sum(
+        prod(counts[parameter.type] for parameter in fluent.signature) for fluent in problem.fluents
+    )
 
 
 def works(actions: Sequence[GroundAction], bound: Bound) -> bool:

@@ -15,7 +15,7 @@ from comity_fis.inference.value import ParameterValue
 
 
 @dataclass(frozen=True, slots=True)
-class Liking:
+class Preference:
     """One option as one person sees it."""
 
     value: OptionValue
@@ -23,15 +23,15 @@ class Liking:
     """In [0, 1]."""
     permitted: bool
     """Not permitted: a gesture without consent, or anything else than what the person asked for."""
-    dislike: float
+    preference_cost: float
     """What it is worth to avoid, in units of the domain's own cost; 0 for what the person likes best."""
 
 
-def likings(option: Option, value: ParameterValue, person: str) -> Mapping[str, Liking]:
+def preferences(option: Option, value: ParameterValue, person: str) -> Mapping[str, Preference]:
     """How one person sees each object.
 
-    An option is priced by how much less desirable it is than the best one on offer, so that nobody is dearer
-    to serve than somebody else for what they like: culture decides how, never who.
+    An option is priced by how much less desirable it is than the best one on offer, so that no
+    person is more expensive to serve than another one for a preference: culture decides how, never who.
 
     Args:
         option: All objects that the argument may be, with what they stand for.
@@ -52,11 +52,11 @@ def likings(option: Option, value: ParameterValue, person: str) -> Mapping[str, 
         )
     best = max(allowed)
     return {
-        name: Liking(
+        name: Preference(
             value=option.objects[name],
             desirability=desirability,
             permitted=permitted,
-            dislike=_worth(desirability, best, option) if option.objects[name] is not None else 0.0,
+            preference_cost=_worth(desirability, best, option) if option.objects[name] is not None else 0.0,
         )
         for name, (desirability, permitted) in judged.items()
     }
