@@ -39,18 +39,6 @@ class NoPlan(PlanningFailed):
     """It is shown that no plan reaches the goals."""
 
 
-class OutOfTime(PlanningFailed):
-    """A limit was reached before a plan was found, or shown that there is none.
-
-    Args:
-        reason: As above.
-        remedy: As above.
-    """
-
-    def __init__(self, reason: str, *, remedy: str) -> None:
-        super().__init__(reason, remedy=remedy, cut_off=True)
-
-
 def out_of_time(time_limit_s: float) -> PlanningFailed:
     """That no plan was found within so many seconds."""
     return PlanningFailed(

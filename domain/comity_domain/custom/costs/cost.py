@@ -31,26 +31,21 @@ def own_costs(problem: Problem) -> Mapping[str, FNode | None]:
 
 def arguments_in(formula: FNode | None, action: Action) -> tuple[str, ...]:
     """The arguments of an action that its cost depends on, in the action's order."""
-    found: set[str] = set()
-    open_nodes = [] if formula is None else [formula]
-    while open_nodes:
-        node = open_nodes.pop()
-        if node.is_parameter_exp():
-            found.add(node.parameter().name)
-        open_nodes += node.args
+    read = [part for node in _fluents(formula) for part in node.args if part.is_parameter_exp()]
+    found = {part.parameter().name for part in read}
     return tuple(parameter.name for parameter in action.parameters if parameter.name in found)
 
 
 def functions_in(formula: FNode | None) -> frozenset[str]:
     """The functions that a formula reads."""
-    found: set[str] = set()
-    open_nodes = [] if formula is None else [formula]
-    while open_nodes:
-        node = open_nodes.pop()
-        if node.is_fluent_exp():
-            found.add(node.fluent().name)
-        open_nodes += node.args
-    return frozenset(found)
+    return frozenset(node.fluent().name for node in _fluents(formula))
+
+
+def _fluents(formula: FNode | None) -> list[FNode]:
+    """What a formula reads, in the order of the alphabet."""
+    if formula is None:
+        return []
+    return sorted(formula.environment.free_vars_extractor.get(formula), key=str)
 
 
 def groundings(
@@ -110,19 +105,16 @@ def evaluated(formula: FNode | None, assignment: Assignment, values: Values) -> 
         return values.get((formula.fluent().name, *names))
     parts = [evaluated(argument, assignment, values) for argument in formula.args]
     known = [part for part in parts if part is not None]
-    return _reckoned(formula, known) if len(known) == len(parts) else None
+    return _computed(formula, known) if len(known) == len(parts) else None
 
 
 def atoms_in(formula: FNode | None, assignment: Assignment) -> Iterator[tuple[str, ...]]:
     """The functions that a formula reads, each with its objects."""
-    if formula is not None and formula.is_fluent_exp():
-        yield (formula.fluent().name, *(_name(argument, assignment) for argument in formula.args))
-    elif formula is not None:
-        for argument in formula.args:
-            yield from atoms_in(argument, assignment)
+    for node in _fluents(formula):
+        yield (node.fluent().name, *(_name(argument, assignment) for argument in node.args))
 
 
-def _reckoned(formula: FNode, parts: Sequence[Fraction]) -> Fraction | None:
+def _computed(formula: FNode, parts: Sequence[Fraction]) -> Fraction | None:
     if formula.is_plus():
         return sum(parts, Fraction(0))
     if formula.is_times():

@@ -89,10 +89,9 @@ def tables(own: CustomProblem, binding: Binding, people: People | None) -> Mappi
     """
     pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
     bound = {name.lower(): name for name in binding.actions}
+    by_name = {name.lower(): one for name, one in binding.actions.items()}
     return {
-        action.name: pricing.bound(action, bound[action.name], binding.actions[bound[action.name]])
-        if action.name in bound
-        else pricing.plain(action)
+        action.name: pricing.table(action, bound.get(action.name, ""), by_name.get(action.name))
         for action in own.problem.actions
     }
 
@@ -134,44 +133,35 @@ class _Pricing:
     formulas: Mapping[str, FNode | None]
     values: Values
 
-    def plain(self, action: Action) -> Table:
-        """The table of an action that no person's preference is bound to."""
-        formula = self.formulas[action.name]
-        deciding = arguments_in(formula, action)
-        rows, unpriced = {}, {}
-        for assignment in self.groundings(action, deciding):
-            cost = evaluated(formula, assignment, self.values)
-            if cost is None:  # PDDL has no action whose cost has no value
-                unpriced[tuple(assignment.values())] = self.missing(formula, assignment)
-            else:
-                rows[tuple(assignment.values())] = Row(
-                    self.whole(float(cost), action, formula, assignment), float(cost)
-                )
-        return Table(deciding, rows, unpriced, complete=not unpriced)
+    def table(self, action: Action, bound_as: str = "", binding: ActionBinding | None = None) -> Table:
+        """The table of an action.
 
-    def bound(self, action: Action, bound_as: str, binding: ActionBinding) -> Table:
-        """The table of an action whose person likes its options more or less."""
-        formula = self.formulas[action.name] if binding.base is None else None
-        fixed = Fraction(binding.base or 0)
-        preferences = self.preferences(action, bound_as, binding)
-        person = binding.person.lower()
+        Args:
+            action: It.
+            bound_as: What the binding calls it.
+            binding: What is bound to it; None where nothing is.
+        """
+        base = None if binding is None else binding.base
+        formula, fixed = (self.formulas[action.name], 0.0) if base is None else (None, base)
+        person = "" if binding is None else binding.person.lower()
+        preferences = {} if binding is None else self.preferences(action, bound_as, binding)
         chosen = {person, *preferences, *arguments_in(formula, action)}
         deciding = tuple(one.name for one in action.parameters if one.name in chosen)
         rows, unpriced, count = {}, {}, 0
         for assignment in self.groundings(action, deciding):
             count += 1
             cost = evaluated(formula, assignment, self.values)
-            if cost is None:
+            if cost is None:  # PDDL has no action whose cost has no value
                 unpriced[tuple(assignment.values())] = self.missing(formula, assignment)
                 continue
             seen = {name: by[assignment[person]][assignment[name]] for name, by in preferences.items()}
             if all(one.permitted for one in seen.values()):
-                base = float(cost + fixed)
-                total = base + sum(one.preference_cost for one in seen.values())
-                if base * self.scale < MOST_COST <= total * self.scale:
+                own = float(cost) + fixed
+                total = own + sum(one.preference_cost for one in seen.values())
+                if binding is not None and own * self.scale < MOST_COST <= total * self.scale:
                     raise _too_heavy(bound_as, binding, seen, MOST_COST / self.scale)
                 price = self.whole(total, action, formula, assignment)
-                rows[tuple(assignment.values())] = Row(price, base, seen)
+                rows[tuple(assignment.values())] = Row(price, own, seen)
         return Table(deciding, rows, unpriced, complete=len(rows) == count)
 
     def groundings(self, action: Action, deciding: Sequence[str]) -> Iterator[Assignment]:

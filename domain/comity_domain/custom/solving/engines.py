@@ -27,7 +27,7 @@ from comity_domain.custom.solving.choosing import (
 from comity_domain.custom.solving.searching import ANY_PLAN, search_for
 from comity_domain.custom.solving.solution import Solution, ground_actions
 from comity_domain.custom.solving.stated import stated
-from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed, out_of_time
+from comity_domain.errors import NoEngine, NoPlan, PlanningFailed, out_of_time
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -225,10 +225,7 @@ def _none_found(name: str, last: Any, time_limit_s: float) -> PlanningFailed:
         reason = f"{name} found no plan within its memory"
         return PlanningFailed(reason, remedy="Ask for less at once.", cut_off=True)
     if status in ("TIMEOUT", "INTERMEDIATE"):
-        if name == FAST_DOWNWARD:
-            return out_of_time(time_limit_s)
-        reason = f"{name} found no plan within its limits ({time_limit_s:g} s)"
-        return OutOfTime(reason, remedy="Allow more time, or ask for less at once.")
+        return out_of_time(time_limit_s)
     if name == FAST_DOWNWARD and re.search(r"exit code: -\d|^$", log.strip()):
         remedy = "Plan again; where memory is short, the system ends the largest process."
         return PlanningFailed(f"{name} was killed from outside before it found a plan", remedy=remedy)

@@ -15,7 +15,7 @@ from comity_domain.custom.solving.choosing import FAST_DOWNWARD
 from comity_domain.custom.solving.engines import solve
 from comity_domain.custom.solving.ruled_out import reason, ruled_out_steps
 from comity_domain.custom.solving.solution import GroundAction
-from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
+from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.explanation.relaxing import in_the_way
 
 if TYPE_CHECKING:
@@ -45,17 +45,6 @@ def no_plan(bound: Bound, *, patience_s: float = ALL_S) -> NoPlan:
     return _Search(bound, time.monotonic() + patience_s).told()
 
 
-def goals_tried(bound: Bound, failed: OutOfTime, *, patience_s: float = ALL_S) -> OutOfTime:
-    """That no plan was found in time, with what came of each goal when it was tried by itself.
-
-    Args:
-        bound: The problem.
-        failed: What was said of all goals together.
-        patience_s: Wall-clock seconds for all of them, > 0.
-    """
-    return _Search(bound, time.monotonic() + patience_s).tried(failed)
-
-
 @dataclass(frozen=True, slots=True)
 class _Search:
     bound: Bound
@@ -76,21 +65,6 @@ class _Search:
             remedy = f"No action makes {self.words(never[0])} true: add one, or state it in the problem."
             return NoPlan(f"no plan reaches the goal {names}", remedy=remedy)
         return NoPlan(f"no plan reaches the goal {names}", remedy=self._remedy(failing))
-
-    def tried(self, failed: OutOfTime) -> OutOfTime:
-        """Each goal by itself."""
-        goals = _parts(self.bound.problem.goals)
-        if len(goals) == 1:
-            what = f"Its only goal is {self.words(goals[0])}: see whether its conditions can be met at all"
-            return OutOfTime(failed.reason, remedy=f"{what}, or allow more time.")
-        reached = [goal for goal in goals if self.reaches([goal])]
-        names = " and ".join(self.words(goal) for goal in goals if goal not in reached)
-        one_by_one = f"the goals were then tried one by one, for {EACH_S:g} s each"
-        if not names:
-            reason = f"{failed.reason}; {one_by_one}, and each has a plan of its own"
-            return OutOfTime(reason, remedy="Look for what one of them uses up, or allow more time.")
-        reason = f"{failed.reason}; {one_by_one}, and no plan was found for {names}"
-        return OutOfTime(reason, remedy=f"Look at {names} first, plan without, or allow more time.")
 
     def _conflict(self, goals: Sequence[FNode]) -> NoPlan:
         """Each goal has a plan, and all of them together have none."""

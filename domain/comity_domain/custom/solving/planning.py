@@ -9,11 +9,11 @@ from comity_domain.custom.binding.binding import ActionBinding
 from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.choosing import FAST_DOWNWARD, require_able
 from comity_domain.custom.solving.engines import solve
-from comity_domain.custom.solving.hindrances import ALL_S, goals_tried, no_plan
+from comity_domain.custom.solving.hindrances import ALL_S, no_plan
 from comity_domain.custom.solving.reason import why
 from comity_domain.custom.solving.solution import GroundAction, Solution
 from comity_domain.custom.solving.swap import argument_of, row_of
-from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
+from comity_domain.errors import NoEngine, NoPlan, PlanningFailed
 from comity_domain.plans.plan import Plan, PlanStep, Why
 
 
@@ -51,7 +51,7 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     try:
         solution = _solved(bound, time_limit_s)
-    except (NoPlan, OutOfTime) as failed:
+    except NoPlan as failed:
         if not diagnose:
             raise
         raise diagnosed(bound, failed) from None
@@ -81,20 +81,16 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
 
 
 def diagnosed(bound: Bound, failed: PlanningFailed, *, patience_s: float = ALL_S) -> PlanningFailed:
-    """The same failure with what stands in the way; as it is where the engine is named.
+    """The same failure with what stands in the way, where it is shown that there is no plan.
 
     Args:
-        bound: The problem.
+        bound: The problem; where its engine is named, no other one is asked.
         failed: What came of it.
         patience_s: Wall-clock seconds for looking, > 0.
     """
-    if bound.engine is not None:
+    if bound.engine is not None or not isinstance(failed, NoPlan):
         return failed
-    if isinstance(failed, NoPlan):
-        return no_plan(bound, patience_s=patience_s)
-    if isinstance(failed, OutOfTime):
-        return goals_tried(bound, failed, patience_s=patience_s)
-    return failed
+    return no_plan(bound, patience_s=patience_s)
 
 
 def _solved(bound: Bound, time_limit_s: float) -> Solution:
