@@ -21,7 +21,7 @@ def draw(
     *,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="A .png or .svg file; <name>.png without it."),
+        typer.Option(metavar="FILE", help="A .png, .svg or .pdf file; <name>.png without it."),
     ] = None,
     graph: Annotated[
         bool, typer.Option("--graph", help="Draw rooms, named places and doors as a graph instead.")
@@ -42,7 +42,8 @@ def draw(
     `comity draw ward --graph`, `comity draw ward --ros-map maps`.
     """
     from comity.answers import DrawAnswer
-    from comity.report.place_picture import MARKS, drawing_of, format_of
+    from comity.report.drawing import MARKS, form_of
+    from comity.report.place_picture import drawing_of
     from comity.report.text import show, unbroken
     from comity.system.own_files import refuse_foreign, write_whole
 
@@ -50,7 +51,7 @@ def draw(
         _require_no_picture(out, graph=graph)
         _write_ros_map(drawing_of(place, seed), ros_map, as_json=as_json)
         return
-    form = format_of(out)
+    form = form_of(out, "--out")
     drawing: Drawing = drawing_of(place, seed)
     path = out or Path(f"{drawing.slug}{'-graph' if graph else ''}.png")
     refuse_foreign({path: MARKS[form]})

@@ -21,7 +21,7 @@ def explain(
     rulebook: PersonsRulebookName = None,
     at: At = None,
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw it as a PNG; a PNG that is there is replaced.")
+        Path | None, typer.Option(metavar="FILE", help="Draw it, as a .png, .svg or .pdf file.")
     ] = None,
     as_json: AsJson = False,
 ) -> None:

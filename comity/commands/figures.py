@@ -34,7 +34,8 @@ def figures(
     out: Annotated[
         Path,
         typer.Option(
-            metavar="DIR", help="The folder for the pictures; with one --parameter also a .png or .svg file."
+            metavar="DIR",
+            help="The folder for the pictures; with one --parameter a .png, .svg or .pdf file, too.",
         ),
     ],
     parameter: Annotated[
@@ -78,18 +79,18 @@ def _is_file(out: Path) -> bool:
     """
     from comity_fis import InputError, Where
 
-    if out.suffix.lower() in {".pdf", ".eps", ".ps", ".jpg", ".jpeg", ".gif", ".webp"}:
+    if out.suffix.lower() in {".eps", ".ps", ".jpg", ".jpeg", ".gif", ".webp"}:
         raise InputError(
-            expected="a folder, or a file that ends with .png or .svg",
+            expected="a folder, or a file that ends with .png, .svg or .pdf",
             got=repr(str(out)),
             remedy="Name it so, and convert it afterwards.",
             where=Where("--out"),
         )
-    return out.suffix.lower() in {".png", ".svg"} and not out.is_dir()
+    return out.suffix.lower() in {".png", ".svg", ".pdf"} and not out.is_dir()
 
 
 def _mark(path: Path) -> bytes:
-    from comity.report.place_picture import MARKS
+    from comity.report.drawing import MARKS
 
     return MARKS[path.suffix.lower().removeprefix(".")]
 

@@ -1,4 +1,4 @@
-"""`comity replay`: one page that shows an episode, or two side by side; or a GIF."""
+"""`comity replay`: one page that shows an episode, or two side by side; or a picture, or a GIF."""
 
 from __future__ import annotations
 
@@ -23,6 +23,10 @@ def replay(
         Path | None,
         typer.Option(metavar="FILE", help="The page; replay.html in RUN without it, of two comparison.html."),
     ] = None,
+    picture: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Draw RUN as a .png, .svg or .pdf file there, and no page."),
+    ] = None,
     gif: Annotated[
         Path | None, typer.Option("--gif", metavar="FILE", help="Write a GIF of RUN there, and no page.")
     ] = None,
@@ -37,10 +41,15 @@ def replay(
     from comity.system.own_files import refuse_foreign, write_whole
 
     folder = open_run(run)
-    if gif is not None:
-        if other is not None or out is not None:
-            raise _only_a_gif("a second run" if other is not None else "--out")
-        _film(folder, gif)
+    if gif is not None or picture is not None:
+        if other is not None or out is not None or None not in (gif, picture):
+            raise _one_file(
+                "a second run" if other is not None else "--out" if out else "--picture and --gif"
+            )
+        if picture is not None:
+            _draw(folder, picture)
+        if gif is not None:
+            _film(folder, gif)
         return
     beside = open_run(other) if other is not None else None
     target = out or folder / (COMPARISON if beside else REPLAY)
@@ -50,6 +59,15 @@ def replay(
         if one and not (one / READINGS).is_file():
             show(unbroken(f"Note  {one.path} has no {READINGS}; the page does not need it"))
     show(unbroken(f"Page  {target}"))
+
+
+def _draw(folder: RunFolder, path: Path) -> None:
+    from comity.replay.pictures import check_picture, write_picture
+    from comity.report.text import show, unbroken
+
+    check_picture(path)
+    write_picture(folder, path)
+    show(unbroken(f"Picture  {path}"))
 
 
 def _film(folder: RunFolder, path: Path) -> None:
@@ -73,10 +91,10 @@ def _film(folder: RunFolder, path: Path) -> None:
     show(unbroken(f"GIF  {path}"))
 
 
-def _only_a_gif(besides: str) -> InputError:
+def _one_file(besides: str) -> InputError:
     return InputError(
-        expected="one run and no page, where a GIF is written",
+        expected="one run and no page, where a picture or a GIF is written",
         got=besides,
-        remedy="Write the page with a command of its own.",
+        remedy="Write each with a command of its own.",
         where=Where("--gif"),
     )

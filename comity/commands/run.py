@@ -47,6 +47,10 @@ Pseudonyms = Annotated[
         help="Keep only a run that can be passed on, with no name and no free text; see `comity share`.",
     ),
 ]
+PictureFile = Annotated[
+    Path | None,
+    typer.Option("--picture", metavar="FILE", help="Draw it there, too, as a .png, .svg or .pdf file."),
+]
 NoPictures = Annotated[bool, typer.Option("--no-pictures", help="Leave the picture out.")]
 RobotName = Annotated[
     str | None,
@@ -118,6 +122,7 @@ def run(
     max_speed: MaxSpeed = None,
     open_: Open = False,
     gif: Gif = False,
+    picture: PictureFile = None,
     no_pictures: NoPictures = False,
     pseudonyms: Pseudonyms = False,
     with_: With = [],  # noqa: B006
@@ -146,6 +151,8 @@ def run(
     file = at_site(file, language=site_language, wordings=wordings)
     # Before the planning: a folder that cannot be used costs no wait.
     place_for(out, FOLDER if pseudonyms else file.scenario.name)
+    if picture is not None:
+        _check_picture(picture)
     needs = {
         "--adults-only": adults_only,
         "--unreviewed-wordings": unreviewed_wordings,
@@ -174,6 +181,8 @@ def run(
                 called=f"{robot} (shadow: nothing was commanded)" if shadow else robot,
                 unreviewed_wordings=unreviewed_wordings,
             )
+    if picture is not None:
+        _draw(recorded, picture)
     _tell(recorded, _learnt(recorded, at) if learn else (), pseudonyms=pseudonyms, as_json=as_json)
     if open_:
         _open(recorded)
@@ -268,6 +277,18 @@ def _written(recorded: Recorded) -> Iterator[RenderableType]:
             yield unbroken(f"{label:8} {recorded.folder / name}")
     yield unbroken(f"Folder   {recorded.folder.path}")
     yield f"Size     {size_text(recorded.answer.bytes_per_minute)}"
+
+
+def _check_picture(path: Path) -> None:
+    from comity.replay.pictures import check_picture
+
+    check_picture(path)
+
+
+def _draw(recorded: Recorded, path: Path) -> None:
+    from comity.replay.pictures import write_picture
+
+    write_picture(recorded.folder, path)
 
 
 def _open(recorded: Recorded) -> None:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, TypedDict
 
 from comity.replay.planned_routes import planned_routes
+from comity.replay.saved_run import read_run
+from comity.report.drawing import MARKS, form_of
 from comity.report.text import words
+from comity.system.own_files import refuse_foreign, writing, written_whole
 from comity_sim2d import ActEvent, DoorTurn, PlannedRoute, Ring, draw_picture, write_gif
 from comity_sim2d.pictures.animation import MARK as GIF_MARK
 
@@ -13,14 +16,34 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from comity.answers import ActAnswer, StepAnswer, VisitAnswer
+    from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
 
-__all__ = ["GIF_MARK", "draw_run", "film_run", "rings_of"]
+__all__ = ["GIF_MARK", "check_picture", "draw_run", "film_run", "rings_of", "write_picture"]
 
 
 def draw_run(run: SavedRun, path: Path) -> None:
-    """Write a PNG: the planned route, the driven path, and what each person wanted and got."""
+    """Write a PNG, SVG or PDF, by the path's ending: planned route, driven path, each person's distances."""
     draw_picture(path, run.scene, run.frames, title=_title(run), **_shown(run))
+
+
+def check_picture(path: Path) -> None:
+    """Refuse a file for the picture of a run before anything is computed.
+
+    Raises:
+        InputError: for another ending than a picture's, or a file that Comity did not write.
+    """
+    refuse_foreign({path: MARKS[form_of(path, "--picture")]})
+
+
+def write_picture(folder: RunFolder, path: Path) -> None:
+    """Draw the picture of a run into a file of one's own, which the user alone may read.
+
+    Raises:
+        InputError: if it cannot be written.
+    """
+    with writing(path), written_whole(path, private=True) as part:
+        draw_run(read_run(folder), part)
 
 
 def film_run(run: SavedRun, path: Path) -> None:

@@ -1,4 +1,4 @@
-"""What all figures share: the sheet with its words, colours that everybody can tell apart, PNG bytes."""
+"""What all figures share: the sheet with its words, colours that all can tell apart, the bytes of files."""
 
 from __future__ import annotations
 
@@ -6,9 +6,13 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import wraps
-from io import BytesIO
+from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING, ParamSpec
+
+from comity_fis import InputError, Where
+from comity_sim2d.pictures import colours
+from comity_sim2d.pictures.page import FORMS, PDF_MARK, as_bytes, words_as_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,9 +20,9 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 
-# Okabe and Ito's palette, without the yellow, which is too light for lines on white.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-INK, GREY, FAINT, PALE = "#22252B", "#5F646C", "#C4C8CE", "#F3F1EC"
+COLOURS, INK, GREY = colours.PALETTE, colours.INK, colours.GREY
+FAINT, PALE = "#C4C8CE", "#F3F1EC"
+"""Of lines and of grounds: too light for words."""
 
 WIDTH_IN, DPI = 8.0, 150
 """1200 pixels."""
@@ -35,6 +39,8 @@ PLATE = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
 
 MARK = b"Software\x00Comity"
 """What a PNG of ours has near its start."""
+MARKS = {"png": MARK, "svg": b"<dc:title>Comity</dc:title>", "pdf": PDF_MARK}
+"""What a picture of ours has near its start or at its end, by its form."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,15 +62,33 @@ def drawn(draw: Callable[P, Figure]) -> Callable[P, bytes]:
     return png
 
 
-def picture(draw: Callable[[], Figure], form: str) -> bytes:
-    """A drawing as the bytes of a `png` or `svg`: the same whatever the user's settings or the date."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+def picture(draw: Callable[[], Figure], form: str, dpi: float = DPI) -> bytes:
+    """A drawing as the bytes of a file in one of `FORMS`, the same whatever the user's settings or the date.
 
-    named = {"Software": "Comity"} if form == "png" else {"Title": "Comity", "Date": None}
+    Args:
+        draw: Makes it.
+        form: `png`, `svg` or `pdf`.
+        dpi: Pixels to an inch of a PNG.
+    """
     with _own_style():
-        canvas, buffer = FigureCanvasAgg(_settled(draw())), BytesIO()
-        canvas.print_figure(buffer, format=form, dpi=DPI, metadata=named)
-    return buffer.getvalue()
+        return as_bytes(_settled(draw()), form, dpi if form == "png" else None)
+
+
+def form_of(path: Path | None, option: str) -> str:
+    """The form that the ending of a picture's name asks for: one of `FORMS`, `png` where it has none.
+
+    Raises:
+        InputError: for another ending.
+    """
+    form = "png" if path is None else path.suffix.lower().removeprefix(".") or "png"
+    if form not in FORMS:
+        raise InputError(
+            expected="a picture that ends with .png, .svg or .pdf",
+            got=repr(str(path)),
+            remedy="Name it so, and convert it afterwards.",
+            where=Where(option),
+        )
+    return form
 
 
 def _settled(figure: Figure) -> Figure:
@@ -204,10 +228,9 @@ def _own_style() -> Iterator[None]:
     own = {
         "font.family": "DejaVu Sans",
         "axes.unicode_minus": True,
-        "svg.hashsalt": "comity",
         "text.parse_math": False,  # a dollar in a user's words is a dollar
     }
-    with style.context(["default", own]):
+    with style.context(["default", own]), words_as_words():
         yield
 
 

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from comity.report.drawing import MARK
-from comity_fis import InputError, Where, closest
+from comity_fis import InputError, closest
 from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d import load_map, shipped_maps
 from comity_sim2d.maps.library import SUFFIX
@@ -21,8 +20,6 @@ from comity_sim2d.pictures.topology_picture import draw_topology
 if TYPE_CHECKING:
     from comity_sim2d import PlaceMap, Scene
 
-MARKS = {"png": MARK, "svg": b"<dc:title>Comity</dc:title>"}
-"""What a picture of ours has near its start."""
 ROS_MARKS = {".yaml": YAML_MARK, ".pgm": PGM_MARK}
 """What a file of a ROS map of ours has near its start, by its ending."""
 
@@ -46,7 +43,7 @@ class Drawing:
         return re.sub(r"[^\w.-]+", "-", self.name).strip("-.") or self.kind
 
     def picture(self, form: str) -> bytes:
-        """The content of a PNG or SVG file."""
+        """The content of a PNG, SVG or PDF file."""
         return draw_map(
             self.place,
             title=self.name,
@@ -63,23 +60,6 @@ class Drawing:
     def graph(self, form: str) -> bytes:
         """The same of its rooms, named places and doors as a graph."""
         return draw_topology(self.place, title=self.name, form=form)
-
-
-def format_of(out: Path | None) -> str:
-    """`png` or `svg`, by the end of a file's name.
-
-    Raises:
-        InputError: for another format.
-    """
-    suffix = ".png" if out is None else out.suffix.lower()
-    if suffix.removeprefix(".") not in MARKS:
-        raise InputError(
-            expected="a file that ends with .png or .svg",
-            got=repr(str(out)),
-            remedy="Name it so, and convert it afterwards.",
-            where=Where("--out"),
-        )
-    return suffix.removeprefix(".")
 
 
 def drawing_of(name: str, seed: int) -> Drawing:

@@ -11,15 +11,15 @@ from pathlib import Path
 
 from comity_fis import InputError, Where
 
-HEAD = 1024
-"""Bytes at the start of a file among which its mark must stand."""
+HEAD, TAIL = 1024, 16
+"""Bytes at the start and at the end of a file among which its mark must stand."""
 
 
 def refuse_foreign(marks: Mapping[Path, bytes]) -> None:
     """Refuse to write before anything is computed.
 
     Args:
-        marks: Every file that is to be written, with the bytes near its start that say it is ours.
+        marks: Every file that is to be written, with the bytes near an end of it that say it is ours.
 
     Raises:
         InputError: for a file that does not bear its mark, or a place that cannot hold one.
@@ -30,7 +30,7 @@ def refuse_foreign(marks: Mapping[Path, bytes]) -> None:
                 raise _refusal(path, "a folder", "Name a file.")
             if not path.parent.is_dir():
                 raise _refusal(path, "no such folder", "Create the folder first, or name another.")
-            if path.exists() and mark not in _head(path):
+            if path.exists() and mark not in _ends(path):
                 raise _refusal(
                     path,
                     f"a {path.name} that Comity did not write",
@@ -142,9 +142,12 @@ def writing(path: Path) -> Iterator[None]:
         raise _refusal(path, reason, "Name a place that you may write to.") from None
 
 
-def _head(path: Path) -> bytes:
+def _ends(path: Path) -> bytes:
+    """What a file begins and ends with."""
     with path.open("rb") as file:
-        return file.read(HEAD)
+        head = file.read(HEAD)
+        file.seek(max(file.seek(0, os.SEEK_END) - TAIL, 0))
+        return head + file.read()
 
 
 def _refusal(path: Path, got: str, remedy: str) -> InputError:

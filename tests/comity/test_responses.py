@@ -151,7 +151,7 @@ def test_one_parameter_goes_to_a_file_in_the_format_of_its_ending(comity, here):
     ("asked", "named"),
     [
         (["bruno2017", "--out", "a.png"], "--parameter conversational_distance"),
-        (["bruno2017", "--out", "a.pdf"], ".svg"),
+        (["bruno2017", "--out", "a.eps"], ".svg"),
         (["bruno2017", "--parameter", "aproach_speed", "--out", "o"], "approach_speed"),
         (["bruno2017-case1", "--set", "individualism=4", "--out", "o"], "some input changes"),
         (["bruno2017", "--set", "age=30..40", "--out", "o"], "one value for age"),

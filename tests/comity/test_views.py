@@ -129,3 +129,24 @@ def test_a_picture_shows_what_the_account_says_of_each_visit(visit):
     assert (ring.person, ring.reached_m) == ("johanna", told.distance_reached_m)
     assert ring.time_s == told.docked_at_s
     assert ring.wanted_m == pytest.approx(told.distance_wanted_m)
+
+
+@pytest.mark.parametrize(("form", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
+def test_the_picture_of_a_run_is_drawn_later_by_the_ending_of_its_name(
+    form, start, visit, comity, here
+) -> None:
+    target = here / f"later.{form}"
+    for _ in range(2):
+        assert comity("replay", str(visit.path), "--picture", target.name).code == 0
+    assert target.read_bytes().startswith(start)
+    target.write_bytes(b"by hand")
+    assert comity("replay", str(visit.path), "--picture", target.name).code == 2
+    assert comity("replay", str(visit.path), "--picture", "a.png", "--out", "b.html").code == 2
+
+
+def test_a_run_draws_its_picture_in_vectors_and_refuses_another_form_before_it_runs(comity, here) -> None:
+    assert comity("run", "johanna", "--out", "visit", "--no-pictures", "--picture", "one.svg").code == 0
+    assert ">johanna<" in (here / "one.svg").read_text()
+    said = comity("run", "johanna", "--out", "other", "--picture", "one.gif")
+    assert said.code == 2
+    assert not (here / "other").exists()

@@ -99,7 +99,7 @@ def test_a_picture_is_as_wide_as_asked_and_the_same_every_time(tmp_path, episode
     with Image.open(tmp_path / "a.png") as image:
         assert image.format == "PNG"
         assert image.width == 1200
-        assert "Software" not in image.info
+        assert image.info["Software"] == "Comity"
 
 
 @pytest.mark.parametrize("name", ["$", "cost $5_^$ \\frac", "$\\badness{$", "a$b$c"])
@@ -351,7 +351,7 @@ def on_a_map(scene: Scene) -> tuple[Axes, Patch, MapLabels]:
     return ax, draw_place(ax, scene), MapLabels(ax, canvas)
 
 
-COLOURS = person_colours([person.name for person in SCENE.people], ["johanna", "omar"])
+COLOURS = person_colours([person.name for person in SCENE.people])
 
 
 def reached_lines(frames: Frames, visits: list[Ring], events) -> ReachedLines:
@@ -640,7 +640,7 @@ def test_names_keep_off_passers_by_where_a_scene_is_drawn_at_its_start() -> None
 
     def seen(shown: Scene, seed: int) -> int:
         with Image.open(BytesIO(draw_map(shown, title="a hall", seed=seed))) as image:
-            return int((np.asarray(image.convert("RGB")) == (0x6B, 0x70, 0x78)).all(axis=2).sum())
+            return int((np.asarray(image.convert("RGB")) == (0xB9, 0xBD, 0xC4)).all(axis=2).sum())
 
     bare = replace(scene, areas=())
     for seed in range(6):
@@ -648,18 +648,9 @@ def test_names_keep_off_passers_by_where_a_scene_is_drawn_at_its_start() -> None
 
 
 @given(st.integers(1, 200))
-def test_no_two_who_are_visited_have_the_same_colour(count: int) -> None:
+def test_no_two_people_have_the_same_colour(count: int) -> None:
     names = [f"p{i}" for i in range(count)]
-    assert len(set(person_colours(names, names).values())) == count
-
-
-@given(order=st.permutations(("ada", "ben", "cy", "dee")), many=st.integers(0, 4))
-def test_a_person_has_the_same_colour_whatever_the_order_of_the_visits_is(order, many) -> None:
-    people = ("ada", "ben", "cy", "dee")
-    every = person_colours(people, people)
-    some = person_colours(people, order[:many])
-    assert all(some[name] == every[name] for name in order[:many])
-    assert len({some[name] for name in order[many:]} - set(every.values())) == (many < 4)
+    assert len(set(person_colours(names).values())) == count
 
 
 UNWRITTEN = "\U00012000"

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
+from comity_sim2d.pictures import colours
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.axes import Axes
 
-OKABE_ITO = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442")
-"""Colours that people with any colour vision can tell apart (Okabe & Ito 2008); black is for the value."""
+RULES = tuple(colours.PALETTE[i] for i in (0, 4, 2, 3, 1, 5))
+"""Of rules, in the order in which the page of a run has them; black is for the value."""
 MANY = "#999999"
-"""Rules beyond the colours, and places that several own."""
-INK, FAINT, GRID = "#222222", "#777777", "#E4E4E4"
+"""Rules beyond the colours, and places that several own: no words are in it."""
+INK, FAINT, GRID = colours.INK, colours.GREY, "#E4E4E4"
 
 
 def plain(ax: Axes, grid: Literal["x", "y"] = "y") -> None:

@@ -7,30 +7,24 @@ from itertools import groupby
 from math import nan
 from pathlib import Path
 from textwrap import shorten
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
-from comity.report.drawing import folded
+from comity.report.drawing import MARKS, folded, form_of, picture
 from comity.report.text import number, stated, words, words_of
 from comity.report.values.explanation_drawing import (
     FAINT,
     GRID,
     INK,
     MANY,
-    OKABE_ITO,
+    RULES,
     places,
     plain,
 )
 from comity.report.values.explanation_words import fine, ordered_rules, speaking, steps
 from comity.report.values.inference import outvoted_text
 from comity.report.values.known_picture import draw_known
-from comity.system.own_files import check_suffix, written_whole
-from comity_fis import (
-    Choice,
-    InputError,
-    NumericParameter,
-    Where,
-    kept_back,
-)
+from comity.system.own_files import refuse_foreign, write_whole
+from comity_fis import Choice, NumericParameter, kept_back
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -47,42 +41,19 @@ RULE, RULE_IN, LINE_IN, LINES = 10.5, 0.3, 0.17, 3
 """Letters of a rule in the legend [pt], its height, that of a further line [in], as many lines at most."""
 SPIKE = 9
 """Width of a single place that a rule gives [pt]."""
-PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def write_explanation(explanation: Explanation, path: Path) -> None:
-    """Write a PNG, 1200 pixels wide, that the user alone may read.
+    """Write a PNG, SVG or PDF, by the path's ending, that the user alone may read; a PNG is 1200 pixels wide.
 
     The same explanation gives the same bytes on the same matplotlib.
 
     Raises:
-        InputError: if there is something at `path` that is no PNG, or nothing can be written there.
+        InputError: if Comity did not write what is at `path`, or nothing can be written there.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    check_suffix(path)
-    _check_target(path)
-    figure = _Drawing(explanation).figure()
-    try:
-        with written_whole(path, private=True) as part:
-            FigureCanvasAgg(figure).print_figure(
-                part, format="png", dpi=DPI, metadata={"Software": cast(str, None)}
-            )
-    except OSError as error:
-        raise _refusal(path, error.strerror or str(error), "Name a file that you may write.") from None
-
-
-def _check_target(path: Path) -> None:
-    if path.is_dir():
-        raise _refusal(path, "a folder", "Name a file, for example why.png.")
-    if path.exists() and not path.read_bytes().startswith(PNG):
-        raise _refusal(path, "a file that is no PNG", "Name another file; only pictures are replaced.")
-
-
-def _refusal(path: Path, got: str, remedy: str) -> InputError:
-    return InputError(
-        expected="a PNG file to write", got=f"{got}: {path}", remedy=remedy, where=Where("--picture")
-    )
+    form = form_of(path, "--picture")
+    refuse_foreign({path: MARKS[form]})
+    write_whole(path, picture(_Drawing(explanation).figure, form, DPI), private=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +100,8 @@ class _Drawing:
     def colour(self, rule_number: int) -> str:
         """Of one rule: by its place among those that fired."""
         numbers = [account.rule.number for account in ordered_rules(self.explanation)]
-        place = numbers.index(rule_number) if rule_number in numbers else len(OKABE_ITO)
-        return OKABE_ITO[place] if place < len(OKABE_ITO) else MANY
+        place = numbers.index(rule_number) if rule_number in numbers else len(RULES)
+        return RULES[place] if place < len(RULES) else MANY
 
     def _title(self, figure: Figure, height: float) -> None:
         value = self.explanation.value
@@ -244,7 +215,7 @@ class _Drawing:
             row = rows[place] if rows else None
             fired = row.fired if row else ()
             colour = self.colour(fired[0].rule.number) if fired else MANY
-            ax.barh(place, degree, color=colour, height=0.62, alpha=0.85 if name == value.value else 0.55)
+            ax.barh(place, degree, color=colour, height=0.62, alpha=0.45 if name == value.value else 0.25)
             because = speaking(fired, self.explanation, digits=2)
             text = f"{degree:.2f}  {because}" if because else f"{degree:.2f}"
             if row and not row.permitted:

@@ -9,6 +9,7 @@ from comity.report.text import number, stated, words
 from comity.report.values.explanation_drawing import FAINT, GRID, INK, places, plain
 from comity_fis import Choice, Interval, NominalVariable, NumericVariable, ParameterValue
 from comity_fis.inference.possibility import RoughNumber, RoughWord
+from comity_sim2d.pictures.colours import PALETTE
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 STYLES = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (1, 3)))
 """Of an input's terms, in declared order."""
-FLIP = "#D55E00"
+FLIP = PALETTE[1]
 SHOWN = 3
 """Categories of a panel."""
 TITLE = 11.5

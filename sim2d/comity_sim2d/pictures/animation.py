@@ -105,7 +105,7 @@ def write_gif(
     check_drawing(
         "animation",
         path,
-        ".gif",
+        (".gif",),
         scene,
         frames,
         rings=rings,
@@ -167,7 +167,7 @@ class _Film:
         width_px: int,
     ) -> None:
         self._scene, self._frames, self._speed, self._doors = scene, frames, speed, doors
-        self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+        self._colours = d.person_colours([p.name for p in scene.people])
         self._canvas: Any  # matplotlib's drawing calls carry no types
         self._canvas, self._ax = _canvas(scene, width_px)
         moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
@@ -239,13 +239,11 @@ class _Film:
     def _wanted(
         self, rings: Sequence[Ring], people: Collection[Person]
     ) -> Iterator[tuple[Person, float, str]]:
-        """Those of whom it is known how far they want the robot to stay: grey who is only passed."""
-        visited = {ring.person for ring in rings}
+        """Those of whom it is known how far they want the robot to stay."""
         for person in self._scene.people:
             distance_m = wanted_m(person, rings)
             if person in people and distance_m is not None:
-                colour = self._colours[person.name] if person.name in visited else d.FAINT
-                yield person, distance_m, colour
+                yield person, distance_m, self._colours[person.name]
 
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
         """What does not move; the floor, to clip things to it."""
@@ -291,9 +289,9 @@ class _Film:
         from matplotlib.patheffects import withStroke
 
         colour = self._colours[person.name]
-        tone, words = d.GREY if colour == d.BYSTANDER else colour, d.short(person.name, 24)
+        words = d.short(person.name, 24)
         label = self._ax.text(
-            0.0, 0.0, words, size=9.0, color=tone, weight="bold", ha="center", va="top", animated=True
+            0.0, 0.0, words, size=9.0, color=colour, weight="bold", ha="center", va="top", animated=True
         )
         label.set_clip_on(True)
         label.set_zorder(8.0)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def cards(scene: Scene, frames: Frames, rings: Sequence[Ring], events: Sequence[ActEvent]) -> list[Card]:
     """One for each visit, in their order."""
-    colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+    colours = d.person_colours([p.name for p in scene.people])
     return [
         Card(
             ring.person,

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.frames import Frames
+from comity_sim2d.pictures import colours
 from comity_sim2d.pictures.door_drawing import door_artists
 from comity_sim2d.pose import XY, Pose
 
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
     from matplotlib.patches import Circle, Patch, PathPatch, Polygon
     from matplotlib.text import Text
 
@@ -26,21 +29,25 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.room import Room, Wall
     from comity_sim2d.scene.scene import Scene
 
-PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#4B3FA0")
-"""Five of Okabe and Ito (2008) and an indigo, in the order in which the page has them."""
+PALETTE, INK, GREY, FAINT = colours.PALETTE, colours.INK, colours.GREY, colours.FAINT
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
-BYSTANDER = "#8A8F98"
 ROBOT = "#22252B"
 FAINT_INK = "#7A808A"
-INK, GREY, FAINT = "#22252B", "#6B7078", "#B9BDC4"
+"""Of thin lines; words are darker."""
 FLOOR, WALL, FURNITURE, FURNITURE_EDGE = "#FBFAF7", "#4A4E57", "#E9E5DC", "#C9C2B4"
 HALO = "#FFFFFF"
 DASHES = (0, (5.0, 3.5))
 NOSE = 1.42
 """How far a person's nose is from the centre, in radii of the disc."""
 O_SPACE = "#EEEFF1"
+RECENT_M, MOST_SHADES = 5.0, 6
+"""Of a path: pieces of this length are equally dark, and there are so many shades (our choice)."""
+TRACK_ALPHA, FADED = 0.8, 0.25
+"""How dark the newest piece is, and what share of that the oldest."""
 MOVED_M = 0.05
 """Who moved less has no track."""
+BARS_M = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0)
+SHORTEST_BAR_IN = 0.35
 ROOM_EDGE_M = 0.12
 """Room for the outer wall's line around the floor."""
 SLENDER = 0.5
@@ -48,12 +55,9 @@ SLENDER = 0.5
 it (our choice: half of the tallest animation's height holds a bubble and a headline)."""
 
 
-def person_colours(people: Sequence[str], visited: Collection[str]) -> dict[str, str]:
-    """A colour for each visited person by their place in the scene, as on the page; grey for the others.
-
-    So a person has the same colour whatever the order of the visits is.
-    """
-    return {name: person_colour(i) if name in visited else BYSTANDER for i, name in enumerate(people)}
+def person_colours(people: Sequence[str]) -> dict[str, str]:
+    """A colour for each person by their place in the scene: the same in every picture and on the page."""
+    return {name: person_colour(i) for i, name in enumerate(people)}
 
 
 def person_colour(place: int) -> str:
@@ -64,11 +68,11 @@ def person_colour(place: int) -> str:
     """
     from matplotlib.colors import hsv_to_rgb, to_hex, to_rgb
 
-    plain = len(PERSON_COLOURS)
+    plain = len(PALETTE)
     if place < plain:
-        return PERSON_COLOURS[place]
+        return PALETTE[place]
     if place < 2 * plain:
-        red, green, blue = to_rgb(PERSON_COLOURS[place - plain])
+        red, green, blue = to_rgb(PALETTE[place - plain])
         return to_hex((0.55 * red, 0.55 * green, 0.55 * blue))
     red, green, blue = hsv_to_rgb((place * GOLDEN % 1.0, 0.75, (0.85, 0.6)[place % 2])).tolist()
     return to_hex((red, green, blue))
@@ -80,13 +84,14 @@ def passers_by(scene: Scene) -> list[tuple[str, float]]:
     return [(name, who.radius_m) for name in who.names] if who else []
 
 
-def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0) -> PathPatch:
+def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0, above_m: float = 0.0) -> PathPatch:
     """The floor, the walls, the doors as they are at the start, and the furniture, without names.
 
     Args:
         ax: Where to draw it.
         scene: The place.
         beside_m: So much is left free to the left, and as much to the right.
+        above_m: So much is left free above, and as much below.
 
     Returns:
         The floor, to clip things to it.
@@ -97,7 +102,7 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0) -> Path
     ax.set_axis_off()
     xs, ys = zip(*scene.room.corners, strict=True)
     ax.set_xlim(min(xs) - ROOM_EDGE_M - beside_m, max(xs) + ROOM_EDGE_M + beside_m)
-    ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
+    ax.set_ylim(min(ys) - ROOM_EDGE_M - above_m, max(ys) + ROOM_EDGE_M + above_m)
     floor, edge = _floor(scene.room)
     ax.add_patch(floor)
     ax.add_patch(edge)
@@ -192,14 +197,56 @@ def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
 
 
 def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:
-    """The way of somebody who walks: a thin line from a small ring where they started."""
-    ax.plot(points[:, 0], points[:, 1], color=colour, lw=1.0, alpha=0.8, zorder=4.2)
-    ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=colour, mew=1.1, zorder=4.3)
+    """The path of a person who walks: a thin line from a small ring at its start.
+
+    The last `RECENT_M` are drawn in full; of a longer path what lies before fades, the start most.
+    """
+    from matplotlib.collections import LineCollection
+
+    ends = _recent_first(points[:, :2])
+    alphas = np.linspace(1.0, FADED, len(ends)) * TRACK_ALPHA
+    lines = LineCollection(ends, colors=[(colour, float(alpha)) for alpha in alphas], linewidths=1.0)
+    lines.set(zorder=4.2, capstyle="butt")
+    ax.add_collection(lines, autolim=False)
+    start = tint(colour, 1.0 - alphas[-1])
+    ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=start, mew=1.1, zorder=4.3)
+
+
+def _recent_first(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """A path cut into pieces of about `RECENT_M`, the last one first, each from where the one before ends."""
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    left = along[-1] - along
+    marks = np.arange(0.0, float(left[0]) + RECENT_M, RECENT_M)[: MOST_SHADES + 1]
+    marks[-1] = max(float(marks[-1]), float(left[0]))
+    pieces = []
+    for near, far in pairwise(marks.tolist()):
+        inside = np.flatnonzero((left >= near - 1e-9) & (left <= far + 1e-9))
+        if len(inside):
+            pieces.append(points[max(int(inside[0]) - 1, 0) : int(inside[-1]) + 1])
+    return [piece for piece in pieces if len(piece) > 1] or [points]
 
 
 def has_moved(points: NDArray[np.float64]) -> bool:
     """Whether places, one a row, differ by more than what stepping from foot to foot does."""
     return bool(np.ptp(points[:, :2], axis=0).max() > MOVED_M)
+
+
+def draw_scale_bar(figure: Figure, left_in: float, bottom_in: float, in_per_m: float) -> None:
+    """A bar on the page that says how long it is: one metre, or the next of `BARS_M` that can be seen.
+
+    Args:
+        figure: The page.
+        left_in: Where it begins [in].
+        bottom_in: How far above the foot of the page it lies [in].
+        in_per_m: The scale of the map.
+    """
+    from matplotlib.lines import Line2D
+
+    width, height = figure.get_size_inches().tolist()
+    metres = next((bar for bar in BARS_M if bar * in_per_m >= SHORTEST_BAR_IN), BARS_M[-1])
+    y, left, right = bottom_in / height, left_in / width, (left_in + metres * in_per_m) / width
+    figure.add_artist(Line2D([left, right], [y, y], color=INK, lw=2.0, solid_capstyle="butt"))
+    figure.text(right + 0.08 / width, y, f"{metres:g} m", size=9, color=INK, va="center")
 
 
 def short(name: str, most: int) -> str:

@@ -21,7 +21,7 @@ WIDTH_PX = (100, 10_000)
 def check_drawing(
     what: str,
     path: str | Path,
-    suffix: str,
+    suffixes: Sequence[str],
     scene: Scene,
     frames: Frames,
     *,
@@ -36,7 +36,7 @@ def check_drawing(
     Args:
         what: What is drawn, for the message.
         path: Where to write.
-        suffix: How its name must end, such as `.png`; in capitals, too.
+        suffixes: How its name may end, such as `.png`; in capitals, too.
         scene: Who is there.
         frames: What happened to them; at least one frame.
         rings: The visits.
@@ -54,11 +54,11 @@ def check_drawing(
     require_each(what, "events", events, ActEvent)
     require_each(what, "door_turns", door_turns, DoorTurn)
     require_each(what, "planned", planned, PlannedRoute)
-    if Path(path).suffix.lower() != suffix:
+    if Path(path).suffix.lower() not in suffixes:
         raise SceneError(
             entity=what,
             field="path",
-            expected=f"a path that ends with {suffix}",
+            expected=f"a path that ends with {' or '.join(suffixes)}",
             got=repr(str(path)),
             remedy="Name it so, and convert it afterwards.",
         )

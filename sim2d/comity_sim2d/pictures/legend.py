@@ -33,7 +33,7 @@ class Legend:
     walkers: bool = False
     groups: bool = False
     met: bool = False
-    """Whether somebody is elsewhere than when the robot had docked."""
+    """Whether a person is elsewhere than when the robot had docked."""
 
     @property
     def height_in(self) -> float:
@@ -55,7 +55,7 @@ class Legend:
             rows += [("wanted distance between the bodies", _wanted), ("reached distance", _reached)]
             rows += [("chosen side", _side)]
         rows += [("where they were as it docked", _met)] if self.met else []
-        rows += [("way of somebody who walks", _track)] if self.walkers else []
+        rows += [("path of a person who walks", _track)] if self.walkers else []
         rows += [("space that a group keeps open", _o_space)] if self.groups else []
         return rows
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.label_placement import Box, Page
+from comity_sim2d.pictures.page import LINE_SPACING
 from comity_sim2d.pose import XY, Pose, direction_to
 
 if TYPE_CHECKING:
@@ -137,14 +138,13 @@ class MapLabels:
         )
         at, size = self._at((middle.x, middle.y)), self._size(words, AREA_PT)
         box = self._page.place(at, 0.0, size, besides=[*furniture, *walls])
-        self._text(box.centre, words, AREA_PT, d.FAINT_INK, "bold")
+        self._text(box.centre, words, AREA_PT, d.GREY, "bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
         """A person's name, behind the back if it can be."""
-        tone = d.GREY if colour == d.BYSTANDER else colour
         behind = pose.heading_rad + math.pi
         words = d.short(name, NAME_CHARACTERS)
-        return self.near(pose.xy, radius_m, words, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
+        return self.near(pose.xy, radius_m, words, size=10.5, colour=colour, weight="bold", prefer_rad=behind)
 
     def near(
         self,
@@ -215,7 +215,7 @@ class MapLabels:
         from matplotlib.transforms import IdentityTransform
 
         label = Text(*at, text, size=size, color=colour, weight=weight, ha="center", va="center", zorder=11)
-        label.set_linespacing(1.25)
+        label.set_linespacing(LINE_SPACING)
         label.set_transform(IdentityTransform())
         return label
 

@@ -60,7 +60,7 @@ def draw_map(
         subtitle: Below it.
         rings: How far people want the robot to stay, between the nearest points of the bodies, by name [m].
         seed: Of the run whose passers-by are drawn where they start.
-        format: `png` or `svg`.
+        format: `png`, `svg` or `pdf`.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -96,8 +96,8 @@ def _draw(
     _mark(labels, place)
     labels.place(place, FURNITURE_PT)
     if isinstance(place, Scene):
-        for person in place.people:
-            labels.name(person.name, person.pose, person.radius_m, d.PERSON_COLOURS[0])
+        for i, person in enumerate(place.people):
+            labels.name(person.name, person.pose, person.radius_m, d.person_colour(i))
         labels.near(place.robot.pose.xy, place.robot.radius_m, place.robot.name, size=9.5, colour=d.INK)
     for location in place.locations:
         facing = location.heading_rad
@@ -119,11 +119,11 @@ def _tip(location: Location) -> XY:
 
 
 def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patch) -> None:
-    for person in scene.people:
-        d.add_all(ax, d.person_artists(person.pose, person.radius_m, d.PERSON_COLOURS[0]))
+    for i, person in enumerate(scene.people):
+        d.add_all(ax, d.person_artists(person.pose, person.radius_m, d.person_colour(i)))
         if person.name in rings:
             reach = person.radius_m + rings[person.name]
-            ring = d.dashed_circle(person.xy, reach, d.PERSON_COLOURS[0])
+            ring = d.dashed_circle(person.xy, reach, d.person_colour(i))
             ax.add_patch(ring)
             ring.set_clip_path(floor)
     d.add_all(ax, d.robot_artists(scene.robot.pose, scene.robot.radius_m))
@@ -131,14 +131,14 @@ def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patc
 
 def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
     """The ways of people who walk, around things, and the passers-by where they start, whom no name hides."""
-    for person in scene.people:
+    for i, person in enumerate(scene.people):
         if person.walk is not None:
-            d.draw_track(ax, np.array(_way(scene, person, person.walk)), d.PERSON_COLOURS[0])
+            d.draw_track(ax, np.array(_way(scene, person, person.walk)), d.person_colour(i))
     if scene.passers_by is not None:
         for one in placed(scene, seed):
             towards = one.stops[0] - one.at
             pose = Pose(one.at.real, one.at.imag, math.atan2(towards.imag, towards.real))
-            d.add_all(ax, d.person_artists(pose, scene.passers_by.radius_m, d.GREY))
+            d.add_all(ax, d.person_artists(pose, scene.passers_by.radius_m, d.FAINT))
             labels.avoid_disc(pose.xy, scene.passers_by.radius_m * d.NOSE)
 
 
@@ -171,9 +171,7 @@ def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
 
 
 def _write_frame(canvas: FigureCanvasAgg, title: str, subtitle: str, left: float, in_per_m: float) -> None:
-    """The headline, and a bar that says how long a metre is."""
-    from matplotlib.lines import Line2D
-
+    """The headline, and a bar that shows the scale."""
     figure = canvas.figure
     width, height = figure.get_size_inches().tolist()
     head, below = (d.short(" ".join(words.split()), MOST_CHARACTERS) for words in (title, subtitle))
@@ -182,6 +180,4 @@ def _write_frame(canvas: FigureCanvasAgg, title: str, subtitle: str, left: float
         figure.text(left, 1 - 0.54 / height, below, size=9.5, color=d.GREY, va="center"),
     ):
         d.fitting(label, figure.bbox.width * (1 - left) - 10.0, canvas)
-    y, right = 0.2 / height, left + in_per_m / width
-    figure.add_artist(Line2D([left, right], [y, y], color=d.INK, lw=2.0, solid_capstyle="butt"))
-    figure.text(right + 0.08 / width, y, "1 m", size=9, color=d.INK, va="center")
+    d.draw_scale_bar(figure, left * width, 0.2, in_per_m)

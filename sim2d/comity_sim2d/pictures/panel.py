@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_sim2d.pictures import drawing as d
-from comity_sim2d.pictures.legend import Legend
+from comity_sim2d.pictures.legend import ABOVE_IN, Legend
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,6 +19,7 @@ CHARACTERS, NAME_CHARACTERS = 46, 20
 """Of a line of small print, and of a name, which shares its line with the side."""
 SHORTEST_SCALE_M = 1.3
 """The bars' scale goes so far at least, beyond the farthest distance of the shipped rules, to compare."""
+ROUNDING_IN = 1e-6
 TRACK = "#F0F0F2"
 
 
@@ -40,18 +41,59 @@ class Card:
         return [line for note in self.notes for line in textwrap.wrap(note, CHARACTERS)]
 
     @property
+    def longest_m(self) -> float:
+        """The longest distance on it."""
+        return max(self.wanted_m, self.reached_m or 0.0)
+
+    @property
     def height_in(self) -> float:
         """How much of the panel it takes."""
         return CARD_IN + LINE_IN * len(self.lines)
 
 
-def panel_height_in(cards: Sequence[Card], legend: Legend) -> float:
-    """All cards and the legend."""
-    return sum(card.height_in for card in cards) + legend.height_in
+@dataclass(frozen=True, slots=True)
+class Column:
+    """Cards below each other, the legend below the last of them."""
+
+    cards: tuple[Card, ...]
+    legend: Legend | None = None
+
+    @property
+    def height_in(self) -> float:
+        """How much it takes."""
+        return sum(card.height_in for card in self.cards) + (self.legend.height_in if self.legend else 0.0)
 
 
-def draw_panel(ax: Axes, cards: Sequence[Card], legend: Legend) -> None:
-    """Fill the axes, which are as large in inches as their place on the page, from the top."""
+def in_columns(cards: Sequence[Card], legend: Legend, most: int) -> list[Column]:
+    """Cards in their order in columns that are as low as they can be, the legend in the last one.
+
+    Args:
+        cards: One for each visit.
+        legend: Of the picture.
+        most: So many columns there is room for.
+    """
+    heights = sorted(
+        {sum(card.height_in for card in cards[i:j]) for j in range(len(cards) + 1) for i in range(j)}
+    )
+    for highest in [height for height in heights if height >= legend.height_in] or heights:
+        columns: list[Column] = []
+        for card in cards:
+            if not columns or columns[-1].height_in + card.height_in > highest + ROUNDING_IN:
+                columns.append(Column(()))
+            columns[-1] = Column((*columns[-1].cards, card))
+        if len(columns) < most:
+            return [*columns, Column((), legend)]
+    return [Column(tuple(cards), legend)]
+
+
+def draw_column(ax: Axes, column: Column, longest_m: float) -> None:
+    """Fill the axes, which are as large in inches as their place on the page, from the top.
+
+    Args:
+        ax: The axes.
+        column: What goes there.
+        longest_m: The longest distance on any card.
+    """
     from matplotlib.transforms import Bbox
 
     box: Bbox = ax.get_position()
@@ -59,13 +101,14 @@ def draw_panel(ax: Axes, cards: Sequence[Card], legend: Legend) -> None:
     ax.set_axis_off()
     ax.set_xlim(0.0, WIDTH_IN)
     ax.set_ylim(tall, 0.0)
-    longest = max((max(card.wanted_m, card.reached_m or 0.0) for card in cards), default=0.0)
     top = 0.0
-    for card in cards:
-        _draw_card(ax, top, card, max(longest * 1.05, SHORTEST_SCALE_M))
+    for card in column.cards:
+        _draw_card(ax, top, card, max(longest_m * 1.05, SHORTEST_SCALE_M))
         top += card.height_in
-    ax.plot([0.0, WIDTH_IN - MARGIN_IN], [top, top], color=d.FAINT, lw=0.8)
-    legend.draw(ax, top)
+    if column.legend is not None:
+        if column.cards:
+            ax.plot([0.0, WIDTH_IN - MARGIN_IN], [top, top], color=d.FAINT, lw=0.8)
+        column.legend.draw(ax, top if column.cards else top - ABOVE_IN / 2)
 
 
 def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,9 +19,10 @@ from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures import panel
 from comity_sim2d.pictures.cards import cards, reached_s
 from comity_sim2d.pictures.drawing_check import check_drawing
+from comity_sim2d.pictures.episode_layout import EDGE_IN, SCALE_IN, layout
 from comity_sim2d.pictures.legend import Legend
-from comity_sim2d.pictures.lettering import lettering
 from comity_sim2d.pictures.map_labels import Disc, MapLabels
+from comity_sim2d.pictures.page import DPI, FORMS, as_bytes, own_page
 from comity_sim2d.pictures.panel import Card
 from comity_sim2d.pictures.planned_route import PlannedRoute, draw_planned
 from comity_sim2d.pictures.readable_names import legible, readable
@@ -43,8 +44,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Ring", "draw_picture"]
 
-WIDTH_IN, HEADER_IN, EDGE_IN = 12.0, 0.95, 0.25
-TALLEST_MAP_IN = 8.5
+SUFFIXES = tuple(f".{form}" for form in FORMS)
 ARROWS_EVERY_M = 0.9
 MARK_M = 0.06
 """The radius that labels keep off a small mark."""
@@ -65,10 +65,10 @@ def draw_picture(
     subtitle: str | None = None,
     width_px: int = 1200,
 ) -> None:
-    """Write a PNG. The same arguments give the same bytes, on the same version of matplotlib.
+    """Write a PNG, SVG or PDF. The same arguments give the same bytes, on the same version of matplotlib.
 
     Args:
-        path: Where to write; it ends with `.png`.
+        path: Where to write; it ends with `.png`, `.svg` or `.pdf`.
         scene: The place and the bodies.
         frames: What happened.
         rings: One for each visited person, in the order of the visits.
@@ -77,7 +77,7 @@ def draw_picture(
         planned: The routes of the plans, each drawn below the path that was driven.
         title: The headline.
         subtitle: Below it; None: duration, way and smallest distance to people.
-        width_px: Everything scales with it; in [100, 10000].
+        width_px: Of a PNG, in [100, 10000]: everything scales with it.
 
     Raises:
         SceneError: For another ending of the path, or another width.
@@ -89,7 +89,7 @@ def draw_picture(
     check_drawing(
         "picture",
         path,
-        ".png",
+        SUFFIXES,
         scene,
         frames,
         rings=rings,
@@ -105,18 +105,20 @@ def draw_picture(
     subtitle = None if subtitle is None else legible(subtitle, shown.names)
     routes = tuple(route.points for route in planned if route.points)
     picture = _Picture(scene, frames, shown.rings, shown.events, routes)
-    size_in, cards, legend = _map_size(scene), picture.cards(), picture.legend()
-    height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards, legend)) + EDGE_IN
-    with lettering([*shown.words, title, subtitle or ""]):
-        figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
+    cards = picture.cards()
+    page = layout(scene, cards, picture.legend())
+    form = Path(path).suffix.lower().removeprefix(".")
+    dpi = width_px / page.width if form == "png" else DPI[form]
+    with own_page([*shown.words, title, subtitle or ""]):
+        figure = Figure(figsize=(page.width, page.height), dpi=dpi, facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         _draw_header(figure, canvas, title, _facts(frames) if subtitle is None else subtitle)
-        tall = height - HEADER_IN
-        beside = _axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall))
-        panel.draw_panel(beside, cards, legend)
-        left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
-        picture.draw_map(MapLabels(_axes(figure, (left, tall - size_in[1], *size_in)), canvas))
-        canvas.print_figure(path, format="png", dpi=figure.dpi, metadata={"Software": cast(str, None)})
+        longest_m = max((card.longest_m for card in cards), default=0.0)
+        for place, column in page.columns:
+            panel.draw_column(_axes(figure, place), column, longest_m)
+        picture.draw_map(MapLabels(_axes(figure, page.map), canvas), page.beside_m, page.above_m)
+        d.draw_scale_bar(figure, page.map[0], page.map[1] - SCALE_IN / 2, page.in_per_m)
+        Path(path).write_bytes(as_bytes(figure, form, dpi))
 
 
 class _Picture:
@@ -132,7 +134,7 @@ class _Picture:
     ) -> None:
         self._planned = planned
         self._scene, self._frames, self._rings, self._events = scene, frames, rings, events
-        self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+        self._colours = d.person_colours([p.name for p in scene.people])
         self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
         self._end = d.pose_at(frames, self._robot)
         self._o_spaces = d.o_spaces_at(scene, frames)
@@ -163,10 +165,10 @@ class _Picture:
             met=bool(self._met_elsewhere) or any(self._is_left(pose) for pose in self._reached.values()),
         )
 
-    def draw_map(self, labels: MapLabels) -> None:
-        """The map with everything on it."""
+    def draw_map(self, labels: MapLabels, beside_m: float, above_m: float) -> None:
+        """The map with everything on it, and so much free beside and above the floor."""
         ax = labels.ax
-        floor = d.draw_place(ax, self._scene, d.beside_m(self._scene))
+        floor = d.draw_place(ax, self._scene, beside_m, above_m)
         d.draw_o_spaces(ax, self._o_spaces, floor)
         for name, points in self._tracks.items():
             d.draw_track(ax, points, self._colours.get(name, d.FAINT))
@@ -241,7 +243,7 @@ class _Picture:
             if person.name in visited or person.personal_distance_m is None:
                 continue
             radius_m = person.radius_m + person.personal_distance_m
-            circle = d.dashed_circle(self._stands[person.name].xy, radius_m, d.FAINT)
+            circle = d.dashed_circle(self._stands[person.name].xy, radius_m, self._colours[person.name])
             ax.add_patch(circle)
             circle.set_clip_path(floor)
 
@@ -272,6 +274,12 @@ class _Picture:
                 labels.avoid_line(self._gap(ring))
         for wall in self._scene.walls:
             labels.avoid_line([wall.start, wall.end])
+        for outline in self._scene.room.outlines:
+            labels.avoid_line([*outline, outline[0]])
+        for track in self._tracks.values():
+            labels.avoid_line([(x, y) for x, y in track[::8, :2].tolist()])
+        for route in self._planned:
+            labels.avoid_line(route)
 
     def _write(self, labels: MapLabels) -> None:
         """The words: what cannot move first, then what can go anywhere."""
@@ -295,7 +303,7 @@ class _Picture:
         if not is_drawn:
             labels.ax.plot(*at, marker="o", ms=5, mfc="#FFFFFF", mec=d.ROBOT, mew=1.4, zorder=6)
         colour = self._colours.get(saying.person, d.GREY)
-        d.add_all(labels.ax, labels.bubble(at, radius_m, saying.words, colour, besides=self._people))
+        d.add_all(labels.ax, labels.bubble(at, radius_m, saying.lines, colour, besides=self._people))
 
     def _write_distance(self, labels: MapLabels, ring: Ring) -> None:
         """What was wanted and reached, beside the line between the two."""
@@ -318,7 +326,7 @@ class _Picture:
 
 
 def _draw_header(figure: Figure, canvas: FigureCanvasAgg, title: str, subtitle: str) -> None:
-    height, left = figure.get_figheight(), EDGE_IN / WIDTH_IN
+    height, left = figure.get_figheight(), EDGE_IN / figure.get_figwidth()
     label = figure.text(left, 1 - 0.40 / height, title, size=17, weight="bold", color=d.INK, va="center")
     d.fitting(label, figure.bbox.width * (1 - 2 * left), canvas)
     figure.text(left, 1 - 0.70 / height, subtitle, size=10.5, color=d.GREY, va="center")
@@ -353,11 +361,3 @@ def _side(bearing_deg: float) -> XY:
     if side == "front":
         return (-FRONT_DEG, FRONT_DEG)
     return (FRONT_DEG, WIDEST_DEG) if side == "left" else (-WIDEST_DEG, -FRONT_DEG)
-
-
-def _map_size(scene: Scene) -> XY:
-    """Inches, with the proportions of the room and of what is free beside it."""
-    wide, high = d.extent_m(scene)
-    wide += 2 * d.beside_m(scene)
-    scale = min((WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN) / wide, TALLEST_MAP_IN / high)
-    return (wide * scale, high * scale)

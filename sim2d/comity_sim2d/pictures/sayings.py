@@ -28,6 +28,13 @@ class Saying:
     """Where the robot was."""
     words: tuple[str, ...]
     """What was repeated at once, once."""
+    times: int = 1
+    """How often in a row, also from further places; it was said first at this one."""
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """The words, and how often where that is more than once."""
+        return self.words if self.times == 1 else (*self.words, f"({self.times} times)")
 
 
 def sayings(frames: Frames, robot: str, events: Sequence[ActEvent]) -> tuple[Saying, ...]:
@@ -48,4 +55,18 @@ def sayings(frames: Frames, robot: str, events: Sequence[ActEvent]) -> tuple[Say
             found.append(Saying(event.person, xy, (event.words,)))
         elif found[last].words[-1] != event.words:
             found[last] = replace(found[last], words=(*found[last].words, event.words))
-    return tuple(found)
+    return tuple(_collapsed(found))
+
+
+def _collapsed(found: Sequence[Saying]) -> list[Saying]:
+    """One for what was said to a person again and again with nothing else to them in between."""
+    kept: list[Saying] = []
+    last: dict[str, int] = {}
+    for one in found:
+        before = last.get(one.person)
+        if before is not None and kept[before].words == one.words:
+            kept[before] = replace(kept[before], times=kept[before].times + 1)
+        else:
+            last[one.person] = len(kept)
+            kept.append(one)
+    return kept

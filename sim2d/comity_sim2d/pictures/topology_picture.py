@@ -29,7 +29,7 @@ def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> 
     Args:
         place: A map, or a scene with rooms.
         title: The headline.
-        form: `png` or `svg`.
+        form: `png`, `svg` or `pdf`.
 
     Raises:
         ValueError: The place has no rooms.

@@ -1,0 +1,27 @@
+"""Colours of pictures: every eye can tell them apart, and words in them are legible."""
+
+from __future__ import annotations
+
+PALETTE = ("#006BA6", "#B64C00", "#007A58", "#A8467F", "#8A5F00", "#4B3FA0")
+"""Okabe and Ito's (2008) first five, as dark as text needs, and an indigo; the page of a run has the same.
+
+The contrast with white is at least 4.5 (WCAG 2.2, criterion 1.4.3).
+"""
+INK, GREY = "#22252B", "#5F646C"
+"""Of words, and of small print."""
+FAINT = "#B9BDC4"
+"""Of lines alone: too light for words."""
+LEAST_CONTRAST = 4.5
+
+
+def contrast(one: str, other: str) -> float:
+    """The contrast ratio of two colours, from 1 to 21, as WCAG 2.2 defines it."""
+    from matplotlib.colors import to_rgb
+
+    light, dark = sorted((_luminance(to_rgb(one)), _luminance(to_rgb(other))), reverse=True)
+    return (light + 0.05) / (dark + 0.05)
+
+
+def _luminance(rgb: tuple[float, float, float]) -> float:
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in rgb)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue

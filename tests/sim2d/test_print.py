@@ -1,0 +1,157 @@
+"""Pictures for print: legible colours, words as words in SVG and PDF, full pages, tracks that fade."""
+
+from __future__ import annotations
+
+import math
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+import comity.replay
+from comity.report.values.explanation_drawing import RULES
+from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, World, load_map
+from comity_sim2d.pictures import colours, drawing, episode_layout
+from comity_sim2d.pictures.legend import Legend
+from comity_sim2d.pictures.map_picture import draw_map
+from comity_sim2d.pictures.panel import Card
+from comity_sim2d.pictures.picture import draw_picture
+from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.pictures.sayings import TOGETHER_M, sayings
+from comity_sim2d.robot.acts import ActEvent
+
+SCENE = Scene(
+    Room.rectangle(6.0, 4.5), RobotBody(0.6, 0.6), (Person("johanna", 4.6, 3.0, math.radians(200)),)
+)
+PAGE = Path(comity.replay.__file__).parent / "web" / "colours.css"
+
+
+@pytest.fixture(scope="module")
+def episode() -> World:
+    world = World(SCENE)
+    world.robot.dock("johanna", DockingPose(0.64, 0.0), speed_m_s=0.7)
+    while world.robot.motion().state != "succeeded":
+        world.step()
+    return world
+
+
+@pytest.mark.parametrize("ground", ["#FFFFFF", drawing.FLOOR, drawing.FURNITURE])
+def test_words_have_a_contrast_of_four_and_a_half_with_what_they_stand_on(ground: str) -> None:
+    """On furniture their halo is around them; alone they are legible there, too, but for small print."""
+    words = (*colours.PALETTE, *RULES, colours.INK, colours.GREY, drawing.person_colour(7))
+    assert all(colours.contrast(word, "#FFFFFF") >= colours.LEAST_CONTRAST for word in words)
+    assert colours.contrast(colours.GREY, ground) >= colours.LEAST_CONTRAST
+
+
+def test_black_on_white_has_the_contrast_that_its_definition_gives() -> None:
+    assert colours.contrast("#000000", "#FFFFFF") == pytest.approx(21.0)
+    assert colours.contrast("#777777", "#FFFFFF") == pytest.approx(4.48, abs=0.005)
+
+
+def test_a_person_has_the_same_colour_in_every_picture_and_on_the_page() -> None:
+    light = PAGE.read_text(encoding="utf-8").partition("@media")[0]
+    assert tuple(colour.upper() for colour in re.findall(r"--c\d: (#\w+)", light)) == colours.PALETTE
+    people = [f"p{i}" for i in range(6)]
+    assert tuple(drawing.person_colours(people).values()) == colours.PALETTE
+
+
+@pytest.mark.parametrize("form", ["svg", "pdf"])
+def test_a_picture_in_vectors_is_the_same_every_time_and_its_words_are_words(
+    form: str, episode: World, tmp_path: Path
+) -> None:
+    paths = [tmp_path / f"{name}.{form}" for name in "ab"]
+    for path in paths:
+        rings = [Ring("johanna", 0.64, 0.641, 0.0)]
+        draw_picture(path, SCENE, episode.frames, rings=rings, title="A visit")
+    content = paths[0].read_bytes()
+    assert content == paths[1].read_bytes()
+    assert b"2026-" not in content, "no date"
+    if form == "svg":
+        words = re.findall(r"<text[^>]*>([^<]+)</text>", content.decode())
+        assert {"A visit", "johanna", "start", "1 m"} <= set(words)
+    else:
+        assert b"/FontFile2" in content, "letters as TrueType, which can be searched and copied"
+
+
+def test_the_map_of_a_picture_in_vectors_is_where_it_is_in_pixels(tmp_path: Path, episode: World) -> None:
+    """Words are placed in pixels of the page: in SVG these are points."""
+    path = tmp_path / "a.svg"
+    draw_picture(path, SCENE, episode.frames, title="A visit")
+    text = path.read_text()
+    width, height = (float(size) for size in re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', text).groups())
+    name = re.search(r'<text [^>]*transform="translate\(([\d.]+) ([\d.]+)\)[^>]*>johanna<', text)
+    name = name or re.search(r'<text [^>]*x="([\d.]+)" y="([\d.]+)"[^>]*>johanna<', text)
+    x, y = (float(place) for place in name.groups())
+    assert 0.0 < x < width
+    assert 0.0 < y < height
+
+
+@pytest.mark.parametrize("form", ["svg", "pdf"])
+def test_a_map_is_drawn_in_vectors_the_same_every_time(form: str) -> None:
+    ward = load_map("ward")
+    drawn = draw_map(ward, title="ward", format=form)
+    assert drawn == draw_map(ward, title="ward", format=form)
+    if form == "svg":
+        assert {"nurses' station", "bed 1a", "CORRIDOR"} <= set(
+            re.findall(r">([^<>]+)</text>", drawn.decode())
+        )
+
+
+def card(name: str) -> Card:
+    return Card(name, "#000000", "front, 0°", 0.8, 0.8, ("german woman", "bearing off by 0.0°"))
+
+
+@given(st.floats(2.0, 60.0), st.floats(2.0, 60.0), st.integers(1, 12))
+@settings(deadline=None)
+def test_no_page_is_half_empty_and_everything_is_on_it(width_m: float, height_m: float, count: int) -> None:
+    people = (Person("a", 1.0, 1.0, 0.0),)
+    scene = Scene(Room.rectangle(width_m, height_m), RobotBody(width_m - 0.5, height_m - 0.5), people)
+    cards = [card(f"p{i}") for i in range(count)]
+    page = episode_layout.layout(scene, cards, Legend(visits=True))
+    assert page.filled > 0.5
+    places = [page.map, *(place for place, _ in page.columns)]
+    for left, bottom, width, height in places:
+        assert left >= 0.0 - 1e-9
+        assert bottom >= -1e-9
+        assert left + width <= page.width + 1e-9
+        assert bottom + height <= page.height + 1e-9
+    shown = [one for _, column in page.columns for one in column.cards]
+    assert shown == cards, "in their order"
+    assert [column.legend is not None for _, column in page.columns].count(True) == 1
+    for (_, _, _, height), column in page.columns:
+        assert column.height_in <= height + 1e-9
+
+
+def test_what_is_said_again_and_again_is_in_one_bubble_with_how_often() -> None:
+    world = World(SCENE)
+    world.robot.dock("johanna", DockingPose(0.64, 0.0), speed_m_s=0.7)
+    world.run(6.0)
+    asks = [
+        ActEvent(t_start=t, t_end=t + 0.2, act="ask_to_pass", person="johanna", text="May I pass?")
+        for t in (0.0, 2.0, 4.0)
+    ]
+    places = [drawing.pose_at(world.frames, "robot", one.t_start).xy for one in asks]
+    assert math.dist(places[0], places[1]) > TOGETHER_M
+    (found,) = sayings(world.frames, "robot", asks)
+    assert (found.times, found.lines[-1]) == (3, "(3 times)")
+    other = ActEvent(t_start=3.0, t_end=3.2, act="utter", person="johanna", text="Thank you.")
+    assert [one.times for one in sayings(world.frames, "robot", [*asks, other])] == [2, 1, 1]
+
+
+@given(st.lists(st.tuples(st.floats(-20, 20), st.floats(-20, 20)), min_size=2, max_size=60))
+@settings(deadline=None)
+def test_a_track_is_drawn_whole_and_darkest_at_its_end(corners) -> None:
+    ax = Figure().add_subplot()
+    points = np.array(corners)
+    drawing.draw_track(ax, points, colours.PALETTE[0])
+    (lines,) = (one for one in ax.collections if isinstance(one, LineCollection))
+    alphas = lines.get_colors()[:, 3]
+    assert (np.diff(alphas) <= 1e-9).all()
+    legs = {tuple(map(tuple, leg)) for piece in lines.get_segments() for leg in pairwise(piece)}
+    assert all((tuple(a), tuple(b)) in legs for a, b in pairwise(points))
