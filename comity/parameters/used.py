@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 def used_facts(rulebook: Rulebook) -> frozenset[str]:
     """The facts that a rule which is on, or a requirement, reads; consent always, because it bars contact."""
-    read = rulebook.program.about.keys() & rulebook.variables.keys()
+    read = rulebook.program.reads & rulebook.variables.keys()
     derivations = (rulebook.variables[name].derived_from for name in read)
     return frozenset({*read, *(one.fact for one in derivations if one), CONSENT})
 

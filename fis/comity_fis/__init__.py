@@ -8,8 +8,7 @@ from comity_fis.explanation.disclosure import Outvoting, facts_first, kept_back,
 from comity_fis.explanation.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.explanation.sensitivity import Sensitivity
 from comity_fis.explanation.what_if import Alternative, Flip
-from comity_fis.inference.mixed_fact import MixedFact
-from comity_fis.inference.possibility import Known
+from comity_fis.inference.known import Known, MixedFact
 from comity_fis.inference.value import Contribution, FiredRule, Inference, Origin, ParameterValue, PartValue
 from comity_fis.learning.learnt import Learnt
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks, to_fis

@@ -14,6 +14,10 @@ MOST_TOLD = 12
 """Errors that are told together: whoever has mended so many looks again."""
 
 
+Location = tuple[str | int, ...]
+"""The way from a document's root to a value in it: keys and list indexes."""
+
+
 class ComityError(Exception):
     """The base of every error that Comity raises on purpose."""
 

@@ -1,13 +1,13 @@
-"""Conditions, compiled: the same laws hold for every person and for columns of them."""
-
-from functools import partial, reduce
+"""How far conditions hold: the same laws for every person and for columns of them."""
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_fis.rules.antecedent import MIN_MAX, Logic, compile_antecedent
+from comity_fis.inference import columns
+from comity_fis.rules import antecedent
+from comity_fis.rules.antecedent import MIN_MAX, hedged
 from comity_fis.rules.hedge import HEDGES
 from comity_fis.rules.rule import And, Hedged, Is, Not, Or
 
@@ -25,18 +25,13 @@ conditions = st.recursive(
 degrees = st.fixed_dictionaries({name: st.floats(0, 1) for name in NAMES})
 
 
-def strength(condition, known, *, negated=False):
-    """By the compiled form; a name that is not in `known` was not disclosed."""
-    literals = {}
-    antecedent = compile_antecedent(condition, literals, negated=negated)
+def strength(condition, known):
+    """As an inference has it; a name that is not in `known` was not disclosed."""
 
     def degree(literal):
-        if literal.name not in known:
-            return 1.0
-        hedged = known[literal.name] ** literal.exponent
-        return 1 - hedged if literal.negated else hedged
+        return hedged(known[literal.name], literal) if literal.name in known else 1.0
 
-    return antecedent.strength([degree(literal) for literal in literals], MIN_MAX)
+    return antecedent.strength(condition, degree, MIN_MAX)
 
 
 def defined(condition, known):
@@ -55,7 +50,7 @@ def defined(condition, known):
 
 
 @given(conditions, degrees)
-def test_the_compiled_form_means_what_the_text_says(condition, known):
+def test_a_condition_means_what_its_text_says(condition, known):
     assert strength(condition, known) == pytest.approx(defined(condition, known))
 
 
@@ -77,15 +72,11 @@ def test_hiding_a_value_never_makes_a_rule_weaker(condition, known, hidden):
 
 @given(conditions, st.lists(degrees, min_size=1, max_size=4))
 def test_a_column_of_people_is_each_of_them(condition, people):
-    literals = {}
-    antecedent = compile_antecedent(condition, literals)
-    columns = [
-        np.array([1 - p[x.name] ** x.exponent if x.negated else p[x.name] ** x.exponent for p in people])
-        for x in literals
-    ]
-    least, most = partial(reduce, np.minimum), partial(reduce, np.maximum)
-    arrays = Logic(least, most, not_all_of=most, not_any_of=least)
-    assert antecedent.strength(columns, arrays).tolist() == [strength(condition, p) for p in people]
+    def degrees(literal):
+        return hedged(np.array([person[literal.name] for person in people]), literal)
+
+    together = antecedent.strength(condition, degrees, columns.MIN_MAX)
+    assert together.tolist() == pytest.approx([strength(condition, person) for person in people], abs=1e-15)
 
 
 @given(st.floats(0, 1))

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_fis import InputError, load_rulebook
+from comity_fis import InputError, NumericVariable, load_rulebook, shipped_rulebooks
+from comity_fis.inference.columns import CHUNK
 from comity_fis.membership.curved import Gaussian
 from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
-from comity_fis.rulebook.batch import CHUNK
 from comity_fis.rules.methods import CHOICES, Methods
 
 score = st.none() | st.floats(0, 100)
@@ -48,6 +48,30 @@ def test_a_column_is_its_people_one_by_one(bruno2017, people):
     assert_one_by_one(bruno2017, people, bruno2017.infer_many(columns_of(people)))
 
 
+def told_of(variable):
+    """Any value of a variable, or none."""
+    if isinstance(variable, NumericVariable):
+        return st.none() | st.floats(*variable.domain.ends)
+    return st.none() | st.sampled_from(variable.categories)
+
+
+@settings(deadline=None, max_examples=25)
+@pytest.mark.parametrize("name", shipped_rulebooks())
+@given(st.data())
+def test_so_it_is_with_every_shipped_rulebook(name, data):
+    """Columns and one by one are two programs for the same rules."""
+    rulebook = load_rulebook(name)
+    person = st.fixed_dictionaries({name: told_of(variable) for name, variable in rulebook.variables.items()})
+    people = data.draw(st.lists(person, min_size=1, max_size=5))
+    answers = rulebook.infer_many(columns_of(people))
+    for row, one in enumerate(people):
+        alone = rulebook.infer(one)
+        for parameter, value in alone.items():
+            got = answers[parameter][row]
+            assert got == (value.value if isinstance(got, str) else pytest.approx(value.value, abs=1e-9))
+            assert answers.neutral[parameter][row] == (value.origin == "neutral")
+
+
 @settings(deadline=None)
 @given(
     st.lists(
@@ -81,7 +105,7 @@ def test_so_is_a_parameter_without_a_closed_form(small, people):
                 "distance": dataclasses.replace(distance, terms={**distance.terms, "near": term}),
             },
         )
-        assert rulebook.program.block("distance").form is None
+        assert rulebook.program.blocks["distance"].form is None
         assert_one_by_one(rulebook, people, rulebook.infer_many(columns_of(people)))
 
 
@@ -196,4 +220,4 @@ def test_beyond_that_it_does(case2):
 
 
 def test_the_shipped_distance_has_a_closed_form():
-    assert load_rulebook("bruno2017-case2").program.blocks[0].form is not None
+    assert load_rulebook("bruno2017-case2").program.blocks["conversational_distance"].form is not None

@@ -258,7 +258,7 @@ def test_curved_output_terms_add_up_too(small: Rulebook, x, height, width):
     )
     rulebook = replace(small, parameters={**small.parameters, "distance": distance})
     value = rulebook.infer({"warmth": x})["distance"]
-    portions = attribute(value, distance).portions().values()
+    portions = attribute(value.fired, distance).portions().values()
     assert sum(portion.contribution for portion in portions) == pytest.approx(value.number, abs=1e-8)
     assert sum(portion.share for portion in portions) == pytest.approx(1, abs=1e-9)
 

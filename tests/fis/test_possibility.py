@@ -7,8 +7,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis import InputError, Interval
-from comity_fis.inference.possibility import RoughNumber, RoughWord, known
+from comity_fis.inference.known import known
+from comity_fis.inference.rough import RoughNumber, RoughWord
 from comity_fis.membership.function import Bump, Categories, Trapezoid, TwoTermGaussian
+from comity_fis.rules.antecedent import Literal
 
 number = st.floats(0, 10)
 
@@ -34,11 +36,16 @@ def literal(term, exponent, negated, x):
     return 1 - degree if negated else degree
 
 
+def wanted(negated=False, exponent=1.0):
+    """A literal about some variable's term."""
+    return Literal("x", "t", exponent, negated)
+
+
 @given(terms, exponents, st.booleans(), number, number)
 def test_an_interval_is_as_possible_as_its_most_favourable_number(term, exponent, negated, one, other):
     low, high = sorted((one, other))
     assume(low < high)
-    degree = RoughNumber(Interval(low, high), low, high).possibility(term, exponent, negated)
+    degree = RoughNumber(Interval(low, high), low, high).possibility(term, wanted(negated, exponent))
     edges = [x for knot in term.knots for x in (knot - 1e-9, knot, knot + 1e-9) if low <= x <= high]
     grid = sorted([min(low + (high - low) * i / 200, high) for i in range(201)] + edges)
     best = max(literal(term, exponent, negated, x) for x in grid)
@@ -52,27 +59,27 @@ def test_an_interval_is_as_possible_as_its_most_favourable_number(term, exponent
 
 @given(terms, terms, exponents, st.booleans(), number)
 def test_a_fuzzy_set_is_at_least_as_possible_as_each_number_in_it(term, given_set, exponent, negated, x):
-    degree = RoughNumber(given_set, 0, 10).possibility(term, exponent, negated)
+    degree = RoughNumber(given_set, 0, 10).possibility(term, wanted(negated, exponent))
     assert degree >= min(literal(term, exponent, negated, x), given_set(x)) - 1e-9
     assert degree <= given_set.height(0, 10) + 1e-9
 
 
 @given(trapezoids())
 def test_a_set_meets_itself_fully(term):
-    assert RoughNumber(term, 0, 10).possibility(term, 1.0, False) == pytest.approx(1)
+    assert RoughNumber(term, 0, 10).possibility(term, wanted()) == pytest.approx(1)
 
 
 def test_two_slopes_meet_where_they_cross():
     falling, rising = Trapezoid(0, 0, 2, 6), Trapezoid(2, 6, 10, 10)
-    assert RoughNumber(falling, 0, 10).possibility(rising, 1.0, False) == pytest.approx(0.5)
-    assert RoughNumber(falling, 0, 10).possibility(falling, 1.0, True) == pytest.approx(0.5)
+    assert RoughNumber(falling, 0, 10).possibility(rising, wanted()) == pytest.approx(0.5)
+    assert RoughNumber(falling, 0, 10).possibility(falling, wanted(True)) == pytest.approx(0.5)
 
 
 @given(st.dictionaries(st.sampled_from("abc"), st.floats(0.01, 1), min_size=1), st.booleans())
 def test_categories_by_the_definition(degrees, negated):
     term = Categories(frozenset("ab"))
     matching = [degree for category, degree in degrees.items() if (category in "ab") is not negated]
-    assert RoughWord(degrees).possibility(term, 1.0, negated) == max(matching, default=0.0)
+    assert RoughWord(degrees).possibility(term, wanted(negated)) == max(matching, default=0.0)
 
 
 @given(st.booleans(), st.booleans())

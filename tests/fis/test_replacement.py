@@ -20,13 +20,6 @@ def test_a_replaced_rule_acts_and_the_old_rulebook_does_not_change(small):
     assert [rule.number for rule in changed.rules] == list(range(1, 8))
 
 
-def test_blocks_that_the_rule_does_not_touch_are_shared(bruno2017):
-    number = next(rule.number for rule in bruno2017.rules if rule.text.endswith("approach_speed is slow"))
-    changed = bruno2017.with_rule(number, TEXT)
-    for name in bruno2017.parameters:
-        assert (changed.program.block(name) is bruno2017.program.block(name)) == (name != "approach_speed")
-
-
 @given(st.integers(1, 7), st.none() | st.floats(0, 10), st.sampled_from([None, "calm", "lively"]))
 def test_replacing_is_the_same_as_building_anew(small, number, warmth, mood):
     rule = dataclasses.replace(small.rules[(number + 2) % 7], weight=0.5)

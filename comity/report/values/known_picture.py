@@ -8,7 +8,7 @@ from comity.report.drawing import folded
 from comity.report.text import number, stated, words
 from comity.report.values.explanation_drawing import FAINT, GRID, INK, places, plain
 from comity_fis import Choice, Interval, NominalVariable, NumericVariable, ParameterValue
-from comity_fis.inference.possibility import RoughNumber, RoughWord
+from comity_fis.inference.rough import RoughNumber, RoughWord
 from comity_sim2d.pictures.colours import PALETTE
 
 if TYPE_CHECKING:

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 from comity_fis import Where
 
 if TYPE_CHECKING:
-    from comity_fis.validation.yaml_file import Location, YamlFile
+    from comity_fis.errors import Location
+    from comity_fis.validation.yaml_file import YamlFile
 
 BETWEEN = " / "
 """Between the parts of a place: names have spaces in them."""

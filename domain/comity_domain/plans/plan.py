@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from comity_fis.html_table import html_table
-from comity_fis.inference.deferred import Deferred
+from comity_domain.plans.deferred import Deferred
 
 SHOWN = 8
 """Steps in a plan's `repr`."""

@@ -16,7 +16,7 @@ from py_trees.behaviour import Behaviour
 
 from comity_domain.plans.plan import PlanStep
 from comity_fis.explanation.disclosure import facts_first
-from comity_fis.inference.possibility import Known
+from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
 from comity_fis.rules.rule import Is, Rule
 

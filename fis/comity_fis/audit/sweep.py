@@ -73,7 +73,7 @@ def is_quick(rulebook: Rulebook) -> bool:
     """Whether every number has a closed form."""
     return all(
         block.form is not None
-        for block in rulebook.program.blocks
+        for block in rulebook.program.blocks.values()
         if isinstance(block.parameter, NumericParameter)
     )
 

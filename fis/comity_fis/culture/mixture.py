@@ -16,8 +16,7 @@ from comity_fis.culture.mixed_curve import MixedCurve
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.errors import WrongValueError
 from comity_fis.inference.composition import Basis, inferred_word
-from comity_fis.inference.mixed_fact import MixedFact
-from comity_fis.inference.possibility import Known
+from comity_fis.inference.known import Known, MixedFact
 from comity_fis.inference.value import Contribution, FiredRule, Inference, Origin, ParameterValue, PartValue
 from comity_fis.variables.parameter import NominalParameter, Parameter
 
@@ -84,7 +83,8 @@ def _fact(name: str, parts: Sequence[Part], shares: Sequence[float]) -> Known | 
     given = [part.inference.inputs[name] for part in parts]
     if all(one == given[0] for one in given):
         return given[0]
-    return MixedFact(tuple(zip((part.name for part in parts), shares, given, strict=True)))
+    stated = [one for one in given if not isinstance(one, MixedFact)]  # a part has one culture
+    return MixedFact(tuple(zip((part.name for part in parts), shares, stated, strict=True)))
 
 
 def _combined(parameter: Parameter, shares: Sequence[_Share]) -> ParameterValue:

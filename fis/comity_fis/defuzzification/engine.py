@@ -18,8 +18,7 @@ Mode = Literal["exact", "matlab", "skfuzzy"]
 class Engine:
     """How to find a degree, and the number that stands for a set."""
 
-    degree: Callable[[NumericMembership, float], float] | None
-    """None: the membership function itself."""
+    degree: Callable[[NumericMembership, float], float]
     value: Callable[[OutputSet], float | None]
 
 
@@ -40,5 +39,10 @@ def engine_for(mode: str) -> Engine:
     return MATLAB
 
 
-EXACT = Engine(None, OutputSet.value)
-MATLAB = Engine(None, OutputSet.value_from_samples)
+def _own(term: NumericMembership, x: float) -> float:
+    """By the membership function itself."""
+    return term(x)
+
+
+EXACT = Engine(_own, OutputSet.value)
+MATLAB = Engine(_own, OutputSet.value_from_samples)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from comity_fis.defuzzification.curve import Choice
 from comity_fis.inference.composition import TIE
-from comity_fis.inference.possibility import Known
+from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, ParameterValue
 from comity_fis.rules.rule import Rule
 

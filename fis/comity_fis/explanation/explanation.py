@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 
 from comity_fis.errors import InputError, closest
-from comity_fis.explanation.attribution import NOTHING, Attribution
-from comity_fis.explanation.movement import standing_of
+from comity_fis.explanation.attribution import NOTHING, Attribution, Portion, attribute
 from comity_fis.explanation.removal import Without, without_each
 from comity_fis.explanation.sensitivity import Sensitivity, sensitivities
 from comity_fis.explanation.what_if import Alternative, Flip, leading, what_if
-from comity_fis.inference.possibility import Known
+from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
 from comity_fis.learning.learnt import Learnt
-from comity_fis.rulebook.dependencies import Reading, reading
+from comity_fis.rulebook.dependencies import reading
 from comity_fis.rulebook.rulebook import Inputs, Rulebook, Settings
 from comity_fis.rulebook.sugeno import is_sugeno
 from comity_fis.rules.methods import MAMDANI
@@ -138,42 +137,44 @@ class _Case:
         value, parameter = self.inference[self.name], self.rulebook.parameters[self.name]
         read = reading(self.rulebook, self.inference, self.name)
         question = what_if(self.rulebook, self.inference, self.asked, self.learnt, read)
-        attribution, moved = attributed(self.rulebook, self.inference, read)
-        without = without_each(self.rulebook, self.inference, self.asked, self.learnt, read)
+        attribution = self._attribution(parameter)
         return Explanation(
             rulebook=self.inference.rulebook,
             parameter=parameter,
             inputs=self.inference.inputs,
             value=value,
             leading=leading(value, parameter),
-            rules=self._rules(attribution, without),
+            rules=self._rules(attribution, without_each(question)) if value.decided_by_rules else (),
             attribution=attribution,
             categories=self._categories(),
             variables=tuple(self.rulebook.variables[name] for name in read.inputs),
             reads=tuple(self.inference[name] for name in read.parameters[1:]),
-            sensitivities=tuple(
-                replace(one, flat_over=question.flat_over(one.input)) if one.flat else one for one in moved
-            ),
+            sensitivities=sensitivities(question),
             alternatives=tuple(question.alternatives()),
             flips=tuple(question.flips()),
             off=self._off(),
             unasked=self._unasked(),
         )
 
+    def _attribution(self, parameter: Parameter) -> Attribution:
+        value = self.inference[self.name]
+        if not isinstance(parameter, NumericParameter) or not value.decided_by_rules:
+            return NOTHING
+        return attribute(value.fired, parameter, self.rulebook.methods)
+
     def _rules(self, attribution: Attribution, without: Mapping[int, Without]) -> tuple[RuleAccount, ...]:
-        if not self.inference[self.name].decided_by_rules:
-            return ()
         portions = attribution.portions()
+        nothing = Portion(0.0, 0.0) if portions else None
         accounts = []
         for firing in self.inference[self.name].fired:
-            portion = portions.get(firing.rule.number)
+            portion = portions.get(firing.rule.number, nothing)
             accounts.append(
                 RuleAccount(
                     rule=firing.rule,
                     strength=firing.strength,
                     terms=_given(firing.rule, self.rulebook.parameters[self.name]),
-                    share=portion.share if portion else None,
-                    contribution=portion.contribution if portion else None,
+                    share=portion and portion.share,
+                    contribution=portion and portion.contribution,
                     without=without[firing.rule.number],
                 )
             )
@@ -243,14 +244,3 @@ def _methods_error(rulebook: Rulebook) -> InputError:
         got=f"{rulebook.name} with {', '.join(others)}",
         remedy="See the rules that fired with `comity infer`, or leave out the rulebook's `methods`.",
     )
-
-
-def attributed(
-    rulebook: Rulebook, inference: Inference, read: Reading
-) -> tuple[Attribution, tuple[Sensitivity, ...]]:
-    """What each rule contributes to an inferred value, and its derivatives: cheap beside the inference."""
-    parameter = rulebook.parameters[read.parameters[0]]
-    if not isinstance(parameter, NumericParameter):
-        return NOTHING, ()
-    standing = standing_of(rulebook, inference, parameter.name)
-    return standing.attribution, sensitivities(rulebook, inference, read, standing)

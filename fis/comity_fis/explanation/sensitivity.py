@@ -1,26 +1,34 @@
-"""How a value answers to a small change of one input: exact derivatives, one on each side.
+"""How a value answers to a small change of one input: a derivative on each side.
 
-The centre of area is a smooth function of the heights at which rules cut their terms: where the aggregated
-set is flat at a rule's strength it rises with it, over the width of that flat stretch; elsewhere nothing
-moves. The strengths change with the input by the chain rule through `min`, `max`, complement and membership.
-At a corner of any of these the two sides differ.
+Each is taken from differences: the input is moved a little to one side, and the parameter inferred again. At
+a corner of a membership function, or where another rule takes the lead, the two sides differ.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from math import isinf
+from math import copysign, inf, isclose, isinf
 
-from comity_fis.explanation.movement import Rates, Standing, rates_of, speed_of
-from comity_fis.inference.value import Inference
+from comity_fis.explanation.what_if import WhatIf
 from comity_fis.membership.interval import Interval
-from comity_fis.rulebook.dependencies import Reading
-from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.variables.parameter import NumericParameter
 from comity_fis.variables.variable import NumericVariable
 
-FLAT = 1e-12
+STEP = 1e-5
+"""Of the input's range: wide enough for rounding, narrow enough for the curves between two corners."""
+
+NO_ROOM = 1e-7
+"""Of the input's range: what is no farther from an end of it stands at that end."""
+
+FLAT = 1e-6
 """A derivative below this share of the output's range per range of the input is none."""
+
+SMOOTH = 1e-4
+"""Derivatives of both sides that differ by less, relative to their size, are one."""
+
+JUMP = 0.05
+"""Where a hundredth of the step changes the value by more than this part of what the step does, it jumps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +49,7 @@ class Sensitivity:
     @property
     def kink(self) -> bool:
         """Whether the two sides differ."""
-        if self.below is None or self.above is None or self.below == self.above:
-            return False
-        return abs(self.below - self.above) > 1e-9 * (abs(self.below) + abs(self.above))
+        return self.below is not None and self.above is not None and self.below != self.above
 
     @property
     def derivative(self) -> float | None:
@@ -57,37 +63,53 @@ class Sensitivity:
         return self.derivative == 0.0
 
 
-def sensitivities(
-    rulebook: Rulebook, inference: Inference, read: Reading, standing: Standing
-) -> tuple[Sensitivity, ...]:
+def sensitivities(question: WhatIf) -> tuple[Sensitivity, ...]:
     """The derivative of one numeric parameter by each numeric input that was disclosed and that it reads."""
+    if not isinstance(question.parameter, NumericParameter):
+        return ()
     found = []
-    for name in read.inputs:
-        variable, at = rulebook.variables[name], inference.inputs[name]
+    for name in question.read.inputs:
+        variable, at = question.rulebook.variables[name], question.inference.inputs[name]
         if isinstance(variable, NumericVariable) and isinstance(at, int | float):
-            below, above = _slopes(standing, variable, at)
-            found.append(
-                Sensitivity(
-                    input=name,
-                    at=at,
-                    unit=variable.unit,
-                    below=None if at <= variable.domain.low else below,
-                    above=None if at >= variable.domain.high else above,
-                )
-            )
+            below, above = _sides(question, question.parameter, variable, at)
+            one = Sensitivity(name, at, variable.unit, below, above)
+            flat_over = question.flat_over(name) if one.flat else None
+            found.append(Sensitivity(name, at, variable.unit, below, above, flat_over))
     return tuple(found)
 
 
-def _slopes(standing: Standing, variable: NumericVariable, at: float) -> tuple[float, float]:
-    """Below and above, in the parameter's unit per unit of the input."""
-    down, up = rates_of(standing.program, variable, at)
-    return -_slope(standing, variable, down), _slope(standing, variable, up)
+def _sides(
+    question: WhatIf, parameter: NumericParameter, variable: NumericVariable, at: float
+) -> tuple[float | None, float | None]:
+    """The derivatives below and above; None at an end of the domain."""
+    low, high = variable.domain.ends
+    span = parameter.rules.high - parameter.rules.low
+    least = FLAT * span / (high - low)
+
+    def change(distance: float) -> float:
+        """By how much the value changes when the input moves so far."""
+        return question.given(variable.name, at + distance).number - question.now.number
+
+    step = STEP * (high - low)
+    below, above = (
+        None if room <= NO_ROOM * (high - low) else _slope(change, copysign(min(step, room / 2), side), least)
+        for side, room in ((-1.0, at - low), (1.0, high - at))
+    )
+    if below is not None and above is not None and isclose(below, above, rel_tol=SMOOTH, abs_tol=least):
+        below = above = (below + above) / 2
+    return below, above
 
 
-def _slope(standing: Standing, variable: NumericVariable, rates: Rates) -> float:
-    """On the side to which the input moves."""
-    speed = speed_of(standing, rates) if rates else 0.0
-    made = standing.blocks[-1].parameter
-    assert isinstance(made, NumericParameter)
-    (low, high), (first, last) = made.rules.ends, variable.domain.ends
-    return 0.0 if abs(speed) <= FLAT * (high - low) / (last - first) else speed
+def _slope(change: Callable[[float], float], step: float, least: float) -> float:
+    """The derivative on the side of the step, from the parabola through the value and two more.
+
+    Args:
+        change: By how much the value changes.
+        step: To the first of the two places; negative below.
+        least: Slopes that are no larger are 0.
+    """
+    near, far = change(step), change(2 * step)
+    if abs(near) > 2 * least * abs(step) and abs(change(step / 100)) > JUMP * abs(near):
+        return copysign(inf, near / step)
+    slope = (4 * near - far) / (2 * step)
+    return 0.0 if abs(slope) <= least else slope

@@ -7,7 +7,7 @@ of a disclosed number that flips what leads.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import chain
 
 from comity_fis.inference.value import Inference, ParameterValue
@@ -94,7 +94,6 @@ class WhatIf:
     settings: Mapping[str, float | str]
     learnt: Mapping[str, Learnt]
     read: Reading
-    answers: dict[tuple[str, float | str], ParameterValue] = field(default_factory=dict)
 
     @property
     def parameter(self) -> Parameter:
@@ -113,11 +112,12 @@ class WhatIf:
 
     def given(self, name: str, value: float | str) -> ParameterValue:
         """The parameter if this input had this value."""
-        if (name, value) not in self.answers:
-            inputs = {**self.inference.inputs, name: value}
-            inference = self.rulebook.infer(inputs, settings=self.settings, learnt=self.learnt)
-            self.answers[name, value] = inference[self.parameter.name]
-        return self.answers[name, value]
+        return self.asked_of(self.rulebook, **{name: value})
+
+    def asked_of(self, rulebook: Rulebook, **changed: float | str) -> ParameterValue:
+        """The parameter by another rulebook, or with other inputs."""
+        inputs = {**self.inference.inputs, **changed}
+        return rulebook.infer(inputs, settings=self.settings, learnt=self.learnt)[self.parameter.name]
 
     def alternatives(self) -> Iterator[Alternative]:
         """Every other category of each nominal input, and both ends of each number that was not disclosed."""
@@ -191,7 +191,7 @@ def what_if(
     learnt: Mapping[str, Learnt],
     read: Reading,
 ) -> WhatIf:
-    """Ready to be asked: a rulebook that holds no more than the parameter depends on answers sooner."""
+    """Ready to be asked, of a rulebook that holds no more than the parameter depends on."""
     kept = set(read.parameters)
     rules = (
         replace(rule, consequents=tuple(is_ for is_ in rule.consequents if is_.name in kept))

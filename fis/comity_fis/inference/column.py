@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from comity_fis.errors import InputError, shown
 from comity_fis.inference.scalar import is_number, scalar
 from comity_fis.membership.arrays import degrees
-from comity_fis.rules.antecedent import Literal
+from comity_fis.rules.antecedent import Literal, hedged
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 Floats = NDArray[np.float64]
@@ -57,7 +57,7 @@ class Column:
             by_number = np.append(hedged(words, literal), 1.0)  # UNDISCLOSED counts from the end
             of_rows: Floats = by_number[self.values]
             return of_rows
-        found = hedged(degrees(term, self.values), literal)
+        found: Floats = hedged(degrees(term, self.values), literal)
         return found if isinstance(self.known, bool) else np.where(self.known, found, 1.0)
 
 
@@ -200,10 +200,3 @@ def _no_column(name: str, expected: str, values: object) -> InputError:
         got=shown(values),
         remedy="Give one value per person; NaN or None where it is not known.",
     )
-
-
-def hedged(degrees: Floats, literal: Literal) -> Floats:
-    """Degrees of a term as the literal wants them: hedged, and negated."""
-    if literal.exponent != 1.0:
-        degrees = degrees**literal.exponent
-    return 1.0 - degrees if literal.negated else degrees

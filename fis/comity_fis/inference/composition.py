@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.output_set import Layer, OutputSet
@@ -19,7 +19,8 @@ TIE = 1e-12
 """Desirabilities that differ by less are the same."""
 
 
-class Basis(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Basis:
     """What a value rests on."""
 
     origin: Origin
@@ -36,25 +37,23 @@ class Basis(NamedTuple):
             return f"neutral value: {self.note}"
         if self.origin == "setting":
             return "asked for by the person, replaces the rules"
-        rules = ", ".join([str(fired.rule.number) for fired in self.fired])
+        rules = ", ".join(str(fired.rule.number) for fired in self.fired)
         return f"from rule {rules}" if len(self.fired) == 1 else f"from rules {rules}"
 
 
 def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, centre: float) -> ParameterValue:
     """What the rules give, as one number; it lies in the safe range, which covers the rules' range."""
-    origin, fired, note = basis
-    contributions = (Contribution(origin, centre, basis.text),)
     return ParameterValue(
         name=parameter.name,
         neutral=parameter.neutral,
         value=centre,
         unit=parameter.unit,
         spread=parameter.spread,
-        origin=origin,
-        contributions=contributions,
+        origin=basis.origin,
+        contributions=(Contribution(basis.origin, centre, basis.text),),
         desirability=curve,
-        fired=fired,
-        note=note,
+        fired=basis.fired,
+        note=basis.note,
     )
 
 
@@ -94,13 +93,6 @@ def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
     )
 
 
-def chosen(parameter: NominalParameter, desirability: Mapping[str, float]) -> tuple[str, list[str]]:
-    """The most desirable category, and all that are as desirable; a tie goes to the neutral one."""
-    best = max(desirability.values())
-    tied = [category for category, degree in desirability.items() if best - degree < TIE]
-    return tied[0] if len(tied) == 1 else parameter.neutral, tied
-
-
 def inferred_word(
     parameter: NominalParameter, basis: Basis, desirability: Mapping[str, float]
 ) -> ParameterValue:
@@ -109,11 +101,13 @@ def inferred_word(
     Where the neutral category wins a tie that it is not among, the rules have left the question open all the
     same: it is as desirable as they are, so that whoever chooses by desirability chooses alike.
     """
-    value, tied = chosen(parameter, desirability)
+    best = max(desirability.values())
+    tied = [category for category, degree in desirability.items() if best - degree < TIE]
+    value = tied[0] if len(tied) == 1 else parameter.neutral
     notes = [basis.note] if basis.note else []
     if len(tied) > 1 and basis.origin != "neutral":
         notes.append(f"{', '.join(tied)} are equally desirable; {value}, the neutral value, stands")
-        desirability = {**desirability, value: max(desirability.values())}
+        desirability = {**desirability, value: best}
     return ParameterValue(
         name=parameter.name,
         neutral=parameter.neutral,

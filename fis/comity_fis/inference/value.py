@@ -7,11 +7,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from comity_fis.html_table import html_table
-from comity_fis.inference.deferred import Deferred
 
 if TYPE_CHECKING:
     from comity_fis.defuzzification.curve import Choice, Curve
-    from comity_fis.inference.possibility import Known
+    from comity_fis.inference.known import Known
     from comity_fis.rules.rule import Rule
     from comity_fis.variables.measurement import Coercion
 
@@ -52,7 +51,7 @@ class PartValue:
 
 
 @dataclass(frozen=True, slots=True)
-class ParameterValue(Deferred):
+class ParameterValue:
     """What one parameter is for one person, and why."""
 
     name: str
@@ -84,13 +83,12 @@ class ParameterValue(Deferred):
     @property
     def asked_for(self) -> bool:
         """Whether it set out from what the person asked for."""
-        return self.origin != "culture" and self.start.origin == "setting"
+        return self.start.origin == "setting"
 
     @property
     def decided_by_rules(self) -> bool:
         """Whether it set out from what rules give, and not from a setting or the neutral value."""
-        # Where culture came last it also came first; here and above, that spares filling in the record.
-        return self.origin == "culture" or self.start.origin in ("culture", "situation")
+        return self.start.origin in ("culture", "situation")
 
     @property
     def number(self) -> float:

@@ -12,15 +12,17 @@ from comity_fis.errors import InputError, shown
 from comity_fis.membership.arrays import degrees
 from comity_fis.membership.function import Singleton
 from comity_fis.rules.hedge import HEDGES
+from comity_fis.rules.methods import Methods
 from comity_fis.rules.rule import And, Condition, Hedged, Is, Not, Rule
 from comity_fis.variables.parameter import NumericParameter
 from comity_fis.variables.variable import NumericVariable
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+    from comity_fis.inference.block import Program
     from comity_fis.membership.function import NumericMembership
-    from comity_fis.rulebook.rulebook import Rulebook
+    from comity_fis.variables.parameter import Parameter
 
 Floats = NDArray[np.float64]
 
@@ -39,7 +41,9 @@ COUNTERPARTS: Mapping[str, tuple[str, ...]] = {
 points of its grid, which may be one of another term that is as high but for the grid's error."""
 
 
-def control_system(rulebook: Rulebook, points: int) -> Any:
+def control_system(
+    program: Program, parameters: Mapping[str, Parameter], rules: Sequence[Rule], points: int
+) -> Any:
     """See `Rulebook.to_skfuzzy`."""
     if not isinstance(points, int) or isinstance(points, bool) or not LEAST_POINTS <= points <= MOST_POINTS:
         raise InputError(
@@ -47,14 +51,14 @@ def control_system(rulebook: Rulebook, points: int) -> Any:
             got=shown(points),
             remedy="Leave it out for 1001.",
         )
-    rules = [rule for rule in rulebook.rules if rule.enabled]
-    _refuse(rulebook, rules)
+    rules = [rule for rule in rules if rule.enabled]
+    _refuse(program, parameters, rules)
     from skfuzzy import control  # importing it takes most of a second
 
     read = dict.fromkeys(name for rule in rules for name in rule.reads)
     inputs: dict[str, Any] = {}
     for name in read:
-        variable = rulebook.variables[name]
+        variable = program.variables[name]
         assert isinstance(variable, NumericVariable)
         xs = _universe(*variable.domain.ends, variable.terms.values(), points)
         if any(is_.part.name == name for rule in rules for is_ in _hedged(rule.antecedent)):
@@ -62,38 +66,38 @@ def control_system(rulebook: Rulebook, points: int) -> Any:
         inputs[name] = control.Antecedent(xs, name)
         _add_terms(inputs[name], variable.terms, xs)
     outputs: dict[str, Any] = {}
-    for name, parameter in rulebook.parameters.items():
+    for name, parameter in parameters.items():
         assert isinstance(parameter, NumericParameter)
         xs = _universe(*parameter.rules.ends, parameter.terms.values(), points)
-        outputs[name] = control.Consequent(xs, name, rulebook.methods.defuzzification)
+        outputs[name] = control.Consequent(xs, name, program.methods.defuzzification)
         _add_terms(outputs[name], parameter.terms, xs)
-    return control.ControlSystem([_rule(rule, inputs, outputs, rulebook) for rule in rules])
+    return control.ControlSystem([_rule(rule, inputs, outputs, program.methods) for rule in rules])
 
 
-def _refuse(rulebook: Rulebook, rules: list[Rule]) -> None:
+def _refuse(program: Program, parameters: Mapping[str, Parameter], rules: list[Rule]) -> None:
     """Refuse what changes an answer and has no counterpart in `skfuzzy.control`."""
-    _refuse_reads(rulebook, rules)
-    _refuse_outputs(rulebook, rules)
+    _refuse_reads(program, parameters, rules)
+    _refuse_outputs(program, parameters, rules)
     for field, known in COUNTERPARTS.items():
-        if (method := getattr(rulebook.methods, field)) not in known:
+        if (method := getattr(program.methods, field)) not in known:
             raise _refusal(f"{field} by {' or '.join(known)}", method)
 
 
-def _refuse_reads(rulebook: Rulebook, rules: list[Rule]) -> None:
+def _refuse_reads(program: Program, parameters: Mapping[str, Parameter], rules: list[Rule]) -> None:
     for name in dict.fromkeys(name for rule in rules for name in rule.reads):
-        if name in rulebook.parameters:
+        if name in parameters:
             raise _refusal("rules that read variables only", f"rules that read the parameter {name}")
-        if not isinstance(rulebook.variables[name], NumericVariable):
+        if not isinstance(program.variables[name], NumericVariable):
             raise _refusal("inputs that are numbers", f"the words of {name}")
 
 
-def _refuse_outputs(rulebook: Rulebook, rules: list[Rule]) -> None:
-    for name, parameter in rulebook.parameters.items():
+def _refuse_outputs(program: Program, parameters: Mapping[str, Parameter], rules: list[Rule]) -> None:
+    for name, parameter in parameters.items():
         if not isinstance(parameter, NumericParameter):
             raise _refusal("parameters that are numbers", f"the words of {name}")
-        if name in rulebook.program.shifts:
+        if name in program.shifts:
             raise _refusal("values that no situation moves", f"the shift of {name}")
-        if name in rulebook.variables:
+        if name in program.variables:
             raise _refusal("different names for inputs and outputs", f"{name} twice")
         singles = [term for term, shape in parameter.terms.items() if isinstance(shape, Singleton)]
         if singles:
@@ -144,7 +148,7 @@ def _add_terms(variable: Any, terms: Mapping[str, NumericMembership], xs: Floats
         variable[name] = degrees(term, xs)
 
 
-def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], rulebook: Rulebook) -> Any:
+def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], methods: Methods) -> Any:
     from skfuzzy import control
 
     both: Mapping[str, Any] = {"min": np.fmin, "prod": np.multiply}
@@ -153,8 +157,8 @@ def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], rul
         _condition(rule.antecedent, inputs),
         [outputs[is_.name][is_.term] % float(rule.weight) for is_ in rule.consequents],
         label=LABEL.format(rule.number),
-        and_func=both[rulebook.methods.conjunction],
-        or_func=either[rulebook.methods.disjunction],
+        and_func=both[methods.conjunction],
+        or_func=either[methods.disjunction],
     )
 
 

@@ -37,6 +37,5 @@ def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading
 def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str, ...]:
     if inference[name].asked_for:
         return ()
-    program = rulebook.program
-    shift = program.shifts.get(name)
-    return (*program.block(name).needs, *(shift.reads if shift else ()))
+    shift = rulebook.program.shifts.get(name)
+    return (*rulebook.program.blocks[name].needs, *(shift.reads if shift else ()))

@@ -5,11 +5,11 @@ from __future__ import annotations
 from os.path import normpath
 from pathlib import Path
 
-from comity_fis.errors import InputError, Where
+from comity_fis.errors import InputError, Location, Where
 from comity_fis.scores.population_table import Population, PopulationTable, Score
 from comity_fis.scores.score_file import read_populations, read_scores
 from comity_fis.scores.shipped import INDIVIDUALISM, individualism
-from comity_fis.validation.yaml_file import Location, YamlFile
+from comity_fis.validation.yaml_file import YamlFile
 from comity_fis.variables.variable import NumericVariable
 
 

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache, partial
 
-from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.errors import InputError, Location, WrongValueError, closest
 from comity_fis.rulebook.models import (
     NominalParameterModel,
     NominalVariableModel,
@@ -20,7 +20,7 @@ from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rulebook.situation import refuse_person_in_shift
 from comity_fis.rules.grammar import Terms, parse_guard, parse_rule
 from comity_fis.rules.rule import Condition, Rule, Source, literals
-from comity_fis.validation.yaml_file import Location, YamlFile
+from comity_fis.validation.yaml_file import YamlFile
 from comity_fis.variables.parameter import Parameter
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 

@@ -2,27 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from comity_fis.errors import InputError, shown
 from comity_fis.rulebook.situation import refuse_person_in_shift
 from comity_fis.rules.grammar import parse_rule
 from comity_fis.rules.rule import Rule
+from comity_fis.variables.parameter import Parameter
+from comity_fis.variables.variable import Variable
 
-if TYPE_CHECKING:
-    from comity_fis.rulebook.rulebook import Rulebook
 
+def replaced_rule(
+    rules: Sequence[Rule],
+    variables: Mapping[str, Variable],
+    parameters: Mapping[str, Parameter],
+    number: int,
+    rule: Rule | str,
+) -> Rule:
+    """The new rule, with the number of the one that it replaces.
 
-def replaced_rule(rulebook: Rulebook, number: int, rule: Rule | str) -> Rule:
-    """The new rule with a number of the rulebook.
+    Args:
+        rules: Of the rulebook.
+        variables: Of the rulebook.
+        parameters: Of the rulebook.
+        number: Of the rule to replace, from 1.
+        rule: The new one, or its text.
 
     Raises:
         InputError: if there is no rule of that number, or the text cannot be read.
     """
-    if not isinstance(number, int) or isinstance(number, bool) or not 1 <= number <= len(rulebook.rules):
+    if not isinstance(number, int) or isinstance(number, bool) or not 1 <= number <= len(rules):
         raise InputError(
-            expected=f"the number of a rule, 1..{len(rulebook.rules)}",
+            expected=f"the number of a rule, 1..{len(rules)}",
             got=shown(number),
             remedy="Rules are counted from 1, in the rulebook's order.",
         )
@@ -34,13 +46,13 @@ def replaced_rule(rulebook: Rulebook, number: int, rule: Rule | str) -> Rule:
             got=shown(rule),
             remedy="Write it out: if ... then ...",
         )
-    known = {**rulebook.variables, **rulebook.parameters}
+    known = {**variables, **parameters}
     antecedent, consequents = parse_rule(
         rule,
         inputs={name: read.terms for name, read in known.items()},
-        outputs={name: parameter.conclusions for name, parameter in rulebook.parameters.items()},
+        outputs={name: parameter.conclusions for name, parameter in parameters.items()},
     )
-    refuse_person_in_shift(antecedent, consequents, rulebook.variables, rulebook.parameters)
+    refuse_person_in_shift(antecedent, consequents, variables, parameters)
     return Rule(
         number=number,
         text=rule,
@@ -48,5 +60,5 @@ def replaced_rule(rulebook: Rulebook, number: int, rule: Rule | str) -> Rule:
         consequents=consequents,
         sources=(),
         evidence="design",
-        note=f"Stands in for: {rulebook.rules[number - 1].text}",
+        note=f"Stands in for: {rules[number - 1].text}",
     )

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import InitVar, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
 from comity_fis.culture.derivation import derived
-from comity_fis.defuzzification.engine import EXACT, engine_for
+from comity_fis.defuzzification.engine import engine_for
 from comity_fis.errors import InputError, closest, shown
 from comity_fis.html_table import html_table
-from comity_fis.inference.block import Block, Program, compile_block
-from comity_fis.inference.inference import Person, decide, meet, settle, value_of
-from comity_fis.inference.possibility import Stated, known
+from comity_fis.inference.block import Block, Program, block_of
+from comity_fis.inference.inference import decide
+from comity_fis.inference.known import known
+from comity_fis.inference.person import Person
+from comity_fis.inference.rough import Stated
 from comity_fis.inference.scalar import by_name, scalar
-from comity_fis.inference.value import Inference, ParameterValue
+from comity_fis.inference.value import Inference
 from comity_fis.learning.learnt import Learnt, refuse_unlearnable
 from comity_fis.rulebook.adjustment import adjusted
 from comity_fis.rulebook.situation import shift_blocks, shift_of
@@ -24,18 +26,15 @@ from comity_fis.rules.rule import Rule, Source
 from comity_fis.variables.frozen import freeze
 from comity_fis.variables.measurement import Coercion
 from comity_fis.variables.parameter import Parameter
-from comity_fis.variables.variable import Variable
+from comity_fis.variables.variable import Variable, told_names
 
 if TYPE_CHECKING:
     from comity_fis.inference.column import Columns
-    from comity_fis.rulebook.batch import Answers
+    from comity_fis.inference.columns import Answers
 
 Inputs = Mapping[str, object]
 """What is known of one person: a variable that is missing, None or NaN was not disclosed. A value is a number
-or a category, or something rougher: see `comity_fis.inference.possibility.known`."""
-
-PLAIN = (float, str, int)
-"""The types of what is known precisely: there is nothing to work out."""
+or a category, or something rougher: see `comity_fis.inference.known.known`."""
 
 Settings = Mapping[str, float | str]
 """What one person explicitly asked for, by parameter."""
@@ -54,37 +53,20 @@ class Rulebook:
     methods: Methods = MAMDANI
     """How the rules are evaluated."""
     program: Program = field(init=False, repr=False, compare=False)
-    """The rules, compiled."""
+    """The rules by what they decide."""
     coercions: Mapping[str, Coercion] = field(init=False, repr=False, compare=False)
     """Of the variables that are used above their own level of measurement."""
     facts: frozenset[str] = field(init=False, repr=False, compare=False)
     """The names under which something can be told: of variables, and of facts that they are derived from."""
-    derivations: tuple[tuple[str, str], ...] = field(init=False, repr=False, compare=False)
-    """Variables that follow from a fact, each with the fact."""
-    before: InitVar[Program | None] = None
-    """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
-    anew: InitVar[frozenset[str]] = frozenset()
-    """Parameters whose rules have changed since then."""
 
-    def __post_init__(self, before: Program | None, anew: frozenset[str]) -> None:
+    def __post_init__(self) -> None:
         freeze(self, variables=self.variables, parameters=self.parameters, sources=self.sources)
-        kept = {block.parameter.name: block for block in before.blocks} if before else {}
-        literals = {literal: i for i, literal in enumerate(before.literals)} if before else {}
-        blocks = {
-            name: kept[name]
-            if name in kept.keys() - anew
-            else compile_block(parameter, self.rules, literals, self.methods)
-            for name, parameter in self.parameters.items()
-        }
-        ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
-        coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
-        freeze(self, coercions=coercions)
-        derivations = tuple((n, v.derived_from.fact) for n, v in self.variables.items() if v.derived_from)
-        object.__setattr__(self, "derivations", derivations)
-        object.__setattr__(self, "facts", self.variables.keys() | {fact for _, fact in derivations})
-        shifts = shift_blocks(self.parameters, self.rules, literals, self.methods)
-        program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
-        object.__setattr__(self, "program", program)
+        blocks = {name: block_of(made, self.rules, self.methods) for name, made in self.parameters.items()}
+        ordered = {name: blocks[name] for name in _evaluation_order(blocks)}
+        shifts = shift_blocks(self.parameters, self.rules, self.methods)
+        object.__setattr__(self, "program", Program(ordered, self.variables, self.methods, shifts))
+        freeze(self, coercions={name: v.coercion for name, v in self.variables.items() if v.coercion})
+        object.__setattr__(self, "facts", told_names(self.variables))
 
     def __repr__(self) -> str:
         return (
@@ -120,15 +102,12 @@ class Rulebook:
         asked = {} if settings is None else self.checked_settings(settings)
         learnt = {} if learnt is None else learnt
         refuse_unlearnable(learnt, self.parameters, self.name)
-        engine = engine_for(mode)
         told, notes, sources = self._told(inputs)
-        person = meet(self.program, self.variables, self._checked(told), engine)
-        for block in self.program.blocks:
-            name = block.parameter.name
+        person = Person(self.program, self._checked(told), engine_for(mode))
+        for name, block in self.program.blocks.items():
             value = decide(block, person, asked.get(name))
-            if name in learnt or name in self.program.shifts:
-                value = self._moved(value, block.parameter, person, learnt.get(name))
-            settle(self.program, person, block.parameter, value)
+            shift = shift_of(self.program.shifts.get(name), person)
+            person.values[name] = adjusted(value, block.parameter, shift, learnt.get(name))
         return Inference(
             rulebook=self.name,
             mode=mode,
@@ -140,32 +119,14 @@ class Rulebook:
         )
 
     def value(self, parameter: str, inputs: Inputs) -> float | str:
-        """One parameter's value for one person, as `infer` finds it, without the records of why.
+        """One parameter's value for one person, as `infer` finds it.
 
         Raises:
             InputError: if a name or a value cannot be used.
         """
         if not isinstance(parameter, str) or parameter not in self.parameters:
             raise _unknown_name(parameter, "parameter", self.parameters, self.name)
-        person = meet(self.program, self.variables, self.checked_inputs(inputs), EXACT)
-        *before, block = self.program.up_to(parameter)
-        for other in before:
-            settle(self.program, person, other.parameter, self._decided(other, person))
-        return (
-            self._decided(block, person).value
-            if parameter in self.program.shifts
-            else value_of(block, person)
-        )
-
-    def _decided(self, block: Block, person: Person) -> ParameterValue:
-        """One parameter of somebody who asked for nothing and of whom nothing was learnt."""
-        return self._moved(decide(block, person, None), block.parameter, person, None)
-
-    def _moved(
-        self, value: ParameterValue, parameter: Parameter, person: Person, learnt: Learnt | None
-    ) -> ParameterValue:
-        block = self.program.shifts.get(parameter.name)
-        return adjusted(value, parameter, shift_of(block, person) if block else None, learnt)
+        return self.infer(inputs)[parameter].value
 
     def infer_many(self, columns: Columns) -> Answers:
         """The value of every parameter for many people at once, as `infer` finds them one by one.
@@ -183,9 +144,11 @@ class Rulebook:
         Raises:
             InputError: if no column or a value cannot be used, with the number of its row, from 0.
         """
-        from comity_fis.rulebook.batch import infer_many
+        from comity_fis.inference.columns import infer_columns
+        from comity_fis.rulebook.table import told_columns
 
-        return infer_many(self, columns)
+        told, notes = told_columns(self.name, self.variables, columns)
+        return infer_columns(self.program, list(self.parameters), told, notes)
 
     def to_skfuzzy(self, points: int = 1001) -> Any:
         """The rules as a `skfuzzy.control.ControlSystem`, for a simulation with all inputs given.
@@ -202,10 +165,10 @@ class Rulebook:
         """
         from comity_fis.rulebook.control_system import control_system
 
-        return control_system(self, points)
+        return control_system(self.program, self.parameters, self.rules, points)
 
     def with_rule(self, number: int, rule: Rule | str) -> Rulebook:
-        """The same rulebook with one rule replaced; blocks that neither rule concludes are shared.
+        """The same rulebook with one rule replaced.
 
         Args:
             number: Of the rule to replace, from 1.
@@ -215,16 +178,10 @@ class Rulebook:
         Raises:
             InputError: if there is no such rule, or the text cannot be read.
         """
-        from comity_fis.rulebook.replacement import replaced_rule
+        from comity_fis.rulebook.replacement import replaced_rule  # it imports the parser
 
-        new = replaced_rule(self, number, rule)
-        touched = {is_.name for either in (self.rules[number - 1], new) for is_ in either.consequents}
-        return replace(
-            self,
-            rules=(*self.rules[: number - 1], new, *self.rules[number:]),
-            before=self.program,
-            anew=frozenset(touched),
-        )
+        new = replaced_rule(self.rules, self.variables, self.parameters, number, rule)
+        return replace(self, rules=(*self.rules[: number - 1], new, *self.rules[number:]))
 
     def checked_inputs(self, inputs: Inputs) -> dict[str, Stated | None]:
         """A value or None for every variable, in declared order.
@@ -236,11 +193,7 @@ class Rulebook:
 
     def _checked(self, told: Inputs) -> dict[str, Stated | None]:
         return {
-            name: None
-            if (value := told.get(name)) is None
-            else variable.check(value)
-            if isinstance(value, PLAIN)
-            else known(variable, value)
+            name: None if (value := told.get(name)) is None else known(variable, value)
             for name, variable in self.variables.items()
         }
 
@@ -253,9 +206,10 @@ class Rulebook:
             told[name] = scalar(inputs[name])
         notes: dict[str, None] = {}
         sources: dict[str, str] = {}
-        for name, fact in self.derivations:
-            if name not in told and told.get(fact) is not None:
-                told[name], source, note = derived(self.variables[name], told[fact], self.variables)
+        for name, variable in self.variables.items():
+            fact = variable.derived_from and variable.derived_from.fact
+            if fact and name not in told and told.get(fact) is not None:
+                told[name], source, note = derived(variable, told[fact], self.variables)
                 notes |= {note: None} if note else {}
                 sources |= {name: source} if source else {}
         return told, tuple(notes), sources
@@ -273,14 +227,13 @@ class Rulebook:
 
     def rules_for(self, parameter: str) -> tuple[Rule, ...]:
         """The rules that give a parameter its value, in the rulebook's order; not those that only move it."""
-        return tuple(
-            {clause.rule.number: clause.rule for clause in self.program.block(parameter).clauses}.values()
-        )
+        clauses = self.program.blocks[parameter].clauses
+        return tuple({clause.rule.number: clause.rule for clause in clauses}.values())
 
     def reads(self, parameter: str) -> tuple[str, ...]:
         """The variables and other parameters that a parameter's rules read, and those that only move it."""
         shift = self.program.shifts.get(parameter)
-        return (*self.program.block(parameter).reads, *(shift.reads if shift else ()))
+        return (*self.program.blocks[parameter].reads, *(shift.reads if shift else ()))
 
 
 def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:

@@ -11,11 +11,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from comity_fis.errors import InputError
-from comity_fis.inference.block import Block, compile_block
-from comity_fis.inference.inference import Person, decide
+from comity_fis.inference.block import Block, block_of
+from comity_fis.inference.inference import decide
+from comity_fis.inference.person import Person
 from comity_fis.inference.value import ParameterValue
 from comity_fis.membership.interval import Interval
-from comity_fis.rules.antecedent import Literal
 from comity_fis.rules.methods import Methods
 from comity_fis.rules.rule import Condition, Is, Rule, literals
 from comity_fis.variables.parameter import NumericParameter, Parameter
@@ -26,40 +26,24 @@ EVERYTHING = Interval(float("-inf"), float("inf"))
 
 
 def shift_blocks(
-    parameters: Mapping[str, Parameter],
-    rules: Sequence[Rule],
-    literals: dict[Literal, int],
-    methods: Methods,
+    parameters: Mapping[str, Parameter], rules: Sequence[Rule], methods: Methods
 ) -> dict[str, Block]:
-    """The compiled rules of every parameter that the situation may move, where any of them are on.
-
-    Args:
-        parameters: Of the rulebook.
-        rules: Of the rulebook.
-        literals: Known ones with their numbers; new ones are added.
-        methods: Of the rulebook.
-    """
+    """The rules of every parameter that the situation may move, where any of them are on."""
     blocks = {
-        name: compile_block(_as_parameter(parameter), rules, literals, methods)
+        name: block_of(_as_parameter(parameter), rules, methods)
         for name, parameter in parameters.items()
         if isinstance(parameter, NumericParameter) and parameter.shift is not None
     }
     return {name: block for name, block in blocks.items() if block.clauses}
 
 
-def shift_of(block: Block, person: Person) -> ParameterValue | None:
+def shift_of(block: Block | None, person: Person) -> ParameterValue | None:
     """By how much the situation moves a parameter, in its unit; None where no rule knows anything."""
-    told = told_part(block, person)
-    if not told.clauses:
+    if block is None:
         return None
-    value = decide(told, person, None)
+    told = [clause for clause in block.clauses if any(map(person.discloses, clause.rule.reads))]
+    value = decide(replace(block, clauses=tuple(told)), person)
     return None if value.origin == "neutral" else value
-
-
-def told_part(block: Block, person: Person) -> Block:
-    """The rules of a shift that know something of a person."""
-    told = tuple([c for c in block.clauses if any(person.inputs[name] is not None for name in c.reads)])
-    return block if len(told) == len(block.clauses) else replace(block, clauses=told)
 
 
 def refuse_person_in_shift(

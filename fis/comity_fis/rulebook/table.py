@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,37 +12,43 @@ from comity_fis.culture.derivation import Derived, derived
 from comity_fis.errors import InputError, closest, shown
 from comity_fis.inference.column import Columns, cells, read_columns
 from comity_fis.inference.scalar import by_name
-from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
-
-if TYPE_CHECKING:
-    from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable, told_names
 
 
-def told_columns(rulebook: Rulebook, columns: Columns) -> tuple[Columns, tuple[str, ...]]:
+def told_columns(
+    rulebook: str, variables: Mapping[str, Variable], columns: Columns
+) -> tuple[Columns, tuple[str, ...]]:
     """The columns by variable, and notes.
+
+    Args:
+        rulebook: Its name, for messages.
+        variables: Of the rulebook.
+        columns: Of the table.
 
     Raises:
         InputError: if nothing in the table is known to the rulebook.
     """
+    facts = told_names(variables)
     names = list(by_name(columns, "columns by the name of a variable"))
-    extra = [name for name in names if name not in rulebook.facts]
+    extra = [name for name in names if name not in facts]
     if len(extra) == len(names) > 0:
         raise InputError(
-            expected=f"a column that is named after a variable of the rulebook {rulebook.name}",
+            expected=f"a column that is named after a variable of the rulebook {rulebook}",
             got=", ".join(map(shown, extra[:5])),
-            remedy=closest(str(extra[0]), sorted(rulebook.facts)),
+            remedy=closest(str(extra[0]), sorted(facts)),
         )
-    notes = [_ignored(name, rulebook) for name in extra]
-    told: dict[str, Any] = {name: columns[name] for name in rulebook.variables if name in names}
-    for name, fact in rulebook.derivations:
-        if name not in told and fact in names:
-            told[name], missing = _derived_column(rulebook.variables, name, fact, columns)
+    notes = [_ignored(name, facts) for name in extra]
+    told: dict[str, Any] = {name: columns[name] for name in variables if name in names}
+    for name, variable in variables.items():
+        fact = variable.derived_from and variable.derived_from.fact
+        if fact and name not in told and fact in names:
+            told[name], missing = _derived_column(variables, name, fact, columns)
             notes += missing
     return told, tuple(dict.fromkeys(notes))
 
 
-def _ignored(name: object, rulebook: Rulebook) -> str:
-    near = closest(str(name), sorted(rulebook.facts))
+def _ignored(name: object, facts: Iterable[str]) -> str:
+    near = closest(str(name), sorted(facts))
     near = f" {near}" if near.startswith("Did you mean") else ""
     return f"the column {shown(name)} is ignored: no variable is called so.{near}"
 

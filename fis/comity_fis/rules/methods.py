@@ -6,7 +6,7 @@ cut off at 1; the defuzzification methods are in `defuzzification`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import reduce
 from typing import Literal, get_args
@@ -60,12 +60,8 @@ MAMDANI = Methods()
 
 
 def combined(method: str, degrees: Iterable[float]) -> float:
-    """At least one degree, combined by min, prod, max, probor or sum.
-
-    In whatever order they come it is the same to the last digit: an exported rule has its conditions in the
-    order of the columns.
-    """
-    return reduce(_OPERATORS[method], sorted(degrees))
+    """At least one degree, combined by min, prod, max, probor or sum."""
+    return OPERATORS[method](tuple(degrees))
 
 
 def united(strengths: Iterable[tuple[str, float]], aggregation: Aggregation) -> dict[str, float]:
@@ -76,22 +72,19 @@ def united(strengths: Iterable[tuple[str, float]], aggregation: Aggregation) -> 
     return {term: combined(aggregation, degrees) for term, degrees in by_term.items()}
 
 
-def _prod(a: float, b: float) -> float:
-    return a * b
+def _folded(operator: Callable[[float, float], float]) -> Callable[[Sequence[float]], float]:
+    """In whatever order degrees come, their combination is the same to the last digit.
+
+    An exported rule has its conditions in the order of the columns.
+    """
+    return lambda degrees: reduce(operator, sorted(degrees))
 
 
-def _probor(a: float, b: float) -> float:
-    return a + b - a * b
-
-
-def _sum(a: float, b: float) -> float:
-    return a + b
-
-
-_OPERATORS: dict[str, Callable[[float, float], float]] = {
+OPERATORS: Mapping[str, Callable[[Sequence[float]], float]] = {
     "min": min,
     "max": max,
-    "prod": _prod,
-    "probor": _probor,
-    "sum": _sum,
+    "prod": _folded(lambda one, other: one * other),
+    "probor": _folded(lambda one, other: one + other - one * other),
+    "sum": _folded(lambda one, other: one + other),
 }
+"""For one person; at least one degree each."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.errors import InputError, Location, Where, WrongValueError, closest
 from comity_fis.validation.complaint import (
     TYPES,
     Complaint,
@@ -22,40 +22,52 @@ if TYPE_CHECKING:
     from pydantic import BaseModel, ValidationError
     from pydantic_core import ErrorDetails
 
-    from comity_fis.validation.yaml_file import Location, YamlFile
-
     Schema = Mapping[str, Any]
     """A part of a JSON schema."""
 
 
-def explained(refusal: ValidationError, model: type[BaseModel], file: YamlFile) -> InputError:
-    """The first complaint in the order of lines; a misspelt key before the one that it leaves missing."""
-    errors = _most_specific(refusal.errors(), file)
+def explained(
+    refusal: ValidationError,
+    model: type[BaseModel],
+    places: Collection[Location],
+    where_of: Callable[[Location], Where],
+) -> InputError:
+    """The first complaint in the order of lines; a misspelt key before the one that it leaves missing.
+
+    Args:
+        refusal: Pydantic's.
+        model: That refused the file.
+        places: Of everything in the file.
+        where_of: The line of a place in it.
+    """
+    errors = _most_specific(refusal.errors(), places)
 
     def order(error: ErrorDetails) -> tuple[bool, int]:
-        return error["type"] == "missing", file.where(_in_file(error, file)).line or 0
+        return error["type"] == "missing", where_of(_in_file(error, places)).line or 0
 
     first = min(errors, key=order)
-    place = _in_file(first, file)
-    where = file.where(place)
+    place = _in_file(first, places)
+    where = where_of(place)
     cause = first.get("ctx", {}).get("error")
     if isinstance(cause, WrongValueError):
         return cause.at(where)
-    kinds = [_wanted(error, model) for error in errors if _in_file(error, file) == place and _is_type(error)]
+    kinds = [
+        _wanted(error, model) for error in errors if _in_file(error, places) == place and _is_type(error)
+    ]
     said = of_type(_called(place), kinds, first["input"]) if _is_type(first) else _said(first, place, model)
-    beside = {TYPES.get(error["type"]) for error in refusal.errors() if _in_file(error, file) == place}
+    beside = {TYPES.get(error["type"]) for error in refusal.errors() if _in_file(error, places) == place}
     if first["type"] == "literal_error" and "a list" in beside:
         said = or_a_list(said, first["input"])
     return InputError(expected=said.expected, got=said.got, remedy=said.remedy, where=where)
 
 
-def _most_specific(errors: Sequence[ErrorDetails], file: YamlFile) -> list[ErrorDetails]:
+def _most_specific(errors: Sequence[ErrorDetails], known: Collection[Location]) -> list[ErrorDetails]:
     """The errors that blame a value itself.
 
     An error about a list or mapping only follows from one inside it. Where a value may be of several types,
     pydantic reports each: those that the value is not of say less than the one that it nearly is.
     """
-    places = [_in_file(error, file) for error in errors]
+    places = [_in_file(error, known) for error in errors]
     around = {place[:n] for place in places for n in range(len(place))}
     nearly = {place for error, place in zip(errors, places, strict=True) if not _is_type(error)}
     inner = [(error, place) for error, place in zip(errors, places, strict=True) if place not in around]
@@ -119,15 +131,11 @@ def _fixed_length(model: type[BaseModel], location: Location) -> int | None:
     return None
 
 
-def _missing(key: str) -> Complaint:
-    return Complaint(f"the key {key!r}", "nothing", f"Add a line `{key}: ...` here.")
-
-
-def _in_file(error: ErrorDetails, file: YamlFile) -> Location:
+def _in_file(error: ErrorDetails, places: Collection[Location]) -> Location:
     """The error's location without the parts that are pydantic's own (names of union members)."""
     location: Location = ()
     for part in error["loc"]:
-        if (*location, part) in file.lines:
+        if (*location, part) in places:
             location = (*location, part)
     return location
 

@@ -16,17 +16,15 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import yaml
 
-from comity_fis.errors import InputError, Where
+from comity_fis.errors import InputError, Location, Where
 from comity_fis.validation.no_file import no_file
+from comity_fis.validation.refusal import explained
 from comity_fis.validation.undecodable import REMEDY, undecodable
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
 
 ModelT = TypeVar("ModelT", bound="BaseModel")
-
-Location = tuple[str | int, ...]
-"""The way from the document's root to a value: keys and list indexes."""
 
 MAX_BYTES = 2_000_000
 MAX_DEPTH = 40
@@ -146,8 +144,6 @@ class YamlFile:
         """
         from pydantic import ValidationError
 
-        from comity_fis.validation.refusal import explained
-
         if not isinstance(self.data, Mapping):
             kind = model.__name__.removesuffix("File").removesuffix("Model").lower()
             raise InputError(
@@ -160,7 +156,7 @@ class YamlFile:
         try:
             return model.model_validate(self.data)
         except ValidationError as refusal:
-            raise explained(refusal, model, self) from None
+            raise explained(refusal, model, self.lines, self.where) from None
 
 
 def read_yaml(path: Path, name: str | None = None) -> YamlFile:

@@ -264,3 +264,9 @@ def _whole(value: Any) -> int | None:
 
 
 Variable = NumericVariable | NominalVariable
+
+
+def told_names(variables: Mapping[str, Variable]) -> frozenset[str]:
+    """The names under which something can be told: of variables, and of facts that they are derived from."""
+    derivations = (variable.derived_from for variable in variables.values())
+    return frozenset({*variables, *(one.fact for one in derivations if one)})

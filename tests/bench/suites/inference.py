@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -34,7 +33,6 @@ def run(bench: Bench) -> list[Row]:
     curved = gaussians()
     curved["yaml"] = as_yaml(curved)
     return [
-        *_replacement(bench),
         *_task(bench, "case 2", case2, SIZES, by_hand=CASE_2_BY_HAND),
         *_task(bench, "bruno2017", whole, SIZES[:2]),
         *_task(bench, "Gaussians", curved, CURVED_SIZES, by_hand=GAUSSIANS_BY_HAND),
@@ -42,31 +40,10 @@ def run(bench: Bench) -> list[Row]:
     ]
 
 
-def _replacement(bench: Bench) -> list[Row]:
-    """One rule replaced, against a rulebook built anew from rules that are already parsed."""
-    rulebook = load_rulebook("bruno2017")
-    rule = replace(rulebook.rules[0], weight=0.5)
-    rules = (rule, *rulebook.rules[1:])
-    works: dict[str, Callable[[], object]] = {
-        "comity, with_rule": lambda: rulebook.with_rule(1, rule),
-        "comity, built anew": lambda: replace(rulebook, rules=rules),
-    }
-    turns = {name: partial(_seconds, work) for name, work in works.items()}
-    return in_turn(turns, rounds=bench.rounds, suite="inference", task="bruno2017, replace a rule")
-
-
-def _seconds(work: Callable[[], object], calls: int = 20) -> float:
-    start = time.process_time()
-    for _ in range(calls):
-        work()
-    return (time.process_time() - start) / calls
-
-
 def _everybody(bench: Bench, by_hand: Mapping[str, str]) -> list[Contestant]:
     hand = [Contestant(name, module) for name, module in by_hand.items()]
     return bench.contestants(
         Contestant("comity", "ours"),
-        Contestant("comity, value alone", "ours_lean"),
         *hand,
         Contestant("skfuzzy functions", "skfuzzy_functions", "skfuzzy"),
         Contestant("skfuzzy control", "skfuzzy_control", "skfuzzy"),
@@ -114,7 +91,7 @@ def _many(bench: Bench, name: str, ready: list[Contestant], size: int) -> list[R
     peaks: dict[str, int] = {}
     failed: list[Row] = []
     task = f"{name}, {size} at once"
-    for contestant in (one for one in ready if one.module != "ours_lean"):
+    for contestant in ready:
         try:
             per_input = _per_input(contestant, size)
             fitting = min(size, max(100, math.floor(CAP_S / bench.rounds / per_input)))
@@ -157,9 +134,7 @@ def _grid_part(bench: Bench, rules: int, *, control: bool) -> list[Row]:
     description: dict[str, Any] = grid(rules=None if rules == 540 else rules)
     description["yaml"] = as_yaml(description)
     contestants = [
-        c
-        for c in _everybody(bench, {})
-        if (c.module in {"ours", "ours_lean", "skfuzzy_control"}) or not control
+        c for c in _everybody(bench, {}) if (c.module in {"ours", "skfuzzy_control"}) or not control
     ]
     contestants = [c for c in contestants if control or c.module != "skfuzzy_control"]
     name = f"6 inputs, {len(description['rules'])} rules"

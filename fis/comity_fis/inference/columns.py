@@ -1,15 +1,14 @@
-"""Inference for many people at once: the program that serves one person, with columns in place of numbers.
+"""Inference for many people at once: the rules that serve one person, with columns in place of numbers.
 
-Columns are worked through in chunks that stay in the processor's cache, which matters as much as the
-arithmetic.
+Columns are worked through in chunks, so that what one call holds does not grow with the number of people.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,54 +18,30 @@ from comity_fis.defuzzification.ground import ground_of
 from comity_fis.defuzzification.panels import panels_of
 from comity_fis.defuzzification.sets import Sets
 from comity_fis.inference.block import Block, Program
-from comity_fis.inference.column import Bools, Column, Columns, Floats, hedged, read_columns
+from comity_fis.inference.column import Bools, Column, Columns, Floats, read_columns
 from comity_fis.inference.composition import TIE
 from comity_fis.membership.arrays import degrees as degrees_of_numbers
-from comity_fis.rulebook.table import told_columns
-from comity_fis.rules.antecedent import Literal, Logic
-from comity_fis.rules.methods import DUAL, Methods
+from comity_fis.rules.antecedent import Literal, Logic, Operator, hedged, logic_of, strength
+from comity_fis.rules.methods import MAMDANI
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
-
-if TYPE_CHECKING:
-    from comity_fis.rulebook.rulebook import Rulebook
 
 CHUNK = 8192
 """People at a time: a column of them is 64 kB."""
 
-
-def _probor(one: Any, other: Any) -> Any:
-    return one + other - one * other
-
-
-Operator = Callable[[Sequence[Any]], Any]
-"""What makes one column of several."""
-
-OPERATORS: Mapping[str, Operator] = {
+OPERATORS: Mapping[str, Operator[Any]] = {
     "min": partial(reduce, np.minimum),
     "max": partial(reduce, np.maximum),
     "prod": partial(reduce, np.multiply),
-    "probor": partial(reduce, _probor),
+    "probor": partial(reduce, lambda one, other: one + other - one * other),
     "sum": partial(reduce, np.add),
 }
+"""For columns; at least one degree each."""
 
-
-MIN_MAX: Logic[Any] = Logic(
-    OPERATORS["min"], OPERATORS["max"], not_all_of=OPERATORS["max"], not_any_of=OPERATORS["min"]
-)
+MIN_MAX = logic_of(MAMDANI, OPERATORS)
 """For the requirements of categories, whatever the methods are."""
 
 Layer = tuple[str, Any]
 """A term, and a column of strengths or one for all."""
-
-
-def logic_of_columns(methods: Methods) -> Logic[Any]:
-    """What a rulebook's methods make of `and` and `or`, for columns."""
-    return Logic(
-        OPERATORS[methods.conjunction],
-        OPERATORS[methods.disjunction],
-        not_all_of=OPERATORS[DUAL[methods.conjunction]],
-        not_any_of=OPERATORS[DUAL[methods.disjunction]],
-    )
 
 
 class Answers(dict[str, NDArray[Any]]):
@@ -78,31 +53,35 @@ class Answers(dict[str, NDArray[Any]]):
     """What was ignored, and cultures from which nothing follows."""
 
 
-def infer_many(rulebook: Rulebook, columns: Columns) -> Answers:
-    """See `Rulebook.infer_many`."""
-    told, notes = told_columns(rulebook, columns)
-    read = read_columns(rulebook.variables, told)
+def infer_columns(
+    program: Program, parameters: Sequence[str], columns: Columns, notes: tuple[str, ...]
+) -> Answers:
+    """The values of many people; see `Rulebook.infer_many`.
+
+    Args:
+        program: Of the rulebook.
+        parameters: In declared order.
+        columns: By variable.
+        notes: What was ignored in the table.
+    """
+    read = read_columns(program.variables, columns)
     count = len(next(iter(read.values())).values) if read else 0
-    results = Answers(
-        {
-            name: np.empty(count, dtype=np.float64 if isinstance(parameter, NumericParameter) else object)
-            for name, parameter in rulebook.parameters.items()
-        }
-    )
-    neutral = {name: np.zeros(count, dtype=np.bool_) for name in rulebook.parameters}
-    results.neutral, results.notes = neutral, notes
+    answers = Answers((name, np.empty(count, dtype=_dtype(program.blocks[name]))) for name in parameters)
+    answers.neutral = {name: np.zeros(count, dtype=np.bool_) for name in parameters}
+    answers.notes = notes
     for start in range(0, count, CHUNK):
         rows = slice(start, min(start + CHUNK, count))
-        people = People(
-            program=rulebook.program,
-            columns={name: column.part(rows) for name, column in read.items()},
-            count=rows.stop - rows.start,
-        )
-        for block in rulebook.program.blocks:
-            decided, name = people.decide(block), block.parameter.name
-            results[name][rows] = decided.as_said(block.parameter)
-            neutral[name][rows] = np.logical_not(decided.grounded)
-    return results
+        chunk = {name: column.part(rows) for name, column in read.items()}
+        people = People(program, chunk, rows.stop - rows.start)
+        for name, block in program.blocks.items():
+            decided = people.decide(block)
+            answers[name][rows] = decided.as_said(block.parameter)
+            answers.neutral[name][rows] = np.logical_not(decided.grounded)
+    return answers
+
+
+def _dtype(block: Block) -> type:
+    return float if isinstance(block.parameter, NumericParameter) else object
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,33 +105,43 @@ class Decided:
         """The degrees of a literal about the parameter."""
         if isinstance(parameter, NumericParameter):
             within = np.clip(self.values, *parameter.rules.ends)
-            degrees = degrees_of_numbers(parameter.terms[literal.term], within)
+            degrees: Floats = degrees_of_numbers(parameter.terms[literal.term], within)
         else:
             degrees = (self.values == parameter.terms.index(literal.term)).astype(np.float64)
         return hedged(degrees, literal)
 
 
-@dataclass(slots=True, kw_only=True)
+@dataclass(slots=True)
 class People:
     """What is known of some people while their parameters are inferred one after the other."""
 
     program: Program
-    columns: dict[str, Column]
+    columns: Mapping[str, Column]
     count: int
-    degrees: list[Floats | float] = field(init=False)
-    """Of the program's literals, by number; 1 for what nobody disclosed."""
     logic: Logic[Any] = field(init=False)
     """What `and` and `or` mean."""
     known: dict[str, Bools | bool] = field(init=False)
     """Of whom a variable is known, or another parameter says more than its neutral value."""
+    decided: dict[str, Decided] = field(default_factory=dict)
+    """Grows in the order of evaluation."""
+    degrees: dict[Literal, Floats | float] = field(default_factory=dict)
+    """Of the literals that were asked for: several rules read the same."""
 
     def __post_init__(self) -> None:
-        self.degrees = [
-            self.columns[literal.name].degrees(literal) if literal.name in self.columns else 1.0
-            for literal in self.program.literals
-        ]
-        self.logic = logic_of_columns(self.program.methods)
+        self.logic = logic_of(self.program.methods, OPERATORS)
         self.known = {name: column.known for name, column in self.columns.items()}
+
+    def degree(self, literal: Literal) -> Floats | float:
+        """The degrees of a literal; 1 for what nobody disclosed."""
+        if literal not in self.degrees:
+            self.degrees[literal] = self._degree(literal)
+        return self.degrees[literal]
+
+    def _degree(self, literal: Literal) -> Floats | float:
+        if literal.name in self.decided:
+            parameter = self.program.blocks[literal.name].parameter
+            return self.decided[literal.name].degrees(parameter, literal)
+        return self.columns[literal.name].degrees(literal) if literal.name in self.columns else 1.0
 
     def decide(self, block: Block) -> Decided:
         """One parameter of everybody; whatever reads it knows it from then on."""
@@ -164,8 +153,7 @@ class People:
         else:
             decided = self._words(block, parameter)
         self.known[parameter.name] = decided.grounded
-        for number in self.program.about.get(parameter.name, ()):
-            self.degrees[number] = decided.degrees(parameter, self.program.literals[number])
+        self.decided[parameter.name] = decided
         return decided
 
     def _fire(self, block: Block, *, only_told: bool = False) -> tuple[list[Layer], Bools | bool]:
@@ -178,16 +166,14 @@ class People:
             only_told: Whether a rule that knows nothing of somebody does not count for them.
         """
         layers: list[Layer] = []
-        informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
-        for clause in block.clauses:
-            strength = clause.antecedent.strength(self.degrees, self.logic)
-            if clause.weight != 1.0:
-                strength = clause.weight * strength
+        informed: Bools | bool = all(self._knows(rule.reads) is True for rule, _ in block.clauses)
+        for rule, term in block.clauses:
+            degrees = rule.weight * strength(rule.antecedent, self.degree, self.logic)
             if only_told:
-                strength = np.where(self._knows(clause.reads), strength, 0.0)
-            layers.append((clause.term, strength))
+                degrees = np.where(self._knows(rule.reads), degrees, 0.0)
+            layers.append((term, degrees))
             if informed is not True:
-                informed = informed | ((strength > 0) & self._knows(clause.reads))
+                informed = informed | ((degrees > 0) & self._knows(rule.reads))
         return layers, informed
 
     def _knows(self, reads: tuple[str, ...]) -> Bools | bool:
@@ -242,9 +228,9 @@ class People:
         desirability = np.zeros((len(parameter.terms), self.count))
         for i, category in enumerate(parameter.terms):
             desirability[i] = np.minimum(strengths.get(category, 0.0), 1.0)
-            if category in block.refusals:
-                refused = block.refusals[category].strength(self.degrees, MIN_MAX) > 0
-                desirability[i] = np.where(refused, 0.0, desirability[i])
+            if category in block.requirements:
+                opposite = strength(block.requirements[category], self.degree, MIN_MAX, negated=True)
+                desirability[i] = np.where(opposite > 0, 0.0, desirability[i])
         best = desirability.max(axis=0)
         neutral = parameter.terms.index(parameter.neutral)
         tied = (best - desirability < TIE).sum(axis=0) > 1
@@ -256,6 +242,6 @@ class People:
 def _united(layers: Sequence[Layer], aggregation: str) -> dict[str, Any]:
     """The strengths of each term as one."""
     by_term: dict[str, list[Any]] = {}
-    for term, strength in layers:
-        by_term.setdefault(term, []).append(strength)
+    for term, degrees in layers:
+        by_term.setdefault(term, []).append(degrees)
     return {term: OPERATORS[aggregation](strengths) for term, strengths in by_term.items()}

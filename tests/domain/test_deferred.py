@@ -2,15 +2,11 @@
 
 import copy
 import pickle
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import FrozenInstanceError, dataclass, fields, replace
+from dataclasses import FrozenInstanceError, dataclass, replace
 
 import pytest
 
-from comity_fis import ParameterValue
-from comity_fis.inference.deferred import Deferred
-
-KNOWN = {"individualism": 38, "gender": "female"}
+from comity_domain.plans.deferred import Deferred
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,23 +59,3 @@ def test_it_has_no_other_attributes():
     with pytest.raises(AttributeError, match="Pair has no third"):
         _ = begun([]).third
     assert not hasattr(Pair(1, "one"), "third")
-
-
-def test_an_inferred_value_read_late_is_the_value_read_at_once(bruno2017):
-    """What is inferred later of the same and of other people changes nothing of it."""
-    early = bruno2017.infer(KNOWN)
-    at_once = {
-        name: {field.name: getattr(value, field.name) for field in fields(ParameterValue)}
-        for name, value in bruno2017.infer(KNOWN).parameters.items()
-    }
-    for score in range(0, 101, 10):
-        bruno2017.infer({"individualism": score, "gender": "male"})
-    for name, expected in at_once.items():
-        assert {field: getattr(early[name], field) for field in expected} == expected
-
-
-def test_threads_that_read_together_read_the_same(bruno2017):
-    inferences = [bruno2017.infer(KNOWN) for _ in range(50)]
-    with ThreadPoolExecutor(4) as pool:
-        read = list(pool.map(lambda one: one["conversational_distance"].contributions, inferences * 4))
-    assert all(contributions == read[0] for contributions in read)

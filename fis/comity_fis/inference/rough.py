@@ -1,0 +1,86 @@
+"""Inputs that are known only roughly: an interval, a fuzzy set of numbers, categories with degrees.
+
+Such an input is itself a fuzzy set A, and a term holds to the degree to which it meets A: the largest of
+min(term, A) over the domain, the possibility of the term (Zadeh 1978). A value that was not disclosed is the
+case in which A is 1 everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from comity_fis.membership.function import Categories, Membership
+from comity_fis.membership.interval import Interval
+from comity_fis.membership.turns import Function, extreme, turning_places
+from comity_fis.rules.antecedent import Literal, hedged
+
+
+@dataclass(frozen=True, slots=True)
+class RoughNumber:
+    """A fuzzy set of numbers, cut off at the ends of its variable's domain."""
+
+    given: Interval | Membership
+    low: float
+    high: float
+
+    def possibility(self, term: Membership, literal: Literal) -> float:
+        """The degree of a literal about the variable, with the membership function of its term."""
+
+        def degree(x: float) -> float:
+            return hedged(term(x), literal)
+
+        if isinstance(self.given, Interval):
+            return largest_of_smallest([degree], term.knots, self.low, self.high)
+        knots = (*term.knots, *self.given.knots)
+        return largest_of_smallest([degree, self.given], knots, self.low, self.high)
+
+    def as_json(self) -> object:
+        """An interval as its two ends, another fuzzy set in words."""
+        return list(self.given.ends) if isinstance(self.given, Interval) else str(self.given)
+
+    def __str__(self) -> str:
+        return str(self.given)
+
+
+@dataclass(frozen=True, slots=True)
+class RoughWord:
+    """Categories, each with the degree to which it is possible."""
+
+    given: Mapping[str, float]
+
+    def possibility(self, term: Categories, literal: Literal) -> float:
+        """The degree of a literal about the variable, with the categories of its term."""
+        return max(min(hedged(term(category), literal), degree) for category, degree in self.given.items())
+
+    def as_json(self) -> object:
+        """Categories with their degrees."""
+        return dict(self.given)
+
+    def __str__(self) -> str:
+        return " or ".join(f"{category} ({degree:g})" for category, degree in self.given.items())
+
+
+Rough = RoughNumber | RoughWord
+Stated = float | str | RoughNumber | RoughWord
+"""What a rulebook can be told of one variable."""
+
+
+def largest_of_smallest(
+    functions: Sequence[Function], knots: Sequence[float], low: float, high: float
+) -> float:
+    """The largest value over [low, high] of the smallest of the functions, to 1e-12 of a gap between knots.
+
+    Between its own extremes a function only rises or only falls, and the smallest of such functions has one
+    peak.
+    """
+    places: Sequence[float] = sorted({low, *(x for x in knots if low < x < high), high})
+    for function in functions:
+        places = turning_places(function, places)
+
+    def smallest(x: float) -> float:
+        return min(function(x) for function in functions)
+
+    peaks = (extreme(smallest, 1, left, right) for left, right in pairwise(places))
+    return max(smallest(x) for x in (*places, *peaks))
