@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from comity_fis.html_table import html_table
 from comity_domain.plans.deferred import Deferred
+from comity_fis.html_table import html_table
 
 SHOWN = 8
 """Steps in a plan's `repr`."""
