@@ -174,6 +174,8 @@ def test_a_bisector_halves_the_area_there_too(book, x, y):
     """It may stand anywhere in a gap between two halves, so that the halves are compared, not the places."""
     xs = np.linspace(LOW, HIGH, 4001)
     for ours, theirs in outputs(book, {"x": x, "y": y}, 801):
+        if not LOW <= theirs <= HIGH:
+            continue  # where its area ends in a degree of almost 0, scikit-fuzzy divides by that
         heights = np.array([ours.desirability(float(x)) for x in xs])
         left = np.trapezoid(np.where(xs <= theirs, heights, 0), xs) / np.trapezoid(heights, xs)
         assert left == pytest.approx(0.5, abs=0.05)

@@ -1,1 +1,1 @@
-"""One person's parameters: facts in, rules fired, values with their origins out."""
+"""Parameters of one person or of columns of people: facts in, rules fired, values with their origins out."""

@@ -1,5 +1,6 @@
 """MATLAB's curved membership functions, under MATLAB's names and with its parameters in its order.
 
+Their degrees are scikit-fuzzy's, which is imported when the first one is asked for.
 Its straight ones (trimf, trapmf, linsmf, linzmf) are trapezoids. Where GNU Octave's toolkit differs (it cuts
 a negative `dsigmf` off at 0, and wants whole exponents for `gbellmf`), MATLAB's definition stands.
 """
@@ -8,11 +9,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from functools import lru_cache
-from math import exp, isfinite, log
-from typing import ClassVar
+from math import isfinite
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from comity_fis.errors import WrongValueError
 from comity_fis.membership.turns import largest, turning_places
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 WIDTHS = range(-6, 7)
 """Knots stand a width apart, up to six widths from a centre: farther away a curve has no feature to miss."""
@@ -27,7 +34,22 @@ class Curved:
 
     def __call__(self, x: float) -> float:
         """The degree of `x`, in [0, 1]."""
-        raise NotImplementedError
+        import numpy as np
+
+        return float(self.degrees(np.array([x]))[0])
+
+    def degrees(self, xs: Floats) -> Floats:
+        """The degrees of numbers, in an array of the same shape."""
+        import numpy as np
+        import skfuzzy
+
+        with np.errstate(over="ignore"):  # on the way to a degree of 0 or 1
+            found = np.abs(self._by(skfuzzy, xs.ravel()))  # MATLAB's dsigmf is the absolute difference
+        return np.asarray(found.reshape(xs.shape))
+
+    def _by(self, skfuzzy: Any, xs: Floats) -> Any:
+        """What scikit-fuzzy's function gives, whose parameters are in the same order but for some."""
+        return getattr(skfuzzy, self.matlab)(xs, *self.parameters)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -54,7 +76,17 @@ class Curved:
 
 
 @dataclass(frozen=True, slots=True)
-class Gaussian(Curved):
+class _WidthFirst(Curved):
+    """In MATLAB the width or the slope comes before the centre, in scikit-fuzzy after it."""
+
+    def _by(self, skfuzzy: Any, xs: Floats) -> Any:
+        numbers = self.parameters
+        pairs = zip(numbers[1::2], numbers[::2], strict=True)
+        return getattr(skfuzzy, self.matlab)(xs, *(number for pair in pairs for number in pair))
+
+
+@dataclass(frozen=True, slots=True)
+class Gaussian(_WidthFirst):
     """`exp(-(x - centre)^2 / (2 sigma^2))`."""
 
     matlab = "gaussmf"
@@ -63,10 +95,6 @@ class Gaussian(Curved):
 
     def __post_init__(self) -> None:
         self._refuse_unless(self.sigma != 0, "a sigma that is not 0")
-
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        return _bell_curve(x, self.sigma, self.centre)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -87,10 +115,12 @@ class TwoSidedGaussian(Curved):
     def __post_init__(self) -> None:
         self._refuse_unless(self.left_sigma != 0 and self.right_sigma != 0, "sigmas that are not 0")
 
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]; the product of both sides where the centres are crossed."""
-        rise = 1.0 if x >= self.left_centre else _bell_curve(x, self.left_sigma, self.left_centre)
-        fall = 1.0 if x <= self.right_centre else _bell_curve(x, self.right_sigma, self.right_centre)
+    def _by(self, skfuzzy: Any, xs: Floats) -> Any:
+        """The product of both sides: scikit-fuzzy's own refuses crossed centres."""
+        import numpy as np
+
+        rise = skfuzzy.gaussmf(np.minimum(xs, self.left_centre), self.left_centre, self.left_sigma)
+        fall = skfuzzy.gaussmf(np.maximum(xs, self.right_centre), self.right_centre, self.right_sigma)
         return rise * fall
 
     @property
@@ -118,11 +148,6 @@ class Bell(Curved):
             self.width != 0 and self.exponent > 0, "a width that is not 0 and an exponent above 0"
         )
 
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        off = abs((x - self.centre) / self.width)
-        return 1.0 if off == 0 else _logistic(-2 * self.exponent * log(off))
-
     @property
     def knots(self) -> tuple[float, ...]:
         """Around the centre and both places of degree 1/2, where a large exponent makes the flank steep."""
@@ -133,7 +158,7 @@ class Bell(Curved):
 
 
 @dataclass(frozen=True, slots=True)
-class Sigmoid(Curved):
+class Sigmoid(_WidthFirst):
     """`1 / (1 + exp(-slope (x - centre)))`."""
 
     matlab = "sigmf"
@@ -143,10 +168,6 @@ class Sigmoid(Curved):
     def __post_init__(self) -> None:
         self._refuse_unless(self.slope != 0, "a slope that is not 0")
 
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        return _logistic(self.slope * (x - self.centre))
-
     @property
     def knots(self) -> tuple[float, ...]:
         """Around the centre."""
@@ -154,7 +175,7 @@ class Sigmoid(Curved):
 
 
 @dataclass(frozen=True, slots=True)
-class _TwoSigmoids(Curved):
+class _TwoSigmoids(_WidthFirst):
     first_slope: float
     first_centre: float
     second_slope: float
@@ -179,10 +200,6 @@ class _TwoSigmoids(Curved):
         """The knots, and places between them where the function turns."""
         return _turns(self)
 
-    def _both(self, x: float) -> tuple[float, float]:
-        first = _logistic(self.first_slope * (x - self.first_centre))
-        return first, _logistic(self.second_slope * (x - self.second_centre))
-
 
 @dataclass(frozen=True, slots=True)
 class SigmoidDifference(_TwoSigmoids):
@@ -198,22 +215,12 @@ class SigmoidDifference(_TwoSigmoids):
         shift = self.first_slope * self.first_centre - self.second_slope * self.second_centre
         return tuple(sorted({*self._around_both, shift / (self.first_slope - self.second_slope)}))
 
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        first, second = self._both(x)
-        return abs(first - second)
-
 
 @dataclass(frozen=True, slots=True)
 class SigmoidProduct(_TwoSigmoids):
     """The product of two sigmoids."""
 
     matlab = "psigmf"
-
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        first, second = self._both(x)
-        return first * second
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,10 +233,6 @@ class SShape(Curved):
 
     def __post_init__(self) -> None:
         self._refuse_unless(self.foot < self.shoulder, "a foot below its shoulder")
-
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        return _spline(x, self.foot, self.shoulder)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -247,10 +250,6 @@ class ZShape(Curved):
 
     def __post_init__(self) -> None:
         self._refuse_unless(self.shoulder < self.foot, "a shoulder below its foot")
-
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        return 1.0 - _spline(x, self.shoulder, self.foot)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -274,10 +273,10 @@ class PiShape(Curved):
             "feet outside its shoulders",
         )
 
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        rise = _spline(x, self.left_foot, self.left_shoulder)
-        return rise * (1.0 - _spline(x, self.right_shoulder, self.right_foot))
+    def _by(self, skfuzzy: Any, xs: Floats) -> Any:
+        """The product of both sides: scikit-fuzzy's own refuses crossed shoulders."""
+        rise = skfuzzy.smf(xs, self.left_foot, self.left_shoulder)
+        return rise * skfuzzy.zmf(xs, self.right_shoulder, self.right_foot)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -318,24 +317,3 @@ def _around(*centres: tuple[float, float]) -> tuple[float, ...]:
 def _turns(curve: Curved) -> tuple[float, ...]:
     """Found by search, once for each curve."""
     return turning_places(curve, curve.knots)
-
-
-def _bell_curve(x: float, sigma: float, centre: float) -> float:
-    off = (x - centre) / sigma
-    return exp(-off * off / 2)
-
-
-def _logistic(t: float) -> float:
-    """`1 / (1 + exp(-t))` without overflow."""
-    if t >= 0:
-        return 1.0 / (1.0 + exp(-t))
-    small = exp(t)
-    return small / (1.0 + small)
-
-
-def _spline(x: float, foot: float, shoulder: float) -> float:
-    """0 up to the foot, 1 from the shoulder on."""
-    if x <= foot or x >= shoulder:
-        return 0.0 if x <= foot else 1.0
-    t = (x - foot) / (shoulder - foot)
-    return 2 * t * t if t <= 0.5 else 1.0 - 2 * (1 - t) ** 2

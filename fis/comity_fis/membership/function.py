@@ -137,10 +137,7 @@ class TwoTermGaussian:
 
     def __call__(self, x: float) -> float:
         """The degree of `x`, in [0, 1]."""
-        one, other = self.first, self.second
-        off, away = (x - one.centre) / one.width, (x - other.centre) / other.width
-        total = one.height * exp(-off * off) + other.height * exp(-away * away)
-        return total if total < 1.0 else 1.0
+        return min(self.first(x) + self.second(x), 1.0)
 
     def height(self, low: float, high: float) -> float:
         """The largest degree in [low, high]."""
