@@ -19,7 +19,8 @@ from comity.simulation.place import written_map
 from comity.study.overlay import laid_over
 from comity.study.roles import located
 from comity_fis import InputError, Rulebook, load_rulebook, read_rulebook, shipped_rulebooks
-from comity_fis.validation.yaml_file import Location, YamlFile, dump_yaml
+from comity_fis.errors import Location
+from comity_fis.validation.yaml_file import YamlFile, dump_yaml
 
 if TYPE_CHECKING:
     from datetime import date

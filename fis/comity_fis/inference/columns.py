@@ -28,11 +28,16 @@ from comity_fis.variables.parameter import NominalParameter, NumericParameter, P
 CHUNK = 8192
 """People at a time: a column of them is 64 kB."""
 
+
+def _probor(one: Any, other: Any) -> Any:
+    return one + other - one * other
+
+
 OPERATORS: Mapping[str, Operator[Any]] = {
     "min": partial(reduce, np.minimum),
     "max": partial(reduce, np.maximum),
     "prod": partial(reduce, np.multiply),
-    "probor": partial(reduce, lambda one, other: one + other - one * other),
+    "probor": partial(reduce, _probor),
     "sum": partial(reduce, np.add),
 }
 """For columns; at least one degree each."""

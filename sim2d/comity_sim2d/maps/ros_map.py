@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from comity_fis.errors import InputError, Where, WrongValueError
-from comity_fis.validation.yaml_file import Location, YamlFile, read_yaml
+from comity_fis.errors import InputError, Location, Where, WrongValueError
+from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import MAX_LOCATIONS, Metres, Name, NamedPoint, Number
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
 from comity_sim2d.maps.occupancy import Floor, floor_of_cells
