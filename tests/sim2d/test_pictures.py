@@ -154,10 +154,10 @@ def test_the_card_of_somebody_who_walks_says_how_the_robot_stood_when_it_was_the
     person = [[1.0, 2.0, 0.0], [5.0, 2.0, 0.0], [5.0, 3.0, 2.0]]
     frames = Frames(("robot", "guest"), (0.25, 0.2), np.arange(3.0), np.array([robot, person]).swapaxes(0, 1))
     (card,) = cards(place, frames, [Ring("guest", 0.75, 0.75, bearing_deg=0.0, time_s=1.0)], ())
-    assert card.notes[-1] == "bearing off by 0.0°, facing off by 0.0°"
+    assert card.notes[-1] == "bearing error 0.0°, facing error 0.0°"
     sensed = Ring("guest", 0.75, 0.75, time_s=1.0, reached_bearing_deg=3.0, facing_error_deg=2.0)
     (card,) = cards(place, frames, [sensed], ())
-    assert card.notes[-1] == "bearing off by 3.0°, facing off by 2.0°"
+    assert card.notes[-1] == "bearing error 3.0°, facing error 2.0°"
 
 
 def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path) -> None:

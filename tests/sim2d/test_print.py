@@ -104,7 +104,7 @@ def test_a_map_is_drawn_in_vectors_the_same_every_time(form: str) -> None:
 
 
 def card(name: str) -> Card:
-    return Card(name, "#000000", "front, 0°", 0.8, 0.8, ("german woman", "bearing off by 0.0°"))
+    return Card(name, "#000000", "front, 0°", 0.8, 0.8, ("german woman", "bearing error 0.0°"))
 
 
 @given(st.floats(2.0, 60.0), st.floats(2.0, 60.0), st.integers(1, 12))

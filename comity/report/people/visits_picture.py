@@ -58,7 +58,7 @@ def _draw_liked(ax: Axes, answer: VisitsAnswer) -> None:
     ax.axhspan(low, high, color=GREEN, alpha=0.14, lw=0)
     ax.axhline((low + high) / 2, color=GREEN, lw=1.2)
     ax.text(
-        0.008, high - 0.01, "at ease", size=LABEL, weight="bold", color=GREEN, ha="left", va="top",
+        0.008, high - 0.01, "at ease", size=LABEL, weight="bold", color=INK, ha="left", va="top",
         transform=ax.get_yaxis_transform(),
     )  # fmt: skip
 

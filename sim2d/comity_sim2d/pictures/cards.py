@@ -47,7 +47,7 @@ def reached_s(ring: Ring, events: Sequence[ActEvent]) -> float | None:
 
 
 def _exactness(scene: Scene, frames: Frames, ring: Ring, events: Sequence[ActEvent]) -> str:
-    """How far off the robot stood when it docked: as the ring says, else as the frames have it."""
+    """Errors of bearing and facing when the robot docked: as the ring says, else as the frames have it."""
     then = reached_s(ring, events)
     met = d.pose_at(frames, ring.person, then)
     person = replace(scene.person(ring.person), x_m=met.x_m, y_m=met.y_m, heading_rad=met.heading_rad)
@@ -55,4 +55,4 @@ def _exactness(scene: Scene, frames: Frames, ring: Ring, events: Sequence[ActEve
     bearing = seen.bearing_deg if ring.reached_bearing_deg is None else ring.reached_bearing_deg
     facing = seen.facing_error_deg if ring.facing_error_deg is None else ring.facing_error_deg
     off = abs(math.degrees(wrap_angle(math.radians(bearing - ring.bearing_deg))))
-    return f"bearing off by {off:.1f}°, facing off by {facing:.1f}°"
+    return f"bearing error {off:.1f}°, facing error {facing:.1f}°"

@@ -52,7 +52,7 @@ class Legend:
         rows: list[tuple[str, Mark]] = [("robot, where it ends", _robot), ("path that it drove", _way)]
         rows += [("route as planned", _planned)] if self.planned else []
         if self.visits:
-            rows += [("wanted distance between the bodies", _wanted), ("reached distance", _reached)]
+            rows += [("target distance between the bodies", _wanted), ("actual distance", _reached)]
             rows += [("chosen side", _side)]
         rows += [("where they were as it docked", _met)] if self.met else []
         rows += [("path of a person who walks", _track)] if self.walkers else []

@@ -112,7 +112,7 @@ def draw_column(ax: Axes, column: Column, longest_m: float) -> None:
 
 
 def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
-    """The name, the side, what was wanted and reached as a bar and in figures, and the notes."""
+    """The name, the side, target and actual distance as a bar and in numbers, and the notes."""
     from matplotlib.patches import Circle, Rectangle
 
     ax.add_patch(Circle((0.10, top + 0.14), 0.075, fc=card.colour, ec="none"))
@@ -125,8 +125,8 @@ def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
         ax.add_patch(Rectangle((INDENT_IN, top + 0.34), scale * length, 0.13, fc=colour, ec="none"))
     mark = INDENT_IN + scale * card.wanted_m
     ax.plot([mark, mark], [top + 0.28, top + 0.53], color=d.INK, lw=2.0, ls=(0, (2.2, 1.2)))
-    reached = "not reached" if card.reached_m is None else f"{card.reached_m:.3f} m reached"
-    words = f"{card.wanted_m:.3f} m wanted, {reached}"
+    actual = "not reached" if card.reached_m is None else f"actual {card.reached_m:.3f} m"
+    words = f"target {card.wanted_m:.3f} m, {actual}"
     ax.text(INDENT_IN, top + 0.66, words, size=10, color=d.INK, va="center")
     for i, line in enumerate(card.lines):
         ax.text(INDENT_IN, top + 0.85 + LINE_IN * i, line, size=9, color=d.GREY, va="center")

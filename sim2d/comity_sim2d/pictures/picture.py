@@ -1,4 +1,4 @@
-"""One picture of an episode: the map with the robot's way, and what was wanted and what was reached."""
+"""One picture of an episode: the map with the robot's path, and each visit's target and actual distance."""
 
 from __future__ import annotations
 
@@ -306,15 +306,15 @@ class _Picture:
         d.add_all(labels.ax, labels.bubble(at, radius_m, saying.lines, colour, besides=self._people))
 
     def _write_distance(self, labels: MapLabels, ring: Ring) -> None:
-        """What was wanted and reached, beside the line between the two."""
-        wanted, colour = f"{ring.wanted_m:.3f} m wanted", self._colours[ring.person]
+        """Target and actual distance, beside the line between the two."""
+        wanted, colour = f"target {ring.wanted_m:.3f} m", self._colours[ring.person]
         if ring.reached_m is None or ring.person not in self._reached:
             pose, radius = self._stands[ring.person], self._scene.person(ring.person).radius_m
             text = f"{wanted}\nnot reached"
             labels.near(pose.xy, radius, text, size=9.5, colour=colour, prefer_rad=pose.heading_rad)
             return
         (ax, ay), (bx, by) = self._gap(ring)
-        middle, text = ((ax + bx) / 2, (ay + by) / 2), f"{ring.reached_m:.3f} m reached\n{wanted}"
+        middle, text = ((ax + bx) / 2, (ay + by) / 2), f"actual {ring.reached_m:.3f} m\n{wanted}"
         labels.near(middle, MARK_M, text, size=9.5, colour=colour, weight="bold")
 
     def _gap(self, ring: Ring) -> tuple[XY, XY]:
