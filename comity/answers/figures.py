@@ -33,11 +33,14 @@ class FigureAnswer(Answer):
 
 
 class DefinitionAnswer(Answer):
-    """What a figure means."""
+    """What a metric means."""
 
     unit: str
     means: str
     source: str
+    per: Literal["run", "visit", "person"] = Field(
+        description="`visit`: of a person to visit; `person`: of any person of the scenario."
+    )
 
 
 class MetricsAnswer(Answer):

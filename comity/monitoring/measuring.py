@@ -7,7 +7,8 @@ from dataclasses import replace
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
-from comity.monitoring.told import later_distances_m
+from comity.monitoring.told import later_distances_m, values_at
+from comity.parameters.passing import DISTANCE
 from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
 
 if TYPE_CHECKING:
@@ -48,10 +49,13 @@ def figures(
         revisions: One for every event `rebound` or `replanned`, in their order.
         told: What people said on the way, in order.
     """
+    plan = prepared.plan
     known = replace(
         known_of(prepared, visits, events, revisions=revisions, told=told),
         contacts=contacts(prepared.scene, frames.entities[1:], touches),
         shortest_m=_shortest_m(prepared, frames, visits),
+        plan_cost_m=plan.cost / 100.0,
+        plan_gap=plan.gap,
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
     )
     return measure(frames, known)
@@ -73,7 +77,7 @@ def known_of(
             if person.personal_distance_m is not None
         },
         later_m=later_distances_m(told),
-        visits=tuple(_wanted(prepared, visits, events, revisions)),
+        visits=tuple(_wanted(prepared, visits, events, revisions, told)),
         engaged=_engaged(visits, events),
     )
 
@@ -103,7 +107,11 @@ def contacts(scene: Scene, people: Collection[str], touches: Iterable[Touch]) ->
 
 
 def _wanted(
-    prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceEvent], revisions: Sequence[Revision]
+    prepared: Prepared,
+    visits: Sequence[Visit],
+    events: Sequence[TraceEvent],
+    revisions: Sequence[Revision],
+    told: Sequence[Told],
 ) -> Iterator[Wanted]:
     """The visits that the robot set out for, each with its time and with where it was to stop."""
     asked = _asked(prepared.plan, events, revisions)
@@ -127,7 +135,19 @@ def _wanted(
             distances_m=ever.get(visit.person, ()),
             arrives=docked_s is not None,
             breaks=breaks,
+            docked_s=visit.docked_s,
+            own_m=_own_m(prepared, told, visit),
+            chosen_distance_m=visit.pose.distance_m,
+            chosen_bearing_deg=visit.pose.bearing_deg,
         )
+
+
+def _own_m(prepared: Prepared, told: Sequence[Told], visit: Visit) -> float | None:
+    """The distance of a person when the robot docked last; None where it never did, or none is known."""
+    if visit.docked_s is None:
+        return None
+    values = values_at(prepared.values, told, visit.person, visit.docked_s)
+    return values[DISTANCE].number if DISTANCE in values.parameters else None
 
 
 def stretches(events: Sequence[TraceEvent]) -> tuple[tuple[str, Span], ...]:

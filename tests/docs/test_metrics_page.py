@@ -1,4 +1,4 @@
-"""The page about metrics lists every figure as the program defines it."""
+"""The page about metrics lists every metric as the registry defines it."""
 
 from __future__ import annotations
 
@@ -11,14 +11,27 @@ from comity_sim2d import EPISODE, VISIT
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "metrics.md"
 
 
-def rows_of(definitions):
+def rows_of(metrics):
     return [
-        f"| `{name}` | {one.unit if one.unit != '1' else ''} | {one.means} | {one.source} |"
-        for name, one in definitions.items()
+        " | ".join(
+            [
+                f"| `{name}`",
+                one.unit if one.unit != "1" else "",
+                one.means,
+                *([one.per] if one.per != "run" else []),
+                f"{one.source} |",
+            ]
+        )
+        for name, one in metrics.items()
     ]
 
 
-@pytest.mark.parametrize("definitions", [EPISODE, VISIT], ids=["of the episode", "of a person"])
-def test_the_page_has_the_program_s_definitions_in_their_order(definitions):
-    lines = [line for line in PAGE.read_text(encoding="utf-8").splitlines() if line in rows_of(definitions)]
-    assert lines == rows_of(definitions)
+@pytest.mark.parametrize("metrics", [EPISODE, VISIT], ids=["per run", "per visit and per person"])
+def test_the_page_has_the_definitions_of_the_registry_in_their_order(metrics):
+    lines = [line for line in PAGE.read_text(encoding="utf-8").splitlines() if line in rows_of(metrics)]
+    assert lines == rows_of(metrics)
+
+
+def test_the_page_has_no_other_metric():
+    named = [line for line in PAGE.read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
+    assert named == [*rows_of(EPISODE), *rows_of(VISIT)]

@@ -190,8 +190,8 @@ DONE: Mapping[str, Mapping[str, Any]] = {
 """What is done to a world."""
 
 RECORDS = {
-    "Definition",
     "Docked",
+    "Metric",
     "Metrics",
     "Motion",
     "OSpace",

@@ -16,7 +16,7 @@ from comity_sim2d import EPISODE, VISIT
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from comity_sim2d import Definition
+    from comity_sim2d import Metric
 
 COLUMNS = ("run", "scenario", "rulebook", "seed", "person", "profile", "metric", "value", "unit")
 MARK = ",".join(COLUMNS).encode()
@@ -45,7 +45,7 @@ def metrics_answer(runs: Sequence[Measured]) -> MetricsAnswer:
     return MetricsAnswer(
         figures=tuple(figure for run in runs for figure in _figures(run)),
         definitions={
-            name: DefinitionAnswer(unit=one.unit, means=one.means, source=one.source)
+            name: DefinitionAnswer(unit=one.unit, means=one.means, source=one.source, per=one.per)
             for name, one in {**EPISODE, **VISIT}.items()
         },
     )
@@ -81,7 +81,7 @@ def metrics_text(runs: Sequence[Measured]) -> Iterator[RenderableType]:
 
 
 def _rows(
-    definitions: Mapping[str, Definition], columns: Sequence[Mapping[str, float]]
+    definitions: Mapping[str, Metric], columns: Sequence[Mapping[str, float]]
 ) -> Iterator[tuple[str, ...]]:
     sources = _sources()
     for name, definition in definitions.items():

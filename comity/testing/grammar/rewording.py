@@ -6,10 +6,9 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 
-from comity.testing.metrics.quantity import by_bare_name
 from comity_domain.problem.request import PARAMETERS
 from comity_executor.memory.meeting import UTTER
-from comity_sim2d.metrics import EPISODE, VISIT
+from comity_sim2d.metrics import EPISODE, VISIT, by_short_name
 from comity_sim2d.robot.acts import VERBS
 
 _Put = str | Callable[[re.Match[str]], str]
@@ -17,7 +16,7 @@ _Put = str | Callable[[re.Match[str]], str]
 _NUMBER = r"(\d+(?:\.\d+)?)"
 _SPACED: Mapping[str, str] = {
     name.replace("_", " "): name
-    for name in (*PARAMETERS, *by_bare_name(EPISODE), *by_bare_name(VISIT))
+    for name in (*PARAMETERS, *by_short_name(EPISODE), *by_short_name(VISIT))
     if "_" in name
 }
 """Names of figures and parameters, with spaces in them."""
@@ -52,7 +51,11 @@ _FORMER: Mapping[str, _Put] = {
     rf"\bis (never )?halted by {_NAME}(?= |$)": r"is \1halted because '\2'",
 }
 """By the form that a sentence had in earlier versions, what it is now."""
-_RENAMED: Mapping[str, str] = {"reached": "docking_time"}
+_RENAMED: Mapping[str, str] = {
+    "reached": "docking_time",
+    "speed_at_wanted_plus_0_3_m": "speed_at_target_plus_0_3_m",
+    "speed_at_wanted_plus_0_3_m_m_s": "speed_at_target_plus_0_3_m_m_s",
+}
 """Metrics by the names that they had in earlier versions."""
 _RULES: Mapping[str, _Put] = {
     r"\s*[.!]+$": "",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics.amount import Bounds
-from comity.testing.metrics.quantity import Missing, quantities, require_breakable, require_possible
+from comity.testing.metrics.quantity import NoQuantity, quantities, require_sensible
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -27,14 +27,12 @@ class MetricBounds(Expectation):
     bounds: Bounds
 
     def __post_init__(self) -> None:
-        require_possible(self.quantity, self.bounds)
-        if self.person is None:  # of one person, a number may be missing
-            require_breakable(self.quantity, self.bounds)
+        require_sensible(self.quantity, self.person, self.bounds)
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Every number outside, and every person for whom there is none."""
         for found in quantities(trial, self.quantity, self.person):
-            if isinstance(found, Missing):
+            if isinstance(found, NoQuantity):
                 yield Finding(f"{found.name} {self.bounds.told(found.unit)}", found.got, found.because)
             elif not self.bounds.holds(found.number, found.unit):
                 note = f" {found.at}" if found.at else ""

@@ -75,12 +75,6 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
     return None
 
 
-def worst_stay(trial: Trial, person: str) -> Moment | None:
-    """When the robot was longest within the distance of somebody whom it did not visit then; None: never."""
-    stay = intrusion(trial).longest(trial.episode.frames, person)
-    return None if stay is None else Moment(stay.start_s, person, "beside")
-
-
 def of_moment(trial: Trial, moment: Moment) -> Iterator[str]:
     """Why the robot did then what it did, and where that person and whoever it visited would have it.
 

@@ -1,23 +1,24 @@
-"""Figures of an episode: how the robot moved, how near it came to people, how it stopped before them."""
+"""Metrics of an episode: how the robot moved, how near it came to people, how it stopped before them."""
 
-from comity_sim2d.metrics.definitions import EPISODE, VISIT, Definition, of_episode, of_person
 from comity_sim2d.metrics.episode import Contacts, Known, Metrics, intrusion_of, measure
 from comity_sim2d.metrics.intrusion import own_distances_m
 from comity_sim2d.metrics.motion import Span, Spread, path_length_m, speeds_m_s
 from comity_sim2d.metrics.proximity import clearances_m, seconds_to_collision
+from comity_sim2d.metrics.registry import EPISODE, VISIT, Metric, by_short_name, of_episode, of_person
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
 
 __all__ = [
     "EPISODE",
     "VISIT",
     "Contacts",
-    "Definition",
     "Known",
+    "Metric",
     "Metrics",
     "Span",
     "Spread",
     "Stopping",
     "Wanted",
+    "by_short_name",
     "clearances_m",
     "intrusion_of",
     "measure",

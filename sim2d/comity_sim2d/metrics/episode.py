@@ -48,6 +48,10 @@ class Known:
     shortest_m: float | None = None
     """The length of the shortest way that would have done."""
     success: bool = True
+    plan_cost_m: float | None = None
+    """What the first plan costs, in metres of path."""
+    plan_gap: float | None = None
+    """The share of it that a better plan could at most save, in [0, 1]."""
 
     def __post_init__(self) -> None:
         contacts, success = (self.contacts, Contacts | None), (self.success, TRUTH)
@@ -59,11 +63,12 @@ class Known:
             require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
         require_tuple("what is known", "visits", self.visits, Wanted, "visits, each a Wanted")
         require_numbers("what is known", shortest_m=self.shortest_m)
+        require_numbers("what is known", plan_cost_m=self.plan_cost_m, plan_gap=self.plan_gap)
 
 
 @dataclass(frozen=True, slots=True)
 class Metrics:
-    """Figures of an episode; `definitions.DEFINITIONS` says what each means and where it comes from."""
+    """Figures of an episode; `registry` says what each means and where it comes from."""
 
     duration_s: float
     path_length_m: float
@@ -86,8 +91,15 @@ class Metrics:
     min_time_to_collision_s: float
     space_compliance_share: float
     longest_intrusion_s: float
+    walked_m: float
+    plan_cost_m: float | None
+    plan_gap: float | None
     compliance_share: Mapping[str, float]
     """By person whose own distance is known."""
+    longest_intrusion_by_person_s: Mapping[str, float]
+    """Likewise."""
+    walked_by_person_m: Mapping[str, float]
+    """Likewise."""
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
 
@@ -116,7 +128,8 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
     intrusion = intrusion_of(frames, known, gaps)
     longest = intrusion.longest(frames)
-    length = motion.path_length_m(frames)
+    walked = motion.path_lengths_m(frames)
+    length = float(walked[0])
     return Metrics(
         duration_s=float(frames.time_s[-1] - frames.time_s[0]),
         path_length_m=length,
@@ -139,7 +152,14 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         min_time_to_collision_s=proximity.min_time_to_collision_s(frames),
         space_compliance_share=intrusion.compliance_share(frames),
         longest_intrusion_s=longest.length_s if longest else 0.0,
+        walked_m=float(walked[1:].sum()),
+        plan_cost_m=known.plan_cost_m,
+        plan_gap=known.plan_gap,
         compliance_share=intrusion.compliance_by_person(frames),
+        longest_intrusion_by_person_s=intrusion.longest_by_person_s(frames),
+        walked_by_person_m={
+            name: float(walked[i]) for i, name in enumerate(frames.entities) if name in intrusion.own
+        },
         stopping={visit.person: stopping(frames, visit) for visit in known.visits},
     )
 

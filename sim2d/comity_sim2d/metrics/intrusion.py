@@ -110,6 +110,11 @@ class Intrusion:
             if name in self.own
         }
 
+    def longest_by_person_s(self, frames: Frames) -> dict[str, float]:
+        """For each whose own distance is known, the longest stay within it [s]; 0 where there was none."""
+        longest = {name: self.longest(frames, name) for name in self.people if name in self.own}
+        return {name: stay.length_s if stay else 0.0 for name, stay in longest.items()}
+
     def compliance_share(self, frames: Frames) -> float:
         """The share of all time in which nobody's distance was intruded on."""
         nobody = np.logical_not(self.intruded.any(axis=1))

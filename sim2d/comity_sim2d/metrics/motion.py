@@ -37,16 +37,21 @@ class Span:
 class Spread:
     """A quantity over an episode."""
 
-    min: float
     mean: float
     """Over time."""
     max: float
 
 
 def path_length_m(frames: Frames) -> float:
-    """The way of the robot's centre."""
+    """Path length of the robot's centre [m]."""
     require_kinds("figures", frames=(frames, Frames))
-    return float(np.hypot(*np.diff(frames.poses[:, 0, :2], axis=0).T).sum())
+    return float(path_lengths_m(frames)[0])
+
+
+def path_lengths_m(frames: Frames) -> Numbers:
+    """Path length of every entity's centre [m], shape (entities,)."""
+    steps = np.diff(frames.poses[:, :, :2], axis=0)
+    return np.asarray(np.hypot(steps[..., 0], steps[..., 1]).sum(axis=0))
 
 
 def speeds_m_s(frames: Frames) -> Numbers:
@@ -129,8 +134,8 @@ def _size(vectors: Numbers) -> Numbers:
 
 def _spread(values: Numbers) -> Spread:
     if values.size == 0:
-        return Spread(0.0, 0.0, 0.0)
-    return Spread(float(values.min()), float(values.mean()), float(values.max()))
+        return Spread(0.0, 0.0)
+    return Spread(float(values.mean()), float(values.max()))
 
 
 def within(times: Numbers, spans: Sequence[Span]) -> NDArray[np.bool_]:

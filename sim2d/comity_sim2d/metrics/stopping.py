@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.frames import Frames
-from comity_sim2d.kinds import TRUTH, require_kinds, require_pairs
+from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers, require_pairs
 from comity_sim2d.metrics.motion import (
     STANDING_M_S,
     STANDING_RAD_S,
@@ -27,6 +27,7 @@ from comity_sim2d.metrics.motion import (
     within,
     without,
 )
+from comity_sim2d.metrics.proximity import clearances_m
 from comity_sim2d.pose import wrap_angle
 from comity_sim2d.scene_error import require_finite, require_text, require_tuple, unknown
 
@@ -56,6 +57,14 @@ class Wanted:
     """Whether the robot came to stand there: else it stopped nowhere, wherever it rested on its way."""
     breaks: tuple[Span, ...] = ()
     """When, in between, it was about somebody else, in order of time: that is no part of the visit."""
+    docked_s: float | None = None
+    """When it docked last; None where it never did."""
+    own_m: float | None = None
+    """The person's own distance then."""
+    chosen_distance_m: float | None = None
+    """Of the docking pose that was chosen last."""
+    chosen_bearing_deg: float | None = None
+    """Likewise, positive to the person's left."""
 
     def __post_init__(self) -> None:
         require_text("visit", "person", self.person)
@@ -63,6 +72,12 @@ class Wanted:
         require_finite(self.person, distance_m=self.distance_m, bearing_deg=self.bearing_deg)
         require_kinds(self.person, arrives=(self.arrives, TRUTH))
         require_pairs(self.person, "distances_m", self.distances_m, "(since_s, distance_m)")
+        require_numbers(self.person, docked_s=self.docked_s, own_m=self.own_m)
+        chosen = {
+            "chosen_distance_m": self.chosen_distance_m,
+            "chosen_bearing_deg": self.chosen_bearing_deg,
+        }
+        require_numbers(self.person, **chosen)
         require_tuple(self.person, "breaks", self.breaks, Span, "stretches of time, each a Span")
 
     @property
@@ -80,6 +95,10 @@ class Wanted:
 class Stopping:
     """One approach; None where the robot never docked."""
 
+    docking_error_m: float | None
+    docking_time_s: float | None
+    chosen_distance_m: float | None
+    chosen_bearing_deg: float | None
     stop_distance_error_m: float | None
     """Distance at the rest in which it docked, or as it docked where it never rested, minus wanted."""
     overshoot_m: float
@@ -96,7 +115,7 @@ class Stopping:
     """The fastest within 1.5 m of the body on the way in, less the person's speed; None: never so near."""
     speed_at_3_6_m_m_s: float | None
     speed_at_1_2_m_m_s: float | None
-    speed_at_wanted_plus_0_3_m_m_s: float | None
+    speed_at_target_plus_0_3_m_m_s: float | None
     peak_closing_speed_m_s: float
     peak_deceleration_m_s2: float
     visible_approach_share: float | None
@@ -124,6 +143,10 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     gaps, speeds = approach.gaps[coming], approach.speeds[coming]
     steps = np.diff(approach.times[coming])
     return Stopping(
+        docking_error_m=_docking_error_m(frames, wanted),
+        docking_time_s=wanted.docked_s,
+        chosen_distance_m=wanted.chosen_distance_m,
+        chosen_bearing_deg=wanted.chosen_bearing_deg,
         stop_distance_error_m=None if rest is None else float(approach.gaps[rest]) - wanted.distance_m,
         overshoot_m=approach.overshoot_m(wanted.distances_m or ((-math.inf, wanted.distance_m),)),
         bearing_error_deg=None
@@ -136,12 +159,20 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
         speed_within_1_5_m_m_s=_fastest_near(gaps, speeds - approach.walks[coming]),
         speed_at_3_6_m_m_s=_speed_at(3.6, gaps, speeds),
         speed_at_1_2_m_m_s=_speed_at(1.2, gaps, speeds),
-        speed_at_wanted_plus_0_3_m_m_s=_speed_at(wanted.distance_m + 0.3, gaps, speeds),
+        speed_at_target_plus_0_3_m_m_s=_speed_at(wanted.distance_m + 0.3, gaps, speeds),
         peak_closing_speed_m_s=float((-np.diff(gaps) / steps).max(initial=0.0)),
         peak_deceleration_m_s2=float((-np.diff(speeds) / steps).max(initial=0.0)),
         visible_approach_share=_visible(gaps, approach.bearings[coming]),
         hold_error_rms_m=approach.hold_error(rest, wanted),
     )
+
+
+def _docking_error_m(frames: Frames, wanted: Wanted) -> float | None:
+    """Between the gap in the frame of the last docking and the person's own distance then."""
+    if wanted.docked_s is None or wanted.own_m is None:
+        return None
+    frame = int(np.argmin(np.abs(frames.time_s - wanted.docked_s)))
+    return abs(float(clearances_m(frames)[frame, frames.entities.index(wanted.person) - 1]) - wanted.own_m)
 
 
 @dataclass(frozen=True, slots=True)
