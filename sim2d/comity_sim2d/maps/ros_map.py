@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -122,8 +122,15 @@ def converted(file: YamlFile) -> RosMap:
         "holes_m": [_in_metres(hole, ros) for hole in floor.holes],
         "locations": {} if places is None else places.data.get("locations", {}),
     }
-    own = {field.name: getattr(file, field.name) for field in fields(file)} | {"data": data}
-    return RosMap(**own, places=places)
+    return RosMap(
+        path=file.path,
+        name=file.name,
+        data=data,
+        lines=file.lines,
+        text=file.text,
+        spans=file.spans,
+        places=places,
+    )
 
 
 def places_beside(path: Path) -> Path:
