@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from comity.answers import PlanAnswer
     from comity.custom_domain import Others
     from comity_domain import PlanningFailed
-    from comity_domain.custom import Bound, CustomPlan
+    from comity_domain.custom import Bound, Clock, CustomPlan
 
 LEAST_S, MOST_S = 0.1, 86_400.0
 
@@ -84,13 +84,14 @@ def plan_custom_domain(ask: CustomQuestion) -> None:
     from comity.report.custom_domain.plan import no_custom_plan_answer
     from comity.report.text import show
     from comity_domain import PlanningFailed
-    from comity_domain.custom.process import in_one_process
+    from comity_domain.custom import Clock, in_one_process
 
     _files(ask)
     plans = 1 + (ask.why is not None) + ask.diff + ask.stability
     try:
         with waiting(f"searching for a plan, {ask.limit_s:g} s at most", quiet=ask.as_json):
-            answer = in_one_process(partial(answered, ask), limit_s=ask.limit_s, plans=plans)
+            call = partial(answered, ask, Clock(ask.limit_s))
+            answer = in_one_process(call, limit_s=ask.limit_s, plans=plans)
     except PlanningFailed as ended:
         answer = no_custom_plan_answer(None, _with_limit(ended, ask.limit_s), renamed={}, files=())
     if ask.as_json:
@@ -105,8 +106,12 @@ def plan_custom_domain(ask: CustomQuestion) -> None:
         show(*_text(ask, answer))
 
 
-def answered(ask: CustomQuestion) -> PlanAnswer:
+def answered(ask: CustomQuestion, clock: Clock) -> PlanAnswer:
     """All that is asked, in this process: for `in_one_process`.
+
+    Args:
+        ask: It.
+        clock: Of the first plan; it goes since before this process began.
 
     Raises:
         InputError: if anything given cannot be used.
@@ -116,7 +121,6 @@ def answered(ask: CustomQuestion) -> PlanAnswer:
     from comity_domain import PlanningFailed
     from comity_domain.custom import Clock, planned
 
-    clock = Clock(ask.limit_s)
     domain, problem = _files(ask)
     bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
     _refuse_unanswerable(ask, bound)

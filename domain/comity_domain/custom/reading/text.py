@@ -39,11 +39,11 @@ class Form:
 
     def all(self) -> Iterator[Form]:
         """The form and every form in it, in the order of the file."""
-        waiting = [self]
+        waiting: list[Form] = [self]
         while waiting:
             form = waiting.pop()
             yield form
-            waiting += reversed(form.items)
+            waiting.extend(reversed(form.items))
 
     def __str__(self) -> str:
         text = self.word or f"({' '.join(map(str, self.items))})"

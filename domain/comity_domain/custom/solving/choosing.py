@@ -13,7 +13,9 @@ from comity_domain.errors import NoEngine
 from comity_fis.errors import InputError, Where, closest
 
 if TYPE_CHECKING:
-    from unified_planning.engines import CompilerResult, Factory
+    from collections.abc import Callable
+
+    from unified_planning.engines import Factory
     from unified_planning.model import Problem
 
 FAST_DOWNWARD = "fast-downward"
@@ -60,11 +62,12 @@ def engine_for(problem: Problem) -> str:
     return ranked[0]
 
 
-def without_quantifiers(problem: Problem) -> CompilerResult | None:
+def without_quantifiers(problem: Problem) -> tuple[Problem, Callable[[Any], Any]] | None:
     """The problem without quantifiers, disjunctions and conditional effects, by unified-planning's compilers.
 
     Returns:
-        None where it has none of them, or they cannot be compiled away.
+        It, and from an action of it to one of the problem; None where there is nothing to compile away, or it
+        cannot be.
     """
     from unified_planning.engines import CompilationKind
 
@@ -81,7 +84,8 @@ def without_quantifiers(problem: Problem) -> CompilerResult | None:
         return None
     try:
         with problem.environment.factory.Compiler(problem_kind=kind, compilation_kinds=kinds) as compiler:
-            return compiler.compile(problem)
+            result: Any = compiler.compile(problem)
+            return result.problem, result.map_back_action_instance
     except Exception:  # whatever they do not take, there is none
         return None
 

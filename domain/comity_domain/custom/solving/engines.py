@@ -88,11 +88,11 @@ def _chosen(problem: Problem, engine: str | None) -> tuple[str, Problem, Back | 
     try:
         return engine_for(problem), problem, None
     except NoEngine:
-        compiled = without_quantifiers(problem)
+        compiled, back = without_quantifiers(problem) or (None, None)
         if compiled is None:
             raise
         try:
-            return engine_for(compiled.problem), compiled.problem, compiled.map_back_action_instance
+            return engine_for(compiled), compiled, back
         except NoEngine:
             pass
         raise  # as it is, it is the user's own
@@ -181,7 +181,7 @@ def _cost(plan: Any, problem: Problem) -> int:
         return len(plan.actions)
     total = 0
     for action in plan.actions:
-        cost = metric.get_action_cost(action.action)
+        cost: Any = metric.get_action_cost(action.action)
         if cost.is_fluent_exp():
             chosen = dict(zip(action.action.parameters, action.actual_parameters, strict=True))
             objects = (chosen[one.parameter()] if one.is_parameter_exp() else one for one in cost.args)
