@@ -19,7 +19,7 @@ from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures import panel
 from comity_sim2d.pictures.cards import cards, reached_s
 from comity_sim2d.pictures.drawing_check import check_drawing
-from comity_sim2d.pictures.episode_layout import EDGE_IN, SCALE_IN, layout
+from comity_sim2d.pictures.episode_layout import EDGE_IN, SCALE_IN, Layout, layout
 from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.map_labels import Disc, MapLabels
 from comity_sim2d.pictures.page import DPI, FORMS, as_bytes, own_page
@@ -46,6 +46,8 @@ __all__ = ["Ring", "draw_picture"]
 
 SUFFIXES = tuple(f".{form}" for form in FORMS)
 ARROWS_EVERY_M = 0.9
+LEAST_IN_PER_M = 0.8
+"""On a smaller map arrows are larger than they are in metres."""
 MARK_M = 0.06
 """The radius that labels keep off a small mark."""
 SAME_M = 0.02
@@ -116,7 +118,7 @@ def draw_picture(
         longest_m = max((card.longest_m for card in cards), default=0.0)
         for place, column in page.columns:
             panel.draw_column(_axes(figure, place), column, longest_m)
-        picture.draw_map(MapLabels(_axes(figure, page.map), canvas), page.beside_m, page.above_m)
+        picture.draw_map(MapLabels(_axes(figure, page.map), canvas), page)
         d.draw_scale_bar(figure, page.map[0], page.map[1] - SCALE_IN / 2, page.in_per_m)
         Path(path).write_bytes(as_bytes(figure, form, dpi))
 
@@ -165,10 +167,10 @@ class _Picture:
             met=bool(self._met_elsewhere) or any(self._is_left(pose) for pose in self._reached.values()),
         )
 
-    def draw_map(self, labels: MapLabels, beside_m: float, above_m: float) -> None:
-        """The map with everything on it, and so much free beside and above the floor."""
+    def draw_map(self, labels: MapLabels, page: Layout) -> None:
+        """The map with everything on it."""
         ax = labels.ax
-        floor = d.draw_place(ax, self._scene, beside_m, above_m)
+        floor = d.draw_place(ax, self._scene, page.beside_m, page.above_m)
         d.draw_o_spaces(ax, self._o_spaces, floor)
         for name, points in self._tracks.items():
             d.draw_track(ax, points, self._colours.get(name, d.FAINT))
@@ -177,7 +179,7 @@ class _Picture:
         self._draw_own_distances(ax, floor)
         for route in self._planned:
             draw_planned(ax, route)
-        self._draw_way(ax)
+        self._draw_way(ax, max(1.0, LEAST_IN_PER_M / page.in_per_m))
         for person in self._scene.people:
             pose, colour = self._stands[person.name], self._colours[person.name]
             d.add_all(ax, d.person_artists(pose, person.radius_m, colour))
@@ -247,15 +249,17 @@ class _Picture:
             ax.add_patch(circle)
             circle.set_clip_path(floor)
 
-    def _draw_way(self, ax: Axes) -> None:
+    def _draw_way(self, ax: Axes, size: float) -> None:
+        """The driven path, its arrows so many times as large as usual: they are seen on a large map, too."""
         from matplotlib.patches import Polygon
 
         points = self._frames.of(self._robot)[:, :2]
         ax.plot(points[:, 0], points[:, 1], color=d.ROBOT, lw=1.7, alpha=0.75, zorder=4.5)
         ax.plot(*points[0], marker="o", ms=7, mfc="#FFFFFF", mec=d.ROBOT, mew=1.7, zorder=6)
-        for (x, y), (dx, dy) in d.marks_along(points, ARROWS_EVERY_M, 0.6):
-            corners = [(x + 0.09 * dx, y + 0.09 * dy)]
-            corners += [(x - 0.06 * dx - s * 0.06 * dy, y - 0.06 * dy + s * 0.06 * dx) for s in (1, -1)]
+        for (x, y), (dx, dy) in d.marks_along(points, ARROWS_EVERY_M * size, 0.6 * size):
+            tip, back = 0.09 * size, 0.06 * size
+            corners = [(x + tip * dx, y + tip * dy)]
+            corners += [(x - back * dx - s * back * dy, y - back * dy + s * back * dx) for s in (1, -1)]
             ax.add_patch(Polygon(corners, closed=True, fc=d.ROBOT, ec="#FFFFFF", lw=0.8, zorder=4.6))
 
     def _mark(self, labels: MapLabels) -> None:
