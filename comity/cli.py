@@ -36,6 +36,8 @@ from comity.commands import (
     schema,
     share,
     study,
+    study_power,
+    study_sessions,
     test,
     trace,
     visits,
@@ -144,7 +146,7 @@ studies = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
-of_studies: tuple[Run, ...] = (study.plan, study.run)
+of_studies: tuple[Run, ...] = (study.plan, study.run, study_power.power, study_sessions.sessions)
 for of_study in of_studies:
     studies.command(of_study.__name__, cls=Command)(_written(of_study))
 app.add_typer(studies)

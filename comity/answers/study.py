@@ -51,3 +51,43 @@ class StudyRunAnswer(Answer):
     fingerprint: str
     folder: str
     files: tuple[str, ...]
+
+
+class StudyPowerAnswer(Answer):
+    """`comity study power --json`."""
+
+    difference_cm: float
+    sd_cm: float = Field(description="Between people.")
+    measured: int | None = Field(description="People that the spread was measured with; null: stated.")
+    correlation: float | None = Field(
+        description="Of one person's two values, where each meets both conditions; null for two groups."
+    )
+    cluster: int = Field(description="People in each cluster; 1 without clusters.")
+    icc: float
+    alpha: float = Field(description="Of a two-sided test.")
+    power: float = Field(description="As asked for.")
+    per_group: int = Field(description="People in each of two groups; all people where each meets both.")
+    people: int = Field(description="In all.")
+    clusters_per_group: int | None
+    design_effect: float
+    power_reached: float = Field(description="With that many people.")
+
+
+class SessionAnswer(Answer):
+    """One participant's session."""
+
+    participant: str
+    group: str
+    block: int
+    conditions: tuple[str, ...] = Field(description="In the order in which the participant meets them.")
+
+
+class StudySessionsAnswer(Answer):
+    """`comity study sessions --json`."""
+
+    study: str
+    seed: int
+    groups: Mapping[str, int] = Field(description="Participants by group; empty for one group.")
+    orders: int = Field(description="Different orders of the balanced Latin square.")
+    sessions: tuple[SessionAnswer, ...]
+    files: tuple[str, ...]

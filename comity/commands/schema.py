@@ -46,6 +46,8 @@ class Kind(StrEnum):
     POPULATION = "population"
     STUDY_PLAN = "study-plan"
     STUDY_RUN = "study-run"
+    STUDY_POWER = "study-power"
+    STUDY_SESSIONS = "study-sessions"
 
 
 def schema(
@@ -104,5 +106,7 @@ def schema(
         Kind.POPULATION: PopulationFile,
         Kind.STUDY_PLAN: study_answers.StudyPlanAnswer,
         Kind.STUDY_RUN: study_answers.StudyRunAnswer,
+        Kind.STUDY_POWER: study_answers.StudyPowerAnswer,
+        Kind.STUDY_SESSIONS: study_answers.StudySessionsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})
