@@ -96,7 +96,7 @@ def test_pictures_and_problems_of_people_can_be_read_by_the_user_alone(comity, h
     umask = os.umask(0)
     try:
         assert comity("profile", "set", "kim", "age=71").code == 0
-        (here / "again.png").write_bytes(b"\x89PNG\r\n\x1a\n")
+        (here / "again.png").write_bytes(b"\x89PNG\r\n\x1a\nSoftware\x00Comity")
         for name in ("why.png", "again.png"):
             assert comity("explain", "conversational_distance", "kim", "--picture", name).code == 0
         assert comity("draw", "johanna", "--out", "place.png").code == 0
