@@ -37,6 +37,7 @@ from comity.commands import (
     share,
     study,
     study_power,
+    study_report,
     study_sessions,
     test,
     trace,
@@ -146,7 +147,15 @@ studies = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
-of_studies: tuple[Run, ...] = (study.plan, study.run, study_power.power, study_sessions.sessions)
+of_studies: tuple[Run, ...] = (
+    study.plan,
+    study.run,
+    study_report.report,
+    study_report.compare,
+    study_report.show,
+    study_power.power,
+    study_sessions.sessions,
+)
 for of_study in of_studies:
     studies.command(of_study.__name__, cls=Command)(_written(of_study))
 app.add_typer(studies)

@@ -50,6 +50,7 @@ class StudyRunAnswer(Answer):
     code: str = Field(description="Digest of the installed code.")
     fingerprint: str
     folder: str
+    file: str = Field(description="The study's file, from which `study show` plays rows again.")
     files: tuple[str, ...]
 
 

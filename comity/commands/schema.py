@@ -46,6 +46,9 @@ class Kind(StrEnum):
     POPULATION = "population"
     STUDY_PLAN = "study-plan"
     STUDY_RUN = "study-run"
+    STUDY_REPORT = "study-report"
+    STUDY_COMPARE = "study-compare"
+    STUDY_SHOW = "study-show"
     STUDY_POWER = "study-power"
     STUDY_SESSIONS = "study-sessions"
 
@@ -59,6 +62,7 @@ def schema(
     from comity import answers
     from comity.answers import measuring as measuring_answers
     from comity.answers import study as study_answers
+    from comity.answers import study_report as study_report_answers
     from comity.answers.learning import LearnAnswer
     from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
@@ -106,6 +110,9 @@ def schema(
         Kind.POPULATION: PopulationFile,
         Kind.STUDY_PLAN: study_answers.StudyPlanAnswer,
         Kind.STUDY_RUN: study_answers.StudyRunAnswer,
+        Kind.STUDY_REPORT: study_report_answers.StudyReportAnswer,
+        Kind.STUDY_COMPARE: study_report_answers.StudyCompareAnswer,
+        Kind.STUDY_SHOW: study_report_answers.StudyShowAnswer,
         Kind.STUDY_POWER: study_answers.StudyPowerAnswer,
         Kind.STUDY_SESSIONS: study_answers.StudySessionsAnswer,
     }

@@ -95,6 +95,7 @@ def _begun(plan: StudyPlan, out: Path, carrier: Carrier) -> tuple[dict[str, Stud
         code=carrier.installed.code,
         fingerprint=carrier.installed.fingerprint,
         folder=str(out),
+        file=str(plan.file.path.absolute()),
         files=(),
     )
     write_whole(out / WRITTEN, plan.file.text.encode(), private=True)

@@ -23,6 +23,7 @@ from comity_fis import shipped_rulebooks
 from comity_fis.validation.yaml_file import YamlFile
 
 if TYPE_CHECKING:
+    from comity.preparation import Prepared
     from comity.sharing.extra import Extra
 
 KEPT = 64
@@ -89,6 +90,12 @@ def lost_rows(task: StudyTask, losses: int) -> tuple[StudyRow, ...]:
 
 
 def _rows(task: StudyTask) -> tuple[StudyRow, ...]:
+    episode = execute(prepared_of(task), seed=task.seed)
+    return tuple(episode_rows(episode, task.person, filtered=task.filtered))
+
+
+def prepared_of(task: StudyTask) -> Prepared:
+    """An episode of a study, planned."""
     file = _scenario(task.base)
     profiles = {}
     if task.person is not None and task.profile is not None:
@@ -96,9 +103,7 @@ def _rows(task: StudyTask) -> tuple[StudyRow, ...]:
         person = file.scenario.people[task.person].model_copy(update={"comfort": _comfort(task)})
         people = {**file.scenario.people, task.person: person}
         file = replace(file, scenario=file.scenario.model_copy(update={"people": people}))
-    prepared = prepare(file, profiles=profiles, rulebook=_rulebook(task.base.rulebook), seed=task.seed)
-    episode = execute(prepared, seed=task.seed)
-    return tuple(episode_rows(episode, task.person, filtered=task.filtered))
+    return prepare(file, profiles=profiles, rulebook=_rulebook(task.base.rulebook), seed=task.seed)
 
 
 def _visited(task: StudyTask) -> tuple[str, ...]:

@@ -1,0 +1,93 @@
+"""The visits of a study as columns: to individuals, and what was measured of each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from comity.study.columns import FILE, PEOPLE
+from comity.study.report.resampling import ClusterEstimate, estimate
+from comity.study.results import Study
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from comity.study.report.resampling import Floats
+
+NO_INDIVIDUAL = ""
+
+
+@dataclass(frozen=True)
+class StudyVisits:
+    """The rows of a study whose people are compared.
+
+    With a population these are the visits to its individuals; other people of a scenario are the same in
+    every episode. Without one, all visits.
+    """
+
+    study: Study
+    rows: tuple[Mapping[str, str], ...]
+    left_out: int
+    """Rows of other people."""
+
+    @classmethod
+    def of(cls, study: Study) -> StudyVisits:
+        """Those of a study."""
+        own = tuple(row for row in study.rows if row["individual"] != NO_INDIVIDUAL)
+        rows = own or study.rows
+        return cls(study, rows, len(study.rows) - len(rows))
+
+    def words(self, column: str) -> NDArray[Any]:
+        """A column as text; empty where a cell is, or where there is no such column."""
+        return np.array([row.get(column, "") for row in self.rows], dtype=str)
+
+    def numbers(self, column: str) -> Floats:
+        """A column as numbers; NaN where a cell is empty or holds words."""
+        return np.array([_number(row.get(column, "")) for row in self.rows], dtype=float)
+
+    @cached_property
+    def individuals(self) -> NDArray[Any]:
+        """By row, the individual."""
+        return self.words("individual")
+
+    @cached_property
+    def rooms(self) -> NDArray[Any]:
+        """By row, the scenario."""
+        return self.words("scenario")
+
+    @cached_property
+    def conditions(self) -> NDArray[Any]:
+        """By row, what its repeats by other seeds share besides individual and room."""
+        return np.char.add(np.char.add(self.words("condition"), "/"), self.words("person"))
+
+    @cached_property
+    def seeds(self) -> NDArray[Any]:
+        """By row, the seed."""
+        return self.words("seed")
+
+    def estimated(self, values: Floats, chosen: NDArray[Any] | None = None) -> ClusterEstimate | None:
+        """The mean of an outcome over some visits, with its uncertainty.
+
+        Args:
+            values: One a visit, NaN where it has none.
+            chosen: Whether each visit counts; all of them without it.
+        """
+        counted = values if chosen is None else np.where(chosen, values, np.nan)
+        return estimate(counted, self.individuals, self.rooms, self.conditions, self.seeds)
+
+    @cached_property
+    def measured(self) -> tuple[str, ...]:
+        """Columns that are results of episodes."""
+        inputs = (FILE, PEOPLE)
+        return tuple(name for name, one in self.study.columns.items() if one["source"] not in inputs)
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return float("nan")

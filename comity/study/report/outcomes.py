@@ -1,0 +1,129 @@
+"""The outcomes that a study is looked at by: numbers of a visit, each with unit and meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_fis import InputError, Where, closest
+
+if TYPE_CHECKING:
+    from comity.study.report.episodes import StudyVisits
+    from comity.study.report.resampling import Floats
+
+SERVED, OUTSIDE, EXCESS = "served_share", "outside_comfort_share", "outside_comfort_m"
+
+
+@dataclass(frozen=True, slots=True)
+class StudyOutcome:
+    """One number of each visit."""
+
+    name: str
+    unit: str
+    """`1` for a share or a count."""
+    means: str
+    values: Floats = field(repr=False)
+    """By visit; NaN where it has none."""
+
+    @property
+    def varies(self) -> bool:
+        """Whether visits differ in it."""
+        return not np.isnan(self.values).all() and bool(np.nanmax(self.values) > np.nanmin(self.values))
+
+    @property
+    def label(self) -> str:
+        """As an axis calls it: `distance actual [m]`."""
+        return label_of(self.name, self.unit)
+
+
+def label_of(name: str, unit: str) -> str:
+    """A column as an axis calls it: `distance actual [m]` of `distance_actual_m`."""
+    end = {"m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3"}.get(unit, f"_{unit}")
+    plain = name.removesuffix(end).replace("_", " ")
+    return plain if unit in ("1", "") else f"{plain} [{unit}]"
+
+
+def served(visits: StudyVisits) -> Floats:
+    """1 where the person was greeted, 0 where not; NaN where they declined, or the episode raised."""
+    said = {"greeted": 1.0, "declined": np.nan, "error": np.nan}
+    return np.array([said.get(one, 0.0) for one in visits.words("outcome")])
+
+
+def excess_m(visits: StudyVisits) -> Floats:
+    """How far outside the person's comfort interval the robot stopped [m], at least 0."""
+    return np.abs(visits.numbers("comfort_gap_m"))
+
+
+def _outside(visits: StudyVisits) -> Floats:
+    gap = excess_m(visits)
+    return np.where(np.isnan(gap), np.nan, (gap > 0).astype(float))
+
+
+_Derive = Callable[["StudyVisits"], "Floats"]
+DERIVED: Mapping[str, tuple[str, str, _Derive]] = MappingProxyType(
+    {
+        SERVED: (
+            "1",
+            "Share of the visits in which the person was greeted; declined ones count not.",
+            served,
+        ),
+        OUTSIDE: ("1", "Share of the stops outside the person's comfort interval.", _outside),
+        EXCESS: ("m", "How far outside the comfort interval the robot stopped, either way.", excess_m),
+    }
+)
+MAIN = (
+    *DERIVED,
+    "comfort_gap_m",
+    "distance_actual_m",
+    "stop_distance_error_m",
+    "bearing_error_deg",
+    "approach_speed_actual_m_s",
+    "greeted_s",
+    "late_s",
+    "episode_path_length_m",
+)
+"""Those that have a picture unless others are named."""
+
+
+def outcomes_of(visits: StudyVisits) -> dict[str, StudyOutcome]:
+    """All outcomes in which visits differ, and whether people were served, by name: the main ones first."""
+    found = {}
+    names = (*MAIN, *(name for name in visits.measured if name not in MAIN and name != "row"))
+    for name in names:
+        if name in DERIVED:
+            unit, means, derive = DERIVED[name]
+            outcome = StudyOutcome(name, unit, means, derive(visits))
+        elif name in visits.study.columns:
+            told = visits.study.columns[name]
+            outcome = StudyOutcome(name, told["unit"], told["definition"], visits.numbers(name))
+        else:
+            continue
+        if outcome.varies or (name == SERVED and not np.isnan(outcome.values).all()):
+            found[name] = outcome
+    return found
+
+
+def pictured(outcomes: Mapping[str, StudyOutcome], asked: Sequence[str]) -> tuple[StudyOutcome, ...]:
+    """The outcomes to draw.
+
+    Args:
+        outcomes: All of the study.
+        asked: Names; the main ones where there are none.
+
+    Raises:
+        InputError: for a name that is no outcome of the study, or in which no visits differ.
+    """
+    for name in asked:
+        if name not in outcomes:
+            raise InputError(
+                expected="an outcome in which visits of the study differ",
+                got=repr(name),
+                remedy=closest(name, outcomes),
+                where=Where("--outcome"),
+            )
+    names = asked or [name for name in MAIN if name in outcomes and outcomes[name].varies]
+    return tuple(outcomes[name] for name in dict.fromkeys(names))

@@ -1,0 +1,195 @@
+"""The report of a study: its figures and its page in one folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.answers.study_report import StudyCompareAnswer, StudyLevelAnswer, StudyReportAnswer
+from comity.report.drawing import picture
+from comity.study.episode_rows import ERROR, NO_PLAN
+from comity.study.report.answering import (
+    comparison_answer,
+    comparisons_of,
+    individual_answer,
+    level_answers,
+    level_estimates,
+    served_worse_answer,
+    shortfall_answer,
+    study_name,
+    unusual_answers,
+)
+from comity.study.report.episodes import StudyVisits
+from comity.study.report.factors import factors_of_visits
+from comity.study.report.outcomes import outcomes_of, pictured
+from comity.study.report.page import MARK, page_of_study
+from comity.study.report.pictures import outcome_figure, sides_figure
+from comity.study.report.replaying import EPISODES
+from comity.study.report.serving import SHORTFALLS, served_worse, shortfalls, worst_served
+from comity.study.report.unusual import failures, outliers
+from comity.study.statement import STATEMENT
+from comity.system.own_files import make_folder, refuse_foreign, write_whole, writing
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from comity.study.report.answering import LevelComparison
+    from comity.study.report.factors import StudyFactor
+    from comity.study.report.outcomes import StudyOutcome
+    from comity.study.report.unusual import UnusualVisit
+    from comity.study.results import Study
+
+PAGE, FIGURES = "index.html", "figures"
+MOST_LISTED = 50
+"""Failures, and outliers, that a page lists; the table has all of them."""
+MOST_INDIVIDUALS = 10
+
+Draw = Callable[[], "Figure"]
+Replay = Callable[[Sequence[int]], Mapping[int, str]]
+"""Plays rows again, and gives the page of each from the report's folder."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """What is drawn and listed, before it is written."""
+
+    meanings: Mapping[str, str]
+    levels: tuple[StudyLevelAnswer, ...]
+    compared: tuple[StudyCompareAnswer, ...]
+    drawings: Mapping[str, Draw]
+    failed: tuple[UnusualVisit, ...]
+    far: tuple[UnusualVisit, ...]
+
+
+def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) -> StudyReportAnswer:
+    """Write the page of a study with its figures.
+
+    Args:
+        study: As it was run.
+        out: The folder; one of an older report is written over.
+        asked: Outcomes to draw; the main ones where there are none.
+        replay: Is given the rows that the page lists.
+
+    Raises:
+        InputError: for an outcome that is none, a study without visits, or a folder with other things in it.
+    """
+    visits = StudyVisits.of(study)
+    if not visits.rows:
+        raise InputError(
+            expected="a study with visits",
+            got="a table without rows",
+            remedy="Run it: `comity study run FILE --out DIR`.",
+            where=Where(str(study.path)),
+        )
+    every = outcomes_of(visits)
+    drawn = pictured(every, asked)
+    factors = factors_of_visits(visits)
+    _claim(out)
+    name = study_name(study)
+    found = _found(visits, factors, every, drawn, name)
+    _draw(out, found.drawings)
+    listed = [*found.failed[:MOST_LISTED], *found.far[:MOST_LISTED]]
+    pages = replay(list(dict.fromkeys(one.row for one in listed if one.what not in (ERROR, NO_PLAN))))
+    answer = _answer(visits, factors, found, pages, name=name, page=out / PAGE)
+    page = page_of_study(answer, study, {one: (out / FIGURES / f"{one}.svg") for one in found.drawings})
+    write_whole(out / PAGE, page.encode(), private=True)
+    return answer
+
+
+def _claim(out: Path) -> None:
+    """Make the folder; refuse one that holds something else than a report."""
+    with writing(out):
+        taken = out.is_dir() and any(one.name != EPISODES for one in out.iterdir())
+        if taken and not (out / PAGE).exists():
+            raise InputError(
+                expected="a folder for the report",
+                got="a folder with other things in it",
+                remedy="Name a new or an empty folder: nothing is overwritten.",
+                where=Where(str(out)),
+            )
+    make_folder(out, private=True)
+    refuse_foreign({out / PAGE: MARK})
+    make_folder(out / FIGURES, private=True)
+
+
+def _found(
+    visits: StudyVisits,
+    factors: Sequence[StudyFactor],
+    every: Mapping[str, StudyOutcome],
+    drawn: Sequence[StudyOutcome],
+    name: str,
+) -> _Found:
+    levels: list[StudyLevelAnswer] = []
+    drawings: dict[str, Draw] = {}
+    pictures = {one.name for one in drawn}
+    for outcome in every.values():
+        estimates = level_estimates(visits, outcome, factors)
+        levels += level_answers(outcome, estimates)
+        if outcome.name in pictures and factors:
+            drawings[outcome.name] = partial(outcome_figure, visits, outcome, estimates)
+    compared = []
+    for i, one in enumerate(comparisons_of(visits, factors), start=1):
+        compared.append(comparison_answer(visits, one, drawn, name))
+        drawings[f"side_by_side_{i}"] = _sides(visits, one, drawn)
+    return _Found(
+        meanings={outcome.name: outcome.means for outcome in every.values()},
+        levels=tuple(levels),
+        compared=tuple(compared),
+        drawings=drawings,
+        failed=tuple(failures(visits.study)),
+        far=outliers(visits, drawn),
+    )
+
+
+def _sides(visits: StudyVisits, one: LevelComparison, drawn: Sequence[StudyOutcome]) -> Draw:
+    return partial(sides_figure, visits, one.pairs, one.names, drawn)
+
+
+def _draw(out: Path, drawings: Mapping[str, Draw]) -> None:
+    """Write each as SVG and PDF; what an older report had besides is removed."""
+    for old in (*(out / FIGURES).glob("*.svg"), *(out / FIGURES).glob("*.pdf")):
+        if old.stem not in drawings:
+            old.unlink()
+    for name, draw in drawings.items():
+        write_whole(out / FIGURES / f"{name}.svg", picture(draw, "svg"), private=True)
+        write_whole(out / FIGURES / f"{name}.pdf", picture(draw, "pdf"), private=True)
+
+
+def _answer(
+    visits: StudyVisits,
+    factors: Sequence[StudyFactor],
+    found: _Found,
+    pages: Mapping[int, str],
+    *,
+    name: str,
+    page: Path,
+) -> StudyReportAnswer:
+    group = next((one for one in factors if one.name == "group"), None)
+    missed = tuple(shortfalls(visits, group)) if group else ()
+    columns = {one: len(set(visits.words(one).tolist())) for one in ("seed", "condition", "scenario")}
+    return StudyReportAnswer(
+        study=name,
+        statement=STATEMENT,
+        page=str(page),
+        figures=tuple(f"{FIGURES}/{one}.{form}" for one in found.drawings for form in ("svg", "pdf")),
+        visits=len(visits.rows),
+        left_out=visits.left_out,
+        individuals=len(set(visits.individuals.tolist()) - {""}),
+        rooms=columns["scenario"],
+        seeds=columns["seed"],
+        conditions=columns["condition"],
+        meanings=dict(found.meanings) | {one: means for one, (_, means, _) in SHORTFALLS.items()},
+        levels=found.levels,
+        comparisons=found.compared,
+        shortfalls=tuple(map(shortfall_answer, missed)),
+        served_worse=tuple(map(served_worse_answer, served_worse(missed))),
+        individuals_served_worst=tuple(map(individual_answer, worst_served(visits, MOST_INDIVIDUALS))),
+        failures=len(found.failed),
+        first_failures=unusual_answers(found.failed, pages, MOST_LISTED),
+        outliers=len(found.far),
+        farthest_outliers=unusual_answers(found.far, pages, MOST_LISTED),
+    )

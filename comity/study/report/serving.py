@@ -1,0 +1,159 @@
+"""Who is served worse by a study's assumptions, and by which parameter."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import groupby
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.study.episode_rows import comfort_gap_m
+from comity.study.report.outcomes import excess_m, served
+from comity.study.report.resampling import ClusterEstimate, averaged
+
+if TYPE_CHECKING:
+    from comity.study.report.episodes import StudyVisits
+    from comity.study.report.factors import StudyFactor
+    from comity.study.report.resampling import Floats
+
+RULEBOOK = "rulebook_used"
+SAME = 1e-6
+"""Means that differ by less, in any unit, are the same."""
+
+
+def _target_excess_m(visits: StudyVisits) -> Floats:
+    """How far outside the comfort interval the distance lies that the rulebook aimed at [m]."""
+    columns = (visits.numbers(name) for name in ("distance_target_m", "comfort_near_m", "comfort_far_m"))
+    return np.array([abs(comfort_gap_m(*row)) for row in zip(*columns, strict=True)])
+
+
+def _execution_excess_m(visits: StudyVisits) -> Floats:
+    return excess_m(visits) - _target_excess_m(visits)
+
+
+def _speed_excess_m_s(visits: StudyVisits) -> Floats:
+    gap = visits.numbers("approach_speed_actual_m_s") - visits.numbers("approach_speed_target_m_s")
+    return np.maximum(gap, 0)
+
+
+def _bearing_error_deg(visits: StudyVisits) -> Floats:
+    gap = visits.numbers("bearing_actual_deg") - visits.numbers("bearing_target_deg")
+    return np.abs((gap + 180) % 360 - 180)
+
+
+def _late_s(visits: StudyVisits) -> Floats:
+    return np.maximum(visits.numbers("late_s"), 0)
+
+
+def _not_served(visits: StudyVisits) -> Floats:
+    return 1 - served(visits)
+
+
+SHORTFALLS: Mapping[str, tuple[str, str, Callable[[StudyVisits], Floats]]] = MappingProxyType(
+    {
+        "not_served": ("1", "Share of the visits without a greeting.", _not_served),
+        "conversational_distance": (
+            "m",
+            "How far outside the comfort interval the distance lies that was aimed at.",
+            _target_excess_m,
+        ),
+        "distance_in_execution": (
+            "m",
+            "What reaching and holding that distance adds to it; negative where it helps.",
+            _execution_excess_m,
+        ),
+        "approach_direction": ("deg", "Between the bearings aimed at and reached.", _bearing_error_deg),
+        "approach_speed": ("m/s", "Faster than aimed at, within 1.5 m.", _speed_excess_m_s),
+        "by_s": ("s", "Later than the goal's time.", _late_s),
+    }
+)
+"""By the parameter that each is a matter of, with its unit and meaning: 0 is best."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shortfall:
+    """What one group misses by one parameter under one rulebook."""
+
+    parameter: str
+    rulebook: str
+    group: str
+    missed: ClusterEstimate
+    """In the unit of `SHORTFALLS`."""
+
+
+def shortfalls(visits: StudyVisits, group: StudyFactor) -> Iterator[Shortfall]:
+    """Every shortfall, parameter by parameter and rulebook by rulebook, the worst served group first."""
+    books = visits.words(RULEBOOK)
+    for parameter, (_, _, derive) in SHORTFALLS.items():
+        values = derive(visits)
+        for book in dict.fromkeys(books.tolist()):
+            found = []
+            for i, name in enumerate(group.levels):
+                one = visits.estimated(values, (group.level_of == i) & (books == book))
+                if one is not None:
+                    found.append(Shortfall(parameter, book, name, one))
+            yield from sorted(found, key=lambda one: -one.missed.mean)
+
+
+@dataclass(frozen=True, slots=True)
+class ServedWorse:
+    """The group that a parameter serves worst under a rulebook, beside the one that it serves best."""
+
+    worst: Shortfall
+    best: Shortfall
+
+    @property
+    def is_told_apart(self) -> bool:
+        """Whether their intervals lie apart, by more than twice what seeds alone make of it."""
+        worst, best = self.worst.missed, self.best.missed
+        if worst.low is None or best.high is None or worst.low <= best.high:
+            return False
+        seeds = math.hypot(worst.monte_carlo_error or 0, best.monte_carlo_error or 0)
+        return worst.mean - best.mean > 2 * seeds
+
+
+def served_worse(found: Iterable[Shortfall]) -> Iterator[ServedWorse]:
+    """By parameter and rulebook, who misses most; nothing where all groups miss the same.
+
+    Args:
+        found: As `shortfalls` gives them.
+    """
+    for _, some in groupby(found, key=lambda one: (one.parameter, one.rulebook)):
+        ranked = list(some)
+        if ranked[0].missed.mean - ranked[-1].missed.mean > SAME:
+            yield ServedWorse(ranked[0], ranked[-1])
+
+
+@dataclass(frozen=True, slots=True)
+class IndividualServed:
+    """How far outside its comfort an individual was met under a rulebook."""
+
+    individual: str
+    group: str
+    rulebook: str
+    excess_m: float
+
+
+def worst_served(visits: StudyVisits, most: int) -> tuple[IndividualServed, ...]:
+    """The individuals that were met farthest outside their comfort on average; none that were within it.
+
+    Args:
+        visits: The study's.
+        most: Individuals to name.
+    """
+    values, books, groups = excess_m(visits), visits.words(RULEBOOK), visits.words("group")
+    found = []
+    for book in dict.fromkeys(books.tolist()):
+        chosen = (books == book) & ~np.isnan(values)
+        means = np.nanmean(averaged(values[chosen], visits.individuals[chosen], visits.rooms[chosen]), axis=1)
+        of = dict(zip(visits.individuals[chosen].tolist(), groups[chosen].tolist(), strict=True))
+        found += [
+            IndividualServed(name, of[name], book, float(mean))
+            for name, mean in zip(sorted(of), means, strict=True)
+        ]
+    worst = sorted(found, key=lambda one: (-one.excess_m, one.individual, one.rulebook))
+    return tuple(one for one in worst[:most] if one.excess_m > SAME)

@@ -1,0 +1,100 @@
+"""What a study shows, in words for a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from comity.report.text import table, unbroken, words
+from comity.study.report.outcomes import label_of
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity.answers.study_report import (
+        EstimateAnswer,
+        ServedWorseAnswer,
+        StudyCompareAnswer,
+        StudyDifferenceAnswer,
+        StudyReportAnswer,
+        StudyShowAnswer,
+    )
+
+HEAD = ("outcome", "group", "first", "second", "difference", "95 % interval", "Monte Carlo error", "pairs")
+
+
+def report_text(answer: StudyReportAnswer) -> Iterator[RenderableType]:
+    """What the report of a study has."""
+    counts = f"{answer.visits} visits, {answer.failures} failures, {answer.outliers} outliers"
+    yield f"Study {answer.study}: {counts}"
+    for one in answer.served_worse:
+        if one.told_apart:
+            yield f"  {worse_text(one)}"
+    yield unbroken(f"Page  {answer.page}")
+    yield f"  {answer.statement}"
+
+
+def worse_text(one: ServedWorseAnswer) -> str:
+    """`german_women by conversational distance under evidence: 0.309 m (best: egyptian_men, 0.011 m)`."""
+    worst, best = (value_text(value, one.unit) for value in (one.worst_missed, one.best_missed))
+    return f"{one.worst} by {words(one.parameter)} under {one.rulebook}: {worst} (best: {one.best}, {best})"
+
+
+def compare_text(answer: StudyCompareAnswer) -> Iterator[RenderableType]:
+    """Two levels side by side."""
+    yield f"Study {answer.study}, {answer.factor}: {answer.first} and {answer.second}, {answer.pairs} pairs"
+    head = (*HEAD[:2], answer.first, answer.second, "difference", "95 % interval", "seeds")
+    yield table([difference_cells(one)[: len(head)] for one in answer.differences], head=head)
+    yield (
+        "  Second minus first, within the same individual, room and seed. Intervals resample individuals and "
+        "rooms; `seeds` is the Monte Carlo error, which seeds alone leave."
+    )
+    yield f"  {answer.statement}"
+
+
+def difference_cells(one: StudyDifferenceAnswer) -> tuple[str, ...]:
+    """A difference as cells of `HEAD`."""
+    return (
+        label_of(one.outcome, one.unit),
+        one.group or "all",
+        number_text(one.first),
+        number_text(one.second),
+        number_text(one.difference.mean, signed=True),
+        interval_text(one.difference),
+        number_text(one.difference.monte_carlo_error),
+        str(one.difference.episodes),
+    )
+
+
+def show_text(answer: StudyShowAnswer) -> Iterator[RenderableType]:
+    """What came of an episode that was played again."""
+    same = "the same digest" if answer.same else "another digest than in the table"
+    yield f"Row {answer.row}: {answer.outcome}, {same}"
+    if answer.differs:
+        yield f"  Not as it was: {answer.differs}"
+    yield unbroken(f"Page  {answer.page}")
+    yield f"  {answer.statement}"
+
+
+def interval_text(found: EstimateAnswer) -> str:
+    """`0.12 to 0.49`, or a dash where there is nothing to resample."""
+    if found.low is None or found.high is None:
+        return "-"
+    return f"{number_text(found.low)} to {number_text(found.high)}"
+
+
+def value_text(value: float, unit: str) -> str:
+    """`0.309 m`; a share without a unit."""
+    return number_text(value) if unit in ("1", "") else f"{number_text(value)} {unit}"
+
+
+def number_text(value: float | None, *, signed: bool = False) -> str:
+    """Three digits that matter, none of them of a rounding error: `0.309`, `11.4`, `0`; a dash for none."""
+    if value is None:
+        return "-"
+    if abs(value) < 1e-9:
+        return "0"
+    digits = f"{value:+.3g}" if signed else f"{value:.3g}"
+    if "e" not in digits:
+        return digits
+    return f"{value:+.0f}" if signed and abs(value) >= 1 else f"{value:.0f}" if abs(value) >= 1 else digits

@@ -1,0 +1,99 @@
+"""Failures and outliers of a study, each by its row, so that its episode can be played again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from comity.study.report.episodes import StudyVisits
+    from comity.study.report.outcomes import StudyOutcome
+    from comity.study.report.resampling import Whole
+    from comity.study.results import Study
+
+FENCE = 3.0
+"""Interquartile ranges beyond the quartiles: Tukey's outer fence ("Exploratory Data Analysis", 1977)."""
+LEAST = 0.1
+"""Of the standard deviation over all visits: where most visits are alike a smaller width means nothing."""
+FEWEST = 8
+"""Visits of one room under one condition whose quartiles mean anything."""
+NO_FAILURES = ("greeted", "declined")
+"""A visit that a person declined is one that the robot ended as it was asked to."""
+
+
+@dataclass(frozen=True, slots=True)
+class UnusualVisit:
+    """A row of the table to look at."""
+
+    row: int
+    scenario: str
+    condition: str
+    individual: str
+    seed: str
+    what: str
+    """`unreached`, or `late [s]`."""
+    why: str
+    """The reason of a failure; of an outlier its value and the fence."""
+
+
+def failures(study: Study) -> Iterator[UnusualVisit]:
+    """All visits that failed, in the order of the table; also those of people who are no individuals."""
+    for row in study.rows:
+        if row["outcome"] not in NO_FAILURES:
+            yield _unusual(row, row["outcome"], row.get("error") or row.get("reason") or "no reason given")
+
+
+def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[UnusualVisit, ...]:
+    """Visits with a value beyond the outer fence of their room and condition, the farthest first.
+
+    A visit with several such values stands once, by the farthest of them.
+    """
+    places = np.char.add(np.char.add(visits.rooms, "\0"), visits.conditions)
+    farthest: dict[int, tuple[float, StudyOutcome, float]] = {}
+    for outcome in outcomes:
+        if outcome.unit in ("1", ""):
+            continue  # shares and counts have no fence
+        least = LEAST * float(np.nanstd(outcome.values))
+        for place in np.unique(places):
+            rows = np.flatnonzero((places == place) & ~np.isnan(outcome.values))
+            for row, beyond, fence in _beyond(rows, outcome, least):
+                if beyond > farthest.get(row, (0.0,))[0]:
+                    farthest[row] = (beyond, outcome, fence)
+    ranked = sorted(farthest.items(), key=lambda one: (-one[1][0], one[0]))
+    return tuple(_outlier(visits.rows[row], row, outcome, fence) for row, (_, outcome, fence) in ranked)
+
+
+def _beyond(rows: Whole, outcome: StudyOutcome, least: float) -> Iterator[tuple[int, float, float]]:
+    """Rows beyond a fence, how many widths beyond, and the fence."""
+    if len(rows) < FEWEST:
+        return
+    low, high = np.quantile(outcome.values[rows], [0.25, 0.75])
+    if (width := max(high - low, least)) == 0:
+        return
+    for row in rows:
+        value = outcome.values[row]
+        fence = low - FENCE * width if value < low else high + FENCE * width
+        beyond = abs(value - fence) / width
+        if value < min(low, fence) or value > max(high, fence):
+            yield int(row), float(beyond), float(fence)
+
+
+def _outlier(cells: Mapping[str, str], row: int, outcome: StudyOutcome, fence: float) -> UnusualVisit:
+    value = outcome.values[row]
+    side = "below" if value < fence else "above"
+    return _unusual(cells, outcome.label, f"{value:.3g}, {side} {fence:.3g}")
+
+
+def _unusual(row: Mapping[str, str], what: str, why: str) -> UnusualVisit:
+    return UnusualVisit(
+        row=int(row["row"]),
+        scenario=row["scenario"],
+        condition=row["condition"],
+        individual=row["individual"] or row["person"],
+        seed=row["seed"],
+        what=what,
+        why=why,
+    )
