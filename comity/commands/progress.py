@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import count as count_from
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -49,22 +50,24 @@ def watching(start: str, *, quiet: bool) -> Iterator[Callable[[Progress], None] 
 
 
 @contextmanager
-def counting(count: int, *, quiet: bool) -> Iterator[Callable[[str], None]]:
+def counting(*, quiet: bool) -> Iterator[Callable[[str, int], None]]:
     """Count tests as they end; without a terminal, as in the log of a build, with a line for each.
 
     Args:
-        count: How many there are.
         quiet: Say nothing, wherever the output goes.
+
+    Yields:
+        What takes the line of a test that ended, and how many tests there are.
     """
     out = console(to_errors=True)
     if quiet:
-        yield lambda _: None
+        yield lambda _text, _count: None
     elif not out.is_terminal:
-        yield _line
+        yield lambda text, _count: _line(text)
     else:
-        ended = iter(range(1, count + 1))
-        with out.status(f"{count} tests") as status:
-            yield lambda _: status.update(f"{next(ended)} of {count} tests")
+        ended = count_from(1)
+        with out.status("looking for tests") as status:
+            yield lambda _text, count: status.update(f"{next(ended)} of {count} tests")
 
 
 @contextmanager

@@ -4,27 +4,28 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import AsJson, print_json
-from comity.system.stopping import Stopped, is_stop
-from comity_fis.errors import ComityError
+from comity.system.stopping import is_stop
+from comity_fis.errors import ComityError, InputError, Where
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
-    from comity.testing.collection.cases import Claim
-    from comity.testing.collection.gathering import Gathered
-    from comity.testing.runner.processes import ProcessLost
     from comity.testing.runner.result import Result
+    from comity.testing.runner.running import Run
 
 Paths = Annotated[
     list[str],
     typer.Argument(
-        metavar="PATH", help="Folders, files *.scenario.yaml, or FILE::TEST; this folder without any."
+        metavar="PATH",
+        help="Folders, files *.scenario.yaml, or FILE::TEST; this folder without any. "
+        "Options of pytest may follow after --.",
     ),
 ]
 Shipped = Annotated[
@@ -47,17 +48,25 @@ Profiles = Annotated[
 ]
 Fast = Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")]
 First = Annotated[bool, typer.Option("-x", help="Stop at the first failure.")]
-Afresh = Annotated[
-    bool, typer.Option("--afresh", help="Also run what passed before and hangs on nothing that changed.")
-]
 Update = Annotated[bool, typer.Option("--update", help="Store golden episodes beside the scenarios.")]
 Fairness = Annotated[
     bool, typer.Option("--fairness", help="Flag differences between profiles that no parameter explains.")
 ]
-Jobs = Annotated[int | None, typer.Option("--jobs", min=1, help="Processes; one on each core without it.")]
+Jobs = Annotated[
+    int | None,
+    typer.Option("--jobs", min=1, help="Processes; without it as many as the files and the cores are worth."),
+]
 Failed = Annotated[
     str, typer.Option("--failed", metavar="DIR", help="Where failed runs and pictures go; '' for nowhere.")
 ]
+
+
+ENDED_EARLY, NO_TESTS = (3, 4), 5
+"""Exit codes of pytest: an error of its own or a wrong option; nothing to run."""
+FILES_EACH = 4
+"""Scenarios that are worth a process of their own: starting it takes as long as their tests (as measured)."""
+MOST_FILES = 256
+"""Files that are counted to find out how many processes are worth it."""
 
 
 def test(
@@ -69,7 +78,6 @@ def test(
     profile: Profiles = [],  # noqa: B006
     fast: Fast = False,
     first: First = False,
-    afresh: Afresh = False,
     update: Update = False,
     fairness: Fairness = False,
     jobs: Jobs = None,
@@ -78,37 +86,34 @@ def test(
 ) -> None:
     """Run scenarios for each of their profiles, and say which expectations do not hold, and why.
 
-    The same as `pytest` does with these files. `comity test --set comity-bench-1 --profile paper` tries
-    the benchmark with the four people of the paper. Where a scenario has no `at`, facts are taken on
-    2026-01-01, and not today as `comity run` does. Exit code 1: something does not hold.
+    The same as `pytest` does with these files, whatever it is set to in this folder; its options may follow
+    after `--`: `comity test -- --lf` runs what failed the last time. `comity test --set comity-bench-1
+    --profile paper` tries the benchmark with the four people of the paper. Where a scenario has no `at`,
+    facts are taken on 2026-01-01, and not today as `comity run` does. Exit code 1: something does not hold.
     """
-    from itertools import chain
     from time import perf_counter
 
+    start = perf_counter()
     with _told_anyway(fairness=fairness, as_json=as_json):
-        from comity.testing.runner import processes
-
-        ship = _ship(sets, taught=shipped)
-        if ship and jobs != 1:
-            processes.start()
-        from comity.testing.collection.gathering import gathered, matching
-        from comity.testing.runner.result import unread
-        from comity.testing.runner.running import results
-
-        start = perf_counter()
-        every = gathered(paths, ship=ship, profiles=_named(profile), fast=fast)
-        claims = matching(every, words)
-        _refuse(every, claims, update=update, as_json=as_json)
-        _note_unused(every)
-    found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=Path(failed) if failed else None)
-    ended: list[Result] = []
-    stopped = _until_stopped(
-        chain(unread(every.refused, profile), found), ended, len(claims), first=first, quiet=as_json
-    )
-    left = len(claims) + len(every.refused) - len(ended)
+        named = list(takewhile(lambda word: not word.startswith("-"), paths))
+        arguments = _asked(named, _ship(sets, taught=shipped), profile, update=update)
+        options = [
+            f"--comity-failed={failed}",
+            *(f"--comity-profile={name}" for name in profile),
+            *(["--comity-update"] if update else []),
+            *([f"-k={words}"] if words else []),
+            *(["-m=not slow"] if fast else []),
+            *(["-x"] if first else []),
+            *_processes(arguments, jobs),
+            *paths[len(named) :],
+        ]
+        ran = _run(arguments, options, quiet=as_json)
+        _require_tests(ran, arguments, words=words, fast=fast)
+    if ran.code in ENDED_EARLY and not (ran.results or as_json):  # pytest has said why
+        raise typer.Exit(2)
     took = perf_counter() - start
-    code = _tell(_ordered(ended, claims), took, not_run=left, fairness=fairness, as_json=as_json)
-    raise stopped or typer.Exit(code)
+    code = _tell(ran.results, took, not_run=ran.not_run, fairness=fairness, as_json=as_json)
+    raise ran.stopped[0] if ran.stopped else typer.Exit(2 if ran.code in ENDED_EARLY else code)
 
 
 def _ship(sets: Sequence[str], *, taught: bool) -> dict[str, Path]:
@@ -120,34 +125,61 @@ def _ship(sets: Sequence[str], *, taught: bool) -> dict[str, Path]:
     return files
 
 
-def _named(profiles: Sequence[str]) -> tuple[str, ...]:
-    from comity.specification.matrix import PAPER
-    from comity.system.library import shipped
-
-    groups = {"paper": PAPER, "all": tuple(shipped("profile"))}
-    return tuple(dict.fromkeys(name for word in profiles for name in groups.get(word, (word,))))
-
-
-def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: bool) -> None:
-    """What is told before any test: that the only file cannot be used, or is none to write beside."""
+def _asked(
+    words: Sequence[str], ship: Mapping[str, Path], profiles: Sequence[str], *, update: bool
+) -> Sequence[str]:
+    """The paths that are meant; what is wrong with these or with profiles is said once, before any test."""
+    from comity.testing.collection.gathering import gathered
     from comity.testing.golden.file import refuse_shipped
+    from comity.testing.trials.profiles import instead
 
-    if not claims and len(every.refused) == 1 and not as_json:
-        raise next(iter(every.refused.values()))
-    for claim in claims if update else ():
-        refuse_shipped(claim.case)
+    instead(profiles)
+    arguments = gathered(words, ship=ship, profiles=profiles)
+    for argument in arguments if update else ():
+        refuse_shipped(Path(argument.partition("::")[0]))
+    return arguments
 
 
-def _note_unused(every: Gathered) -> None:
-    """Say which golden episodes hold nothing any more, and of which the scenario is not there."""
-    from comity.testing.collection.cases import shown
-    from comity.testing.golden.place import told_abandoned
-    from comity.testing.runner.telling import left_over_text
+def _processes(arguments: Sequence[str], jobs: int | None) -> Sequence[str]:
+    """The options for the number of workers: none where starting them takes longer than the tests."""
+    from comity.testing.collection.gathering import files_in
 
-    for path in every.left_over:
-        print(f"comity: {left_over_text(path, '`comity test --update`')}", file=sys.stderr)
-    for folder in every.abandoned:
-        print(f"comity: {told_abandoned(folder, shown(folder))}", file=sys.stderr)
+    if jobs is not None:
+        return (f"--numprocesses={jobs if jobs > 1 else 0}",)
+    most = len(files_in(arguments, MOST_FILES)) // FILES_EACH
+    return ("--numprocesses=auto", f"--maxprocesses={most}") if most > 1 else ("--numprocesses=0",)
+
+
+def _run(arguments: Sequence[str], options: Sequence[str], *, quiet: bool) -> Run:
+    from comity.commands.progress import counting
+    from comity.testing.runner.running import run
+
+    with counting(quiet=quiet) as counted:
+
+        def note(result: Result, count: int) -> None:
+            counted(f"{result.status.upper():8} {result.id}  {result.seconds:.1f} s", count)
+
+        return run(arguments, options, note=note, warn=lambda text: print(f"comity: {text}", file=sys.stderr))
+
+
+def _require_tests(ran: Run, arguments: Sequence[str], *, words: str | None, fast: bool) -> None:
+    """Refuse a call that chooses no test."""
+    if ran.code != NO_TESTS or ran.results:
+        return
+    chosen = " and ".join([*([f"-k {words!r}"] if words else []), *(["--fast"] if fast else [])])
+    if chosen:
+        raise InputError(
+            expected=f"tests that {chosen} chooses",
+            got="none",
+            remedy="`pytest --collect-only -q` lists the names of the tests in a folder.",
+            where=Where("comity test"),
+        )
+    raise InputError(
+        expected="files *.scenario.yaml",
+        got="none with a test to run",
+        remedy="Name a folder that has some, or try `comity test --shipped`.",
+        where=Where(arguments[0]),
+    )
 
 
 @contextmanager
@@ -164,30 +196,6 @@ def _told_anyway(*, fairness: bool, as_json: bool) -> Iterator[None]:
         raise
 
 
-def _until_stopped(
-    found: Iterable[Result], ended: list[Result], count: int, *, first: bool, quiet: bool
-) -> Stopped | ProcessLost | None:
-    """Add and tell the results, up to the first failure where that is asked for; what stopped it before."""
-    from comity.commands.progress import counting
-    from comity.testing.runner.processes import ProcessLost
-
-    try:
-        with counting(count, quiet=quiet) as note:
-            for result in found:
-                ended.append(result)  # before it is told: what somebody has read of is never lost
-                note(f"{result.status.upper():8} {result.id}  {result.seconds:.1f} s")
-                if first and not result.good:
-                    break
-    except (Stopped, ProcessLost) as stopped:
-        return stopped
-    return None
-
-
-def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]:
-    order = {(claim.path, claim.id): i for i, claim in enumerate(claims)}
-    return sorted(results, key=lambda result: order.get((result.path, result.id), -1))
-
-
 def _tell(
     results: Sequence[Result], seconds: float, *, not_run: int | None, fairness: bool, as_json: bool
 ) -> int:
@@ -197,6 +205,8 @@ def _tell(
     told = answer(results, seconds, not_run=not_run, fairness=fairness)
     if as_json:
         print_json(told)
+    elif told.refused == len(results) == 1 and not_run == 0:  # the only file cannot be used
+        print(f"comity: {results[0].text}", file=sys.stderr)
     else:
         summary(results, told)
     if told.refused:

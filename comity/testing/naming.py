@@ -1,4 +1,6 @@
-"""How files and folders of scenario tests are called. It imports nothing: pytest loads it in any project."""
+"""Names in files, folders and reports of scenario tests. It imports nothing: pytest loads it everywhere."""
 
 SUFFIX = ".scenario.yaml"
 GOLDEN = ".golden"
+RESULT = "comity"
+"""The attribute of a report of pytest that holds what our plugin says of a test, as JSON."""

@@ -5,24 +5,27 @@ It is loaded by every pytest that runs beside Comity, so everything else is impo
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from comity.testing.naming import GOLDEN, SUFFIX
+from comity.testing.naming import GOLDEN, RESULT, SUFFIX
 
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
-    from comity.testing.judging.verdict import Failure
+    from comity.testing.judging.measured import Measured
+    from comity.testing.runner.result import Result
 
 FIRST_WORKER = "gw0"
 """What pytest-xdist calls the first of its processes, all of which collect everything."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Two options, both of which a project can do without."""
+    """Three options, all of which a project can do without."""
     group = parser.getgroup("comity", "scenario tests")
     group.addoption(
         "--comity-update", action="store_true", help="Store golden episodes instead of comparing with them."
@@ -32,6 +35,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         metavar="DIR",
         default="runs/failed",
         help="Where the runs of failed scenario tests go, with a picture; empty: nowhere.",
+    )
+    group.addoption(
+        "--comity-profile",
+        metavar="P",
+        action="append",
+        default=[],
+        help="Instead of the profiles of every matrix: a name, or a path from the current folder.",
     )
 
 
@@ -64,8 +74,47 @@ def _is_first(config: pytest.Config) -> bool:
     return worker == FIRST_WORKER
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(
+    collector: pytest.Collector,
+) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    """Let the report of a file that cannot be used hold its result."""
+    report = yield
+    if isinstance(collector, ScenarioTests) and report.failed:
+        from comity.testing.runner.result import FORM, refused
+
+        result = refused(collector.path, report.longreprtext, collector.profiles)
+        setattr(report, RESULT, FORM.dump_json(result).decode())
+    return report
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item,
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Let the report of a test hold its result: with xdist, another process tells of it."""
+    report = yield
+    if isinstance(item, ScenarioTest) and report.when == "call" and item.result:
+        from comity.testing.runner.result import FORM
+
+        result = item.result
+        if report.skipped:
+            result = replace(result, status="xfailed")
+        elif report.failed and result.good:
+            result = replace(result, status="xpassed", text=report.longreprtext)
+        setattr(report, RESULT, FORM.dump_json(result).decode())
+    return report
+
+
 class ScenarioTests(pytest.File):
     """A scenario file."""
+
+    def __init__(self, **others: Any) -> None:
+        super().__init__(**others)
+        self.profiles: Sequence[str] = list(self.config.getoption("comity_profile") or ())
+        """What is tried instead of its matrix's profiles."""
+        self.measured: dict[str, Measured] = {}
+        """What its cases came to so far, by their names: comparisons need no second episode."""
 
     def collect(self) -> Iterator[pytest.Item]:
         """Its tests, or the first thing in it that cannot be used."""
@@ -73,10 +122,11 @@ class ScenarioTests(pytest.File):
         from comity_fis import InputError
 
         try:
-            claims = claims_in(self.path)
+            claims = claims_in(self.path, profiles=self.profiles)
         except InputError as error:
             raise self.CollectError(str(error)) from None
-        self._warn_of_left_over(claims)
+        if _is_first(self.config) and not self.profiles:
+            self._warn_of_left_over(claims)
         for claim in claims:
             # As pytest reads it back, or `--lf` finds nobody: since 9.2 it parts a name from its brackets.
             node_id = f"{self.nodeid}::{claim.id}"
@@ -88,22 +138,28 @@ class ScenarioTests(pytest.File):
         from comity.testing.runner.telling import left_over_text
         from comity.testing.trials.case import Case
 
-        if _is_first(self.config):
-            cases = (claim.case for claim in claims if isinstance(claim.case, Case))
-            for path in left_over(cases):
-                self.warn(pytest.PytestWarning(left_over_text(path, "`pytest --comity-update`")))
+        for path in left_over(claim.case for claim in claims if isinstance(claim.case, Case)):
+            self.warn(pytest.PytestWarning(left_over_text(path)))
 
 
 class UnmetError(Exception):
     """Expectations that do not hold, in words."""
 
 
+class RefusedError(Exception):
+    """Bad input that was found when a test was carried out, in words."""
+
+
 class ScenarioTest(pytest.Item):
     """One case."""
+
+    parent: ScenarioTests
 
     def __init__(self, *, claim: Claim, **others: Any) -> None:
         super().__init__(**others)
         self._claim = claim
+        self.result: Result | None = None
+        """What came of it; None before it has ended."""
         markers = claim.markers
         if markers.slow:
             self.add_marker("slow")
@@ -113,32 +169,30 @@ class ScenarioTest(pytest.Item):
 
     def runtest(self) -> None:
         """Run the episode and judge it."""
-        from comity.testing.judging.verdict import judged
-        from comity.testing.runner.evidence import removed
+        from comity.testing.runner.result import result_of
+        from comity_fis import InputError
 
-        self.user_properties += self._claim.case.properties()
-        verdict = judged(self._claim, update=bool(self.config.getoption("comity_update")))
-        if verdict.measured:
-            self.user_properties += verdict.measured.properties()
+        with suppress(InputError):  # it is the result that says so
+            self.user_properties += self._claim.case.properties()
         folder = str(self.config.getoption("comity_failed"))
-        if not verdict.passed:
-            raise UnmetError(self._told(verdict.failures, folder))
-        if folder:
-            removed(self._claim, Path(folder))
-
-    def _told(self, failures: tuple[Failure, ...], folder: str) -> str:
-        from comity.testing.runner.evidence import NONE, kept
-        from comity.testing.runner.telling import failure_text
-
-        expected_to = self._claim.markers.xfail is not None
-        evidence = kept(self._claim, Path(folder)) if folder and not expected_to else NONE
-        return failure_text(self._claim, failures, evidence)
+        result = result_of(
+            self._claim,
+            update=bool(self.config.getoption("comity_update")),
+            failed=Path(folder) if folder else None,
+            before=self.parent.measured,
+        )
+        self.result = result
+        if result.status == "refused":
+            raise RefusedError(result.text)
+        if result.measured:
+            self.user_properties += result.measured.properties()
+            self.parent.measured[result.id] = result.measured
+        if not result.good:
+            raise UnmetError(result.text)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         """Sentences for what does not hold and for bad input; a traceback for everything else."""
-        from comity_fis import InputError
-
-        if isinstance(excinfo.value, UnmetError | InputError):
+        if isinstance(excinfo.value, UnmetError | RefusedError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 

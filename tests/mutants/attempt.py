@@ -109,9 +109,8 @@ def settle(root: Path, scratch: Path) -> None:
     paths = [str(root / package) for package in PACKAGES]
     sys.path[:0] = paths
     sys.dont_write_bytecode = True
-    (scratch / "cache").mkdir(exist_ok=True)
     own = {"PYTHONPATH": os.pathsep.join(paths), "COMITY_HOME": str(scratch / "kept")}
-    os.environ.update({**own, "COMITY_CACHE": str(scratch / "cache"), "PYTHONDONTWRITEBYTECODE": "1"})
+    os.environ.update({**own, "PYTHONDONTWRITEBYTECODE": "1"})
     os.chdir(scratch)
 
 

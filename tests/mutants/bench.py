@@ -74,7 +74,6 @@ class Bench:
     ) -> dict[str, Any]:
         """What the library says of a copy; thoroughly: for all profiles, whatever the first ones show."""
         scratch = self._scratch(f"scratch-{number}")
-        shutil.copytree(self.folder / "measured" / "cache", scratch / "cache")
         turns = len(PROFILES) if thorough else self.turns
         self._run(partial(attempt, thorough=thorough), root, scratch, dict(scenarios), turns)
         try:
@@ -87,7 +86,6 @@ class Bench:
     def told_apart(self, number: int, mutation: Mutation, root: Path) -> Apart:
         """Random episodes of a changed copy against those of the original."""
         known, scratch = self.folder / "random", self._scratch(f"scratch-{number}")
-        shutil.copytree(known / "cache", scratch / "cache")
         everywhere = mutation.package == "rulebook" or mutation.line in at_import(
             self.unchanged, mutation.file
         )

@@ -104,7 +104,7 @@ def test_a_classical_domain_names_the_extra_that_it_needs(alone: Installed) -> N
 
 def test_the_front_door_tests_pass_there(wheel: Path, tmp_path: Path) -> None:
     """With pytest, Hypothesis and the tests' shared files, and no other file of this repository."""
-    testing = installed(tmp_path, f"{wheel}[test]", "hypothesis")
+    testing = installed(tmp_path, wheel, "hypothesis")
     for name in (
         "conftest.py",
         "terminal.py",

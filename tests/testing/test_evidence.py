@@ -10,8 +10,7 @@ import pytest
 from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.runner import evidence
 from comity.testing.runner.evidence import kept, place_of
-from comity.testing.runner.known import Known
-from comity.testing.runner.result import known_or_result, result_of
+from comity.testing.runner.result import result_of
 
 
 @pytest.fixture
@@ -77,14 +76,6 @@ def test_what_was_kept_of_a_failure_goes_once_the_case_passes(failing, mended, t
     assert result_of(failing, failed=failed).picture
     assert result_of(mended(), failed=failed).status == "passed"
     assert list((tmp_path / "runs").rglob("*")) == [failed]
-
-
-def test_it_goes_also_where_it_is_known_that_the_case_passes(failing, mended, tmp_path):
-    failed, known = tmp_path / "failed", Known(tmp_path / "known")
-    known_or_result(mended(), known)
-    assert known_or_result(failing, known, failed=failed).picture
-    assert known_or_result(mended(), known, failed=failed).status == "passed"
-    assert list(failed.iterdir()) == []
 
 
 @pytest.mark.parametrize("mine", ["notes.txt", "../notes.txt", "deeper/notes.txt"])

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from comity.system.library import shipped
+from comity.testing.collection.cases import claims_in
 from comity.testing.collection.gathering import gathered
 from comity.testing.runner.telling import again
 from comity_fis import InputError
@@ -26,36 +28,21 @@ def here(write, tmp_path, monkeypatch) -> Path:
 ONE = "five/room.scenario.yaml::two-in-a-room[arab_woman-seed1]"
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        ["five", "five/room.scenario.yaml"],
-        [".", "five"],
-        [ONE, "five/../five"],
-        ["five/room.scenario.yaml", ONE],
-        ["{here}/five", "five"],
-    ],
-)
-def test_what_is_named_twice_is_tried_once(words, here):
-    found = gathered([word.format(here=here) for word in words])
-    assert [claim.id[-6:] for claim in found.claims] == ["seed0]", "seed1]"]
+def test_what_is_named_is_given_to_pytest_as_an_absolute_path_once(here):
+    """In whatever ways it is named."""
+    assert gathered(["five", f"{here}/five", "five/../five"]) == (str(here / "five"),)
+    assert gathered([]) == (str(here),)
+    assert gathered([ONE, f"./{ONE}"]) == (str(here / ONE),)
 
 
-def test_one_test_that_is_named_twice_is_tried_once(here):
-    assert [claim.id[-6:] for claim in gathered([ONE, f"./{ONE}"]).claims] == ["seed1]"]
+def test_what_ships_is_named_as_the_user_calls_it(here):
+    (path,) = gathered(["empty-room"])
+    assert path == str(shipped("scenario")["empty-room"])
 
 
-def test_a_file_that_is_refused_is_told_once(here, write):
-    write("finishes in 60 s", name="five/wrong.scenario.yaml")
-    assert list(gathered(["five", "five/wrong.scenario.yaml"]).refused) == [Path("five/wrong.scenario.yaml")]
-
-
-def test_where_all_are_slow_nothing_fast_is_no_success(here, write):
-    (here / "four").mkdir()
-    write(more="markers: {slow: true}\n", name="four/slow.scenario.yaml")
-    assert len(gathered(["four", "five"], fast=True).claims) == 2
-    with pytest.raises(InputError, match="--fast: expected tests that are not marked as slow, got 1 which"):
-        gathered(["four"], fast=True)
+def test_a_test_that_the_file_does_not_have_is_refused_with_the_closest(here):
+    with pytest.raises(InputError, match="Did you mean 'two-in-a-room"):
+        gathered([ONE.replace("seed1", "seed7")])
 
 
 def test_a_folder_that_was_removed_is_told_as_such_and_not_as_an_empty_one(tmp_path, monkeypatch):
@@ -67,24 +54,16 @@ def test_a_folder_that_was_removed_is_told_as_such_and_not_as_an_empty_one(tmp_p
         gathered([])
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "-dash.scenario.yaml",
-        "a::b/room.scenario.yaml",
-        "it's $HOME [x]::y::/z.scenario.yaml",
-        "a b.scenario.yaml",
-    ],
-)
+@pytest.mark.parametrize("name", ["-dash.scenario.yaml", "it's $HOME/z.scenario.yaml", "a b.scenario.yaml"])
 def test_the_command_of_a_failure_names_its_test_whatever_the_file_is_called(name, here, write):
     """Also where the test's own name has colons."""
     Path(name).parent.mkdir(exist_ok=True)
-    write(more=SEEDS, name=name, room=lambda room: room.replace("two-in-a-room", "'a::b'"))
-    _, wanted = gathered([f"./{name}"]).claims
+    path = write(more=SEEDS, name=name, room=lambda room: room.replace("two-in-a-room", "'a::b'"))
+    wanted = claims_in(path)[1]
     words = shlex.split(again(wanted))
     assert words[:2] == ["comity", "test"]
     assert not words[2].startswith("-")
-    assert [claim.id for claim in gathered(words[2:]).claims] == [wanted.id]
+    assert gathered(words[2:]) == (f"{path}::{wanted.id}",)
 
 
 def test_a_folder_has_no_tests_of_its_own(here):

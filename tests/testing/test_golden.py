@@ -19,8 +19,7 @@ from comity.testing.collection.cases import claims_in
 from comity.testing.golden.file import Golden
 from comity.testing.golden.place import place_of
 from comity.testing.judging.verdict import judged
-from comity.testing.runner.known import Known
-from comity.testing.runner.result import known_or_result, result_of
+from comity.testing.runner.result import result_of
 from comity_fis import InputError
 
 HALL = "schema_version: 1\nname: hall\nrooms:\n  hall: {box_m: [0, 0, 8, 6]}\n"
@@ -298,7 +297,7 @@ def test_a_damaged_one_is_refused(content, kept):
     path, golden = kept
     golden.write_bytes(content)
     (claim,) = claims_in(path)
-    refused = known_or_result(claim, Known(path.parent / "known"))
+    refused = result_of(claim)
     assert refused.status == "refused"
     assert refused.text.startswith(f"{golden}: expected a golden episode")
     assert "--update" in refused.text
@@ -349,7 +348,7 @@ def test_a_device_in_its_place_is_refused_and_not_read(kept):
     golden.unlink()
     golden.symlink_to("/dev/null")
     (claim,) = claims_in(path)
-    refused = known_or_result(claim, Known(path.parent / "known"))
+    refused = result_of(claim)
     assert refused.text.startswith(f"{golden}: expected a golden episode, got no regular file")
 
 

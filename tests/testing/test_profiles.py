@@ -9,7 +9,6 @@ import pytest
 from comity.people.store import Store
 from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
-from comity.testing.collection.gathering import gathered
 from comity.testing.judging.verdict import judged
 from comity_fis import InputError
 
@@ -109,7 +108,7 @@ def test_a_path_on_the_command_line_starts_from_the_current_folder(write, tmp_pa
     (tmp_path / "one.profile.yaml").write_text(AMAL.replace("amal", "noor"))
     write(more="matrix: {profiles: [german_man]}\n")
     monkeypatch.chdir(tmp_path / "here")
-    (claim,) = gathered([".."], profiles=["one.profile.yaml"]).claims
+    (claim,) = claims_in(Path("../room.scenario.yaml"), profiles=["one.profile.yaml"])
     assert claim.id == "two-in-a-room[amal-seed0]"
 
 
@@ -121,15 +120,16 @@ def test_a_path_on_the_command_line_starts_from_the_current_folder(write, tmp_pa
     ],
 )
 def test_what_is_wrong_with_a_profile_of_the_command_line_is_said_once(
-    profiles, said, write, tmp_path, monkeypatch
+    profiles, said, write, tmp_path, comity
 ):
     for name in ("a", "b"):
         (tmp_path / f"{name}.profile.yaml").write_text(AMAL)
         write(more="matrix: {profiles: [german_man]}\n", name=f"{name}.scenario.yaml")
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(InputError) as refused:
-        gathered(["."], profiles=profiles)
-    assert (str(refused.value.where), refused.value.got) == ("--profile", said)
+    done = comity("test", *(word for name in profiles for word in ("--profile", name)))
+    assert done.code == 2
+    assert done.err.count("\n") == 1
+    assert done.err.startswith("comity: --profile: ")
+    assert f"got {said}" in done.err
 
 
 @pytest.fixture
@@ -165,7 +165,7 @@ def test_somebody_has_one_name_whichever_way_their_profile_is_named(ways, write)
 def test_whoever_is_named_in_many_ways_is_tried_once(ways, write, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     path = write(more="matrix: {profiles: [arab_woman]}\n")
-    claims = gathered([str(path)], profiles=list(ways)).claims
+    claims = claims_in(path, profiles=list(ways))
     assert [claim.case.parts[0] for claim in claims] == ["noor", "german_man"]
 
 
@@ -179,6 +179,6 @@ def test_nobody_is_compared_with_themselves_by_another_name(ways, write):
 def test_a_path_in_a_circle_is_refused_in_words(write, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "circle.profile.yaml").symlink_to("circle.profile.yaml")
-    write(more="matrix: {profiles: [arab_woman]}\n")
+    path = write(more="matrix: {profiles: [arab_woman]}\n")
     with pytest.raises(InputError):
-        gathered(["."], profiles=["circle.profile.yaml"])
+        claims_in(path, profiles=["circle.profile.yaml"])

@@ -57,15 +57,12 @@ def run_in(project: Path, site: Path, *command: str) -> subprocess.CompletedProc
     )
 
 
-def test_the_extra_that_the_page_names_brings_what_the_page_uses(site):
-    """`pytest -n auto`; and without the extra neither is installed."""
+def test_what_the_page_uses_comes_with_comity(site):
+    """`pytest -n auto`."""
     (metadata,) = site.glob("comity-*.dist-info/METADATA")
     needed = [Requirement(line) for line in Parser().parsestr(metadata.read_text()).get_all("Requires-Dist")]
-    extra = {one.name for one in needed if one.marker and one.marker.evaluate({"extra": "test"})}
     always = {one.name for one in needed if not one.marker or one.marker.evaluate({"extra": ""})}
-    assert {"pytest", "pytest-xdist"} <= extra
-    assert not {"pytest", "pytest-xdist"} & always
-    assert "comity[test]" in (ROOT / "docs/how-to/test-for-different-people.md").read_text()
+    assert {"pytest", "pytest-xdist"} <= always
 
 
 def test_it_is_the_wheel_that_runs(site, project):

@@ -39,7 +39,7 @@ from comity_fis.errors import WrongValueError
 if TYPE_CHECKING:
     from comity.testing.expectation import Finding
     from comity.testing.golden.leaves import Source
-    from comity.testing.trials.case import Across, Case
+    from comity.testing.trials.case import Case
     from comity.testing.trials.trial import Trial
     from comity_domain import Plan
 
@@ -176,7 +176,7 @@ def store(trial: Trial) -> Path:
     Raises:
         InputError: where the scenario ships with Comity, or the system does not let us.
     """
-    refuse_shipped(trial.case)
+    refuse_shipped(trial.case.path)
     golden, path = golden_of(trial, dict(sources_of(trial.case))), place_of(trial.case)
     record = {
         **golden.model_dump(exclude={"nodes", "events", "sha256"}),
@@ -189,16 +189,16 @@ def store(trial: Trial) -> Path:
     return path
 
 
-def refuse_shipped(case: Case | Across) -> None:
+def refuse_shipped(path: Path) -> None:
     """Refuse to write among what is installed.
 
     Raises:
-        InputError: where the scenario ships with Comity.
+        InputError: where a scenario ships with Comity.
     """
-    if case.file.file.path in names_by_path():
+    if path in names_by_path():
         raise InputError(
             expected="a scenario of your own, beside which its golden episode is kept",
-            got=f"{case.file.scenario.name}, which ships with Comity",
+            got=f"{names_by_path()[path]}, which ships with Comity",
             remedy="Copy the scenario to a folder of yours and name the copy.",
             where=Where("--update"),
         )

@@ -1,1 +1,1 @@
-"""Many tests carried out: processes, what passed before, results, failures as people read them, pictures."""
+"""One test and its result, failures as people read them, pictures; the call of pytest with its settings."""

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
+
+from pydantic import TypeAdapter
 
 from comity.testing.collection.cases import shown
 from comity.testing.judging.measured import Measured
-from comity.testing.judging.verdict import NOTHING, Verdict, judged
+from comity.testing.judging.verdict import NOTHING, judged
 from comity.testing.runner.evidence import NONE, kept, removed
-from comity.testing.runner.known import Known, key_of
 from comity.testing.runner.telling import again, command, failure_text
-from comity.testing.trials.case import Across
+from comity.testing.trials.case import Across, from_here
 from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
+    from comity.testing.judging.verdict import Verdict
+    from comity.testing.runner.evidence import Evidence
 
 Status = Literal["passed", "failed", "xfailed", "xpassed", "refused"]
 """`xfailed`: it failed as its file says it must; `xpassed`: it did not, which is a failure, too."""
@@ -53,37 +54,8 @@ class Result:
         return self.status in ("passed", "xfailed")
 
 
-def known_or_result(
-    claim: Claim, known: Known, *, failed: Path | None = None, before: Mapping[str, Measured] = NOTHING
-) -> Result:
-    """The result of a test, which is known where it passed before and all that it depends on is the same.
-
-    Args:
-        claim: The case and its expectations.
-        known: The tests that passed before.
-        failed: The folder for the runs of failed tests; None keeps none.
-        before: What was measured in other cases just now, by the case's name.
-    """
-    start = time.perf_counter()
-    try:
-        key = key_of(claim)
-    except InputError:
-        return result_of(claim, failed=failed, before=before)
-    if passed := known.recall(key):
-        if failed:
-            removed(claim, failed)
-        took = time.perf_counter() - start
-        return _result(claim, "passed", took, passed.measured)
-    result = result_of(claim, failed=failed, before=before)
-    note(claim, result, known)
-    return result
-
-
-def note(claim: Claim, result: Result, known: Known) -> None:
-    """Keep it in mind where a test has passed; not where what it depends on was removed meanwhile."""
-    if result.status == "passed":
-        with suppress(InputError):
-            known.keep(key_of(claim), result.measured)
+FORM = TypeAdapter(Result)
+"""As JSON."""
 
 
 def result_of(
@@ -93,7 +65,7 @@ def result_of(
     failed: Path | None = None,
     before: Mapping[str, Measured] = NOTHING,
 ) -> Result:
-    """Carry a test out.
+    """Carry a test out: it passes, fails or is refused; whether that is expected is for pytest to say.
 
     Args:
         claim: The case and its expectations.
@@ -102,65 +74,59 @@ def result_of(
         before: What was measured in other cases just now, by the case's name.
     """
     start = time.perf_counter()
-    picture: Path | None = None
-    found: Measured | None = None
-    broken: tuple[tuple[str, str], ...] = ()
+    case = claim.case
+    verdict: Verdict | None = None
     status: Status
     try:
         verdict = judged(claim, update=update, before=before)
-        status, text, picture = _account(claim, verdict, failed)
-        found = verdict.measured
-        broken = tuple(dict.fromkeys((str(failure.where), failure.text) for failure in verdict.failures))
+        evidence = _kept_or_removed(claim, verdict, failed)
+        status = "passed" if verdict.passed else "failed"
+        text = "" if verdict.passed else failure_text(claim, verdict.failures, evidence)
     except InputError as error:
-        status, text = "refused", str(error)
-    except Exception as error:  # a defect of Comity: one test fails, the others go on
-        status, text = "failed", f"{claim.id} came to no end:\n{''.join(format_exception(error))}"
-    took = time.perf_counter() - start
-    return _result(claim, status, took, found, text=text, picture=picture, broken=broken)
-
-
-def _account(claim: Claim, verdict: Verdict, failed: Path | None) -> tuple[Status, str, Path | None]:
-    """What a verdict comes to, in words, and the picture of a run that is kept."""
-    reason = claim.markers.xfail
-    if not verdict.passed:
-        evidence = kept(claim, failed) if failed and not reason else NONE
-        text = failure_text(claim, verdict.failures, evidence)
-        return "xfailed" if reason else "failed", text, evidence.picture
-    if failed:
-        removed(claim, failed)
-    if claim.must_fail:
-        return "xpassed", f"{claim.id} passes, though it is marked to fail: {reason}", None
-    return "passed", "", None
-
-
-def _result(
-    claim: Claim,
-    status: Status,
-    took_s: float,
-    found: Measured | None,
-    *,
-    text: str = "",
-    picture: Path | None = None,
-    broken: tuple[tuple[str, str], ...] = (),
-) -> Result:
-    case = claim.case
+        status, text, evidence = "refused", str(error), NONE
+    failures = verdict.failures if verdict else ()
     return Result(
         id=claim.id,
-        path=claim.path,
+        path=from_here(claim.path) or claim.path,
         status=status,
         text=text,
         again=again(claim),
-        picture=picture,
-        seconds=took_s,
-        measured=found,
+        picture=evidence.picture,
+        seconds=time.perf_counter() - start,
+        measured=verdict.measured if verdict else None,
         compares=isinstance(case, Across),
         profile=None if isinstance(case, Across) else case.profile_name,
-        broken=broken,
+        broken=tuple(dict.fromkeys((str(failure.where), failure.text) for failure in failures)),
     )
 
 
-def unread(files: Mapping[Path, InputError], profiles: Sequence[str] = ()) -> Iterator[Result]:
-    """The results of files that cannot be used: the others are tested all the same."""
-    for path, error in files.items():
-        again = command(path, profiles=profiles)
-        yield Result(shown(path), path, "refused", str(error), again, None, 0.0, None)
+def refused(path: Path, text: str, profiles: Sequence[str] = ()) -> Result:
+    """The result of a file that cannot be used.
+
+    Args:
+        path: The file.
+        text: What is wrong with it.
+        profiles: What was named instead of its matrix's profiles.
+    """
+    again = command(path, profiles=profiles)
+    return Result(shown(path), from_here(path) or path, "refused", text, again, None, 0.0, None)
+
+
+def lost(path: Path, name: str, text: str) -> Result:
+    """The result of a test that came to no end.
+
+    Args:
+        path: Its file.
+        name: The test's id.
+        text: What ended it.
+    """
+    return Result(name, from_here(path) or path, "failed", text, command(path, name), None, 0.0, None)
+
+
+def _kept_or_removed(claim: Claim, verdict: Verdict, failed: Path | None) -> Evidence:
+    """The run of a test that fails and is not expected to; where one passes, an older run goes."""
+    if failed and verdict.passed:
+        removed(claim, failed)
+    elif failed and not claim.markers.xfail:
+        return kept(claim, failed)
+    return NONE

@@ -1,138 +1,232 @@
-"""Running many tests on all cores, each file's tests in order, and in one process unless they are many."""
+"""One call of pytest with a configuration of Comity's own, and what came of each test."""
 
 from __future__ import annotations
 
+import hashlib
 import os
-from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
-from itertools import groupby
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from types import FrameType
+from typing import Any
 
-from comity.testing.collection.cases import Claim
-from comity.testing.judging.measured import Measured
-from comity.testing.judging.verdict import NOTHING
-from comity.testing.runner import processes
-from comity.testing.runner.known import Known
-from comity.testing.runner.result import Result, known_or_result, note, result_of
-from comity.testing.trials.case import Across
+import pytest
+from platformdirs import user_cache_path
 
-if TYPE_CHECKING:
-    from concurrent.futures import Executor, Future
+from comity.system.stopping import STOPS
+from comity.testing.naming import RESULT
+from comity.testing.runner.result import FORM, Result, lost, refused
 
-    Batch = tuple[Claim, ...]
-    Run = Callable[[Sequence[Claim], Mapping[str, Measured]], Iterator[Result]]
+CONFIGURATION = Path(__file__).with_name("pytest.ini")
+_ENVIRONMENT = {
+    "PYTEST_ADDOPTS": None,
+    "PYTEST_PLUGINS": None,
+    "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+    "PYTHONSAFEPATH": "1",  # a package of the current folder that is called as one of ours is not ours
+}
+"""What pytest and its workers read: nothing that the user set for another use of pytest."""
 
-FEW = 6
-"""Tests that are done before other processes have started."""
-TOGETHER = 8
-"""Cases of one file that a process carries out one after the other, and tells of together: one place, one map
-of routes (our choice)."""
-OF_A_WALK = 5
-"""Where somebody walks, so many times as many ways are looked for (as measured)."""
+Note = Callable[[Result, int], None]
+"""Is told of each result as it comes, with the number of tests that were collected."""
 
 
-def results(
-    claims: Sequence[Claim],
+@dataclass
+class Run:
+    """A plugin of pytest that keeps what came of each test."""
+
+    rootdir: Path
+    """What node ids are relative to."""
+    note: Note
+    warn: Callable[[str], None]
+    code: int = pytest.ExitCode.OK
+    """Of pytest."""
+    stopped: list[BaseException] = field(default_factory=list)
+    """What Ctrl-C or SIGTERM raised."""
+    _workers: Any = None
+    """The plugin of xdist that has them; None without any."""
+    _order: dict[str, int] | None = None
+    """The place of each test that was collected, by its node id."""
+    _found: dict[str, Result] = field(default_factory=dict)
+    """By node id."""
+
+    @property
+    def results(self) -> list[Result]:
+        """All results in the order of the tests; files that cannot be used come first."""
+        order = self._order or {}
+        return [self._found[node_id] for node_id in sorted(self._found, key=lambda each: order.get(each, -1))]
+
+    @property
+    def not_run(self) -> int | None:
+        """The tests that were left when it ended; None where it ended before they were collected."""
+        if self._order is None:
+            return None
+        return len(self._order.keys() - self._found.keys())
+
+    def pytest_sessionstart(self, session: pytest.Session) -> None:
+        """Refuse a wrong `-k` or `-m` here: workers would make an error of their own of it."""
+        mark: Any = session.config.pluginmanager.get_plugin("mark")
+        mark.pytest_collection_modifyitems(items=[], config=session.config)
+        self._workers = session.config.pluginmanager.get_plugin("dsession")
+        if self._workers:
+            _hear_signals(hear=False)
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_collection(self) -> None:
+        """Hear of Ctrl-C again: the workers have been started."""
+        _hear_signals(hear=True)
+
+    def pytest_keyboard_interrupt(self) -> None:
+        """Let xdist end its workers at once, with what they have under way."""
+        if self._workers and self._workers.nodemanager:
+            self._workers.nodemanager.EXIT_TIMEOUT = 0.1  # [s]
+
+    def pytest_collection_finish(self, session: pytest.Session) -> None:
+        """Keep the order of the tests."""
+        self._collected([item.nodeid for item in session.items])
+
+    @pytest.hookimpl(optionalhook=True)
+    def pytest_xdist_node_collection_finished(self, ids: Sequence[str]) -> None:
+        """The same where workers collect."""
+        self._collected(ids)
+
+    def _collected(self, ids: Sequence[str]) -> None:
+        self._order = {node_id: place for place, node_id in enumerate(ids)}
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Keep a file that cannot be used."""
+        if self.stopped:  # something on the way made another error of it
+            raise KeyboardInterrupt
+        if report.failed:
+            crash = getattr(report.longrepr, "reprcrash", None)
+            self._keep(report, refused(self.rootdir / report.nodeid, crash.message if crash else ""))
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Keep what came of a test, also where its process was lost."""
+        if self.stopped:
+            raise KeyboardInterrupt
+        if report.failed or report.when == "call":
+            file, _, name = report.nodeid.partition("::")
+            result = self._keep(report, lost(self.rootdir / file, name, report.longreprtext))
+            self.note(result, len(self._order or ()))
+
+    def _keep(self, report: pytest.CollectReport | pytest.TestReport, otherwise: Result) -> Result:
+        """Keep what our plugin says of a report, or else this."""
+        told: str | None = getattr(report, RESULT, None)
+        result = FORM.validate_json(told) if told else otherwise
+        before = self._found.get(report.nodeid)  # xdist may run the test of a lost process again
+        if before is None or before.good:
+            self._found[report.nodeid] = result
+        return result
+
+    def pytest_warning_recorded(self, warning_message: Any) -> None:
+        """Pass a warning on to the user."""
+        if issubclass(warning_message.category, pytest.PytestWarning):
+            self.warn(str(warning_message.message))
+
+
+def run(
+    paths: Sequence[str],
+    options: Sequence[str],
     *,
-    jobs: int | None = None,
-    update: bool = False,
-    afresh: bool = False,
-    failed: Path | None = None,
-) -> Iterator[Result]:
-    """Every test's result, as they come.
+    note: Note,
+    warn: Callable[[str], None],
+) -> Run:
+    """Let pytest run scenario tests, and nothing else that lies there.
 
     Args:
-        claims: The tests.
-        jobs: Processes; None for one on each core.
-        update: Whether to store golden episodes.
-        afresh: Whether to run also what passed before and cannot come out otherwise now.
-        failed: The folder for the runs of failed tests.
+        paths: Absolute ones of folders and files, or `FILE::TEST`; at least one.
+        options: More options of pytest.
+        note: Is told of each result as it comes, with the number of tests.
+        warn: Is told of warnings.
     """
-    jobs = jobs or len(
-        os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(os.cpu_count() or 1)
-    )
-    if jobs == 1 or len(claims) <= FEW:
-        yield from _in_turn(claims, update=update, afresh=afresh, failed=failed)
-        return
-    one = partial(_in_turn, update=update, afresh=afresh, failed=failed)
-    with processes.pool(jobs) as pool:
-        yield from _from_all(pool, claims, one)
+    rootdir = _root_of([Path(path.partition("::")[0]) for path in paths])
+    ran = Run(rootdir, note, warn)
+    words = [
+        f"--config-file={CONFIGURATION}",
+        f"--rootdir={rootdir}",
+        f"--confcutdir={rootdir}",
+        f"--override-ini=cache_dir={_cache_folder()}",
+        *options,
+        "--",
+        *paths,
+    ]
+    with _environment(), _interruptible(ran.stopped):
+        try:
+            ran.code = pytest.main(words, plugins=[ran])
+        except KeyboardInterrupt:
+            if not ran.stopped:
+                raise
+        finally:
+            _hear_signals(hear=True)
+    return ran
 
 
-def _from_all(pool: Executor, claims: Sequence[Claim], one: Run) -> Iterator[Result]:
-    """The comparisons of a file in parts are made when all of its cases have been measured."""
-    from concurrent.futures import FIRST_COMPLETED, wait
-
-    batches, comparisons = _batches(claims)
-    left = Counter(batch[0].path for batch in batches)
-    measured: dict[Path, dict[str, Measured]] = defaultdict(dict)
-    pending: dict[Future[list[Result]], Path] = {}
-
-    def submit(batch: Batch) -> None:
-        path = batch[0].path
-        pending[pool.submit(_batch, batch, measured[path], one)] = path
-
-    for batch in batches:
-        submit(batch)
-    while pending:
-        for done in wait(pending, return_when=FIRST_COMPLETED).done:
-            path = pending.pop(done)
-            for result in done.result():
-                if result.measured:
-                    measured[path][result.id] = result.measured
-                yield result
-            left[path] -= 1
-            if not left[path] and path in comparisons:
-                submit(comparisons.pop(path))
+def _root_of(paths: Sequence[Path]) -> Path:
+    """The folder below which pytest looks: the current one, or one that holds all that was named."""
+    if all(path.is_relative_to(Path.cwd()) for path in paths):
+        return Path.cwd()
+    return Path(os.path.commonpath([path if path.is_dir() else path.parent for path in paths]))
 
 
-def _batches(claims: Sequence[Claim]) -> tuple[list[Batch], dict[Path, Batch]]:
-    """What one process does at a time, what takes long first; and the comparisons of files in parts."""
-    batches, comparisons = [], {}
-    for path, group in groupby(claims, key=lambda claim: claim.path):
-        every = tuple(group)
-        cases = tuple(claim for claim in every if not isinstance(claim.case, Across))
-        if len(cases) <= TOGETHER:
-            batches.append(every)
-            continue
-        batches += [cases[i : i + TOGETHER] for i in range(0, len(cases), TOGETHER)]
-        if len(cases) < len(every):
-            comparisons[path] = tuple(claim for claim in every if isinstance(claim.case, Across))
-    return sorted(batches, key=lambda batch: -_weight(batch)), comparisons
+def _cache_folder() -> Path:
+    """Where pytest keeps which tests of the current folder failed last."""
+    here = hashlib.sha256(os.fsencode(Path.cwd())).hexdigest()[:16]
+    return Path(os.environ.get("COMITY_CACHE") or user_cache_path("comity")) / "tests" / here
 
 
-def _weight(batch: Sequence[Claim]) -> int:
-    """How long it takes, roughly: what is long goes first, so that no process waits at the end."""
-    scenario = batch[0].case.file.scenario
-    walking = sum(person.walks is not None for person in scenario.people.values())
-    passing = scenario.passers_by.count if scenario.passers_by else 0
-    return len(batch) * (len(scenario.people) + passing + OF_A_WALK * walking)
+@contextmanager
+def _environment() -> Iterator[None]:
+    before = {name: os.environ.get(name) for name in _ENVIRONMENT}
+    _set(_ENVIRONMENT)
+    try:
+        yield
+    finally:
+        _set(before)
 
 
-def _batch(claims: Batch, measured: Mapping[str, Measured], one: Run) -> list[Result]:
-    return list(one(claims, measured))
-
-
-def _in_turn(
-    claims: Iterable[Claim],
-    measured: Mapping[str, Measured] = NOTHING,
-    *,
-    update: bool,
-    afresh: bool,
-    failed: Path | None,
-) -> Iterator[Result]:
-    """The comparisons of a file come last, and take what was measured in its cases."""
-    of_files: dict[Path, dict[str, Measured]] = defaultdict(lambda: dict(measured))
-    for claim in claims:
-        before = of_files[claim.path]
-        known = Known.of_this_machine()
-        if update or afresh:
-            result = result_of(claim, update=update, failed=failed, before=before)
-            note(claim, result, known)
+def _set(variables: dict[str, str | None]) -> None:
+    for name, value in variables.items():
+        if value is None:
+            os.environ.pop(name, None)
         else:
-            result = known_or_result(claim, known, failed=failed, before=before)
-        if result.measured:
-            before[claim.id] = result.measured
-        yield result
+            os.environ[name] = value
+
+
+def _hear_signals(*, hear: bool) -> None:
+    """Let Ctrl-C and SIGTERM come, or wait: workers that are started while they wait never hear of them.
+
+    It is this process that ends its workers, and they say nothing of it. Windows knows no such thing.
+    """
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK if hear else signal.SIG_BLOCK, STOPS)
+
+
+@contextmanager
+def _interruptible(stopped: list[BaseException]) -> Iterator[None]:
+    """Ctrl-C and SIGTERM as `KeyboardInterrupt`: of everything else pytest makes a failure.
+
+    Args:
+        stopped: What the program's own handlers raise, to be raised once pytest has ended.
+    """
+    handlers = {int(number): signal.getsignal(number) for number in STOPS}
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        handler = handlers[number]
+        assert callable(handler)
+        try:
+            handler(number, frame)
+        except BaseException as error:
+            stopped.append(error)
+            raise KeyboardInterrupt from None
+
+    for number, handler in handlers.items():
+        if callable(handler):
+            signal.signal(number, stop)
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            if callable(handler):
+                signal.signal(number, handler)

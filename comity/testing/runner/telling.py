@@ -56,17 +56,12 @@ def wraps(line: str) -> bool:
     return line.startswith(_SENTENCES)
 
 
-def left_over_text(path: Path, update: str) -> str:
-    """That a golden episode, or what is in the place of their folder, holds nothing any more.
-
-    Args:
-        path: Where it is.
-        update: The command that writes golden episodes.
-    """
+def left_over_text(path: Path) -> str:
+    """That a golden episode, or what is in the place of their folder, holds nothing any more."""
     expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
     return (
         f"{shown(path)}: expected {expected}, got one that no case is compared with. Call the "
-        f"profile, world or seed as before, or remove it and run {update}."
+        f"profile, world or seed as before, or remove it and run `comity test --update`."
     )
 
 

@@ -51,10 +51,15 @@ def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, 
 def instead(names: Sequence[str]) -> tuple[Tried, ...]:
     """Profiles of the command line, each once in whatever ways it is named; a path starts from here.
 
+    Args:
+        names: Names and paths; `paper` are the paper's four, `all` are those that ship.
+
     Raises:
         InputError: for one that cannot be used, or is called like another.
     """
-    once = {_file(name): name for name in reversed(names)}
+    groups = {"paper": PAPER, "all": tuple(shipped("profile"))}
+    each = [name for word in names for name in groups.get(word, (word,))]
+    once = {_file(name): name for name in reversed(each)}
     return _apart((name, name, Where("--profile")) for name in reversed(once.values()))
 
 
