@@ -91,11 +91,13 @@ def test_where_turning_back_saves_nothing_the_robot_stays_on_its_way() -> None:
 
 @pytest.mark.parametrize("sigma_m", [0.0, 0.03])
 def test_nobody_who_rocks_from_foot_to_foot_makes_the_robot_go_to_and_fro(sigma_m: float) -> None:
+    """In the first seconds Bob may be about to leave the gap; then the robot goes round him for good."""
+
     def rock(world: World) -> None:
         world.move_person("bob", GAP[0], GAP[1] + 0.25 * math.sin(4.0 * world.time_s), 0.0)
 
     still_m = way_m(World(scene(sigma_m=sigma_m), seed=1))
-    assert way_m(World(scene(sigma_m=sigma_m), seed=1), rock) == pytest.approx(still_m, abs=0.3)
+    assert way_m(World(scene(sigma_m=sigma_m), seed=1), rock) == pytest.approx(still_m, abs=1.5)
 
 
 @settings(max_examples=40)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
@@ -66,10 +66,6 @@ class Restraint:
         self._backing_out.let_pass(passers_by)
         self._reach_m = passers_by.radius_m + self._spec.radius_m
 
-    def walkers(self, visited: str) -> list[Walker]:
-        """Those who are under way, but for the one who is visited."""
-        return [walker for walker in self._senses.walkers if walker.person.name != visited]
-
     def allowed(
         self,
         base: Base,
@@ -78,6 +74,7 @@ class Restraint:
         *,
         visited: str | None = None,
         approached: str | None = None,
+        movers: Sequence[Walker] = (),
         stand: Collection[str] = (),
         looks: bool = True,
         near_m_s: Mapping[str, float] = NO_LIMITS,
@@ -90,6 +87,7 @@ class Restraint:
             plan: What stands still around it.
             visited: Whom or what it is under way to; None where it is not.
             approached: The same where there is a way.
+            movers: Those whom its route does not lead round, but for the one who is visited.
             stand: Who stands in its way, and is to be asked to let it pass.
             looks: Whether it looks first at where it goes, where it does not see all round.
             near_m_s: How fast it may move near those it visits, by name, beyond what they asked for.
@@ -111,7 +109,7 @@ class Restraint:
         self._oncoming.look(base)
         roomy = self._with_room(base, wanted, plan, visited, approached)
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
-        velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
+        velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
         self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
         left = self._last_moment.turned(base, Wanted(velocity, roomy.heading_rad, roomy.may_reverse))
         if looks and self._looking_first is not None:
@@ -165,6 +163,7 @@ class Restraint:
     def _is_late_for_people(self, base: Base) -> bool:
         braking = SPEED_SHARE * base.acceleration_m_s2
         (x, y), (vx, vy) = base.xy, base.velocity
+        walking = {walker.person.name for walker in self._senses.walkers}
         for person in self._senses.present:
             apart = math.dist((x, y), person.xy)
             if not apart:
@@ -173,7 +172,7 @@ class Restraint:
             if closing <= DRIFT_M_S:
                 continue
             # Where it stops is foreseen; who walks comes on until the body has caught up with its commands.
-            walks = any(walker.person.name == person.name for walker in self._senses.walkers)
+            walks = person.name in walking
             behind_s = base.step_s + (base.lag_s if walks else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
             is_fast = closing > stopping_speed(max(free_m, 0.0), braking, base.step_s)
@@ -206,9 +205,19 @@ class Restraint:
             made = make_room(base.xy, wanted.velocity, radius_m, walkers, plan, braking=braking)
         return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
 
-    def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:
-        """Let passers-by go first."""
-        if self._passers_by is None:
-            return velocity
-        ahead_m, people = base.speed_m_s * (base.step_s + base.lag_s), self._passers_by.at
-        return yield_to(velocity, base.xy, people, self._reach_m, braking=braking, ahead_m=ahead_m)
+    def _yielding(self, base: Base, velocity: XY, movers: Sequence[Walker], braking: float) -> XY:
+        """Stop before those who move, and let them go first."""
+        ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
+        at = np.array([complex(*mover.person.xy) for mover in movers], dtype=complex)
+        reach_m = np.array([mover.person.radius_m + self._spec.radius_m for mover in movers])
+        if self._passers_by is not None:
+            velocity = yield_to(
+                velocity,
+                base.xy,
+                self._passers_by.at,
+                self._reach_m,
+                braking=braking,
+                ahead_m=ahead_m,
+                velocity=self._passers_by.velocity,
+            )
+        return yield_to(velocity, base.xy, at, reach_m, braking=braking, ahead_m=ahead_m, stands_beside=True)

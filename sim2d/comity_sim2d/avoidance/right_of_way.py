@@ -14,6 +14,12 @@ from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 SIDEWAYS_COS = 0.1
 """Who is farther to the side than this (84 deg) is not in the way."""
+BRAKES_SHARE = 0.3
+"""So much of how near they come while the robot brakes is counted on: they mostly turn aside (our choice)."""
+CLOSES_M_S = 0.015
+"""Going by them it comes nearer to them no faster [m/s]: less than what counts as coming (our choice)."""
+AWAY_COS = -0.3
+"""A line at more than 107 degrees from the direction of a person gets away from them (our choice)."""
 GRAZES_M = 0.02
 """Nor is who is inside the margin already, where the line leads nearer to them by no more, and not to where
 the robot keeps off anybody (our choice): who stands beside the robot would hold it up for good."""
@@ -33,6 +39,11 @@ class PassersBySeen(Protocol):
         ...
 
     @property
+    def velocity(self) -> NDArray[np.complex128]:
+        """How they go [m/s], shape (n,)."""
+        ...
+
+    @property
     def radius_m(self) -> NDArray[np.float64]:
         """Of their bodies, shape (n,)."""
         ...
@@ -46,6 +57,8 @@ def yield_to(
     *,
     braking: float,
     ahead_m: float,
+    velocity: NDArray[np.complex128] | None = None,
+    stands_beside: bool = False,
 ) -> XY:
     """The wanted velocity, slowed down so that the robot can stop before people and is slow near them.
 
@@ -56,12 +69,20 @@ def yield_to(
         reach_m: Both radii together, shape (n,).
         braking: The deceleration to count on [m/s^2].
         ahead_m: How far the robot comes before the next command.
+        velocity: How they go, shape (n,): it stops sooner for those who come; None: as if they stood.
+        stands_beside: Whether it stands beside those inside the margin, unless it gets away from them: a
+            person who walks may come nearer yet.
     """
     speed = math.hypot(*wanted)
     if not len(people) or speed == 0.0:
         return wanted
     apart = people - complex(*xy)
     gap = np.abs(apart) - reach_m
+    if velocity is not None:  # how near they come while the robot brakes
+        comes = -(velocity * apart.conj()).real / np.maximum(np.abs(apart), 1e-9)
+        gap = np.where(
+            comes > 0.0, np.maximum(gap - BRAKES_SHARE * comes * speed / braking, np.minimum(gap, 0.0)), gap
+        )
     slow_m = NEAR_PEOPLE_M + NEAR_PEOPLE_SLACK_M + ahead_m
     matter = (gap <= slow_m + speed**2 / (2.0 * braking)).nonzero()[0]
     if not len(matter):
@@ -70,9 +91,13 @@ def yield_to(
     most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
     for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
         towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)
-        if towards > SIDEWAYS_COS and not _grazes(abs(beside), gap_m, towards):
+        if stands_beside and gap_m < PERSON_MARGIN_M:
+            most = most if towards < AWAY_COS else 0.0
+        elif towards > SIDEWAYS_COS and not _grazes(abs(beside), gap_m, towards):
             before_m = max(gap_m - PERSON_MARGIN_M - ahead_m, 0.0)
             most = min(most, math.sqrt(2.0 * braking * before_m))
+        elif towards > 0.0 and gap_m < PERSON_MARGIN_M:
+            most = min(most, CLOSES_M_S / towards)
     share = min(1.0, most / speed)
     return (wanted[0] * share, wanted[1] * share)
 

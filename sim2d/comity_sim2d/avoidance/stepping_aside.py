@@ -32,7 +32,7 @@ COMES_S = 0.35
 """Who has walked for less may only lean in, or step up (our choice)."""
 DRIFTS_M_S = 0.3
 """Who is approached and comes more slowly is followed, and not left (our choice)."""
-MAY_COME, FORGETS_S = 2, 60.0
+MAY_COME, FORGETS_S = 10, 60.0
 """So often within this time it steps aside for the same person, unless they wait for it (our choice)."""
 OFF_COURSE = np.radians([45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0])
 """Directions to try on either side, off the course of whoever comes."""

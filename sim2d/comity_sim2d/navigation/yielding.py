@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from comity_sim2d.navigation.route import Route
 from comity_sim2d.paths.personal_space import Points
@@ -32,11 +33,6 @@ class Walker:
     person: Person
     velocity: XY
 
-    @property
-    def walks(self) -> bool:
-        """Or stands."""
-        return is_walking(self.velocity)
-
 
 def is_walking(velocity: XY) -> bool:
     """Whether somebody with this velocity is on the way somewhere."""
@@ -60,39 +56,47 @@ def giving_way(
         route: The robot's.
         way_m: How far along it the robot is.
         speed_m_s: Its speed.
-        walkers: Who may come in its way; whom it visits is not among them.
+        walkers: Those who move, or stand where the route does not expect them; not the one who is visited.
         robot_radius_m: Its radius.
     """
-    marks = way_m + max(speed_m_s, SLOWEST_M_S) * MOMENTS
-    robot = _points(route, marks)
+    speed_m_s = max(speed_m_s, SLOWEST_M_S)
+    near = [walker for walker in walkers if _may_meet(route.at(way_m), speed_m_s, walker)]
+    if not near:
+        return None
+    marks = way_m + speed_m_s * MOMENTS
+    robot, paths = _points(route, marks), _paths(near)
+    reach_m = np.array([walker.person.radius_m for walker in near]) + robot_radius_m + MARGIN_M
+    apart_m = np.hypot(*np.moveaxis(robot - paths, 2, 0))
+    close = apart_m < reach_m[:, None]
+    # Those who only go away are not given way to.
+    comes = close.any(axis=1) & (apart_m[:, 0] > apart_m.min(axis=1) + 1e-9)
     found = []
-    for walker in walkers:
-        if walker.walks and (conflict := _first_conflict(robot, walker, robot_radius_m)) is not None:
-            ahead = marks[conflict] - way_m
-            found.append(GivingWay(walker.person.name, _free_m(route, way_m, ahead, walker, robot_radius_m)))
+    for i in np.flatnonzero(comes).tolist():
+        ahead_m = float(marks[close[i].argmax()]) - way_m
+        found.append(GivingWay(near[i].person.name, _free_m(route, way_m, ahead_m, paths[i], reach_m[i])))
     return min(found, key=lambda each: each.free_m, default=None)
 
 
-def _first_conflict(robot: Points, walker: Walker, robot_radius_m: float) -> int | None:
-    gaps = np.hypot(*(robot - _path(walker)).T) - walker.person.radius_m - robot_radius_m
-    close = np.flatnonzero(gaps < MARGIN_M)
-    if not len(close) or gaps[0] <= gaps.min() + 1e-9:  # nobody is given way to who only goes away
-        return None
-    return int(close[0])
+def _may_meet(robot: XY, speed_m_s: float, walker: Walker) -> bool:
+    """Whether the two can come near one another within the horizon: most of a crowd cannot."""
+    reach_m = 1.0 + (speed_m_s + math.hypot(*walker.velocity)) * HORIZON_S
+    return math.dist(robot, walker.person.xy) < reach_m + walker.person.radius_m
 
 
-def _free_m(route: Route, way_m: float, ahead_m: float, walker: Walker, robot_radius_m: float) -> float:
-    """How far the robot can go and still be beside the walker's way."""
+def _free_m(route: Route, way_m: float, ahead_m: float, path: Points, reach_m: float) -> float:
+    """How far the robot can go and still be beside the walker's path."""
     steps = np.arange(0.0, ahead_m + STEP_M, STEP_M)
-    apart = _points(route, way_m + steps)[:, None] - _path(walker)[None]
-    gaps = np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) - walker.person.radius_m - robot_radius_m
-    blocked = np.flatnonzero(gaps < MARGIN_M)
+    apart = _points(route, way_m + steps)[:, None] - path[None]
+    blocked = np.flatnonzero(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) < reach_m)
     return float(steps[max(int(blocked[0]) - 1, 0)]) if len(blocked) else float(ahead_m)
 
 
-def _path(walker: Walker) -> Points:
-    return np.asarray(np.array(walker.person.xy) + MOMENTS[:, None] * np.array(walker.velocity))
+def _paths(walkers: Sequence[Walker]) -> NDArray[np.float64]:
+    """Where each walker is at each moment; shape (walkers, moments, 2)."""
+    at = np.array([walker.person.xy for walker in walkers])
+    velocity = np.array([walker.velocity for walker in walkers])
+    return np.asarray(at[:, None] + MOMENTS[:, None] * velocity[:, None])
 
 
-def _points(route: Route, marks: np.ndarray) -> Points:
-    return np.array([route.at(float(mark)) for mark in marks])
+def _points(route: Route, marks: NDArray[np.float64]) -> Points:
+    return np.array([route.at(mark) for mark in marks.tolist()])

@@ -24,10 +24,10 @@ LOOKAHEAD_M = 0.3
 OFF_M = 0.1
 """So far beside its route it takes a new one (our choice): in shipped episodes it kept within half of that in
 99.6 % of the ticks."""
-RETHINK_S = 0.25
-"""So often a route is held against people who moved."""
-BETTER_S = 0.5
-"""So often another one is looked for, which takes more computing, where people moved since the last time."""
+FOLLOWS_S = 0.2
+"""A goal that moves has a new route at most so often [s]."""
+SLOWING_S = 0.25
+"""Slowing down for another route, the robot looks at least so often for the best one [s]."""
 WAVERS_S, MAY_WAVER, MOST_WAVERS = 10.0, 2.0, 7.0
 """A change of mind is forgotten after the first. Beyond the second, each doubles by how much another route
 has to be better for the next, up to the third, 16 m: among people who walk to and fro a robot would turn to
@@ -76,17 +76,13 @@ class Approach:
         self._way_m = 0.0
         self._map: RouteMap | None = None
         """With which the route was made."""
-        self._seen: RouteMap | None = None
-        """With which it was last held against others."""
-        self._seen_s = 0.0
-        """How long ago."""
         self._goal: XY | None = None
         self._slowing = False
         self.settled = settled
         """Whether a base that cannot move sideways is content with where it is."""
         self._holds = settled
         """Whether it was told to hold where it docked, and has been content since."""
-        self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
+        self._ticks_old, self._cost = 0, 0.0
         self._wavers = 0.0
         """How often it has changed its mind of late."""
         self._best_m, self._best_s = math.inf, since_s
@@ -115,7 +111,7 @@ class Approach:
         self._wavers = max(0.0, self._wavers - base.step_s / WAVERS_S)
         nearest_m = self._nearest_m(base)
         if self._is_stale(base, goal, route_map, nearest_m):
-            self._replan(base, goal, route_map, walkers)
+            self._replan(base, goal, route_map)
             nearest_m = self._nearest_m(base)
         self.gives_way_to = None
         if self._route is None:
@@ -180,23 +176,20 @@ class Approach:
         return self._route.nearest(base.xy, self._way_m, ahead_m)
 
     def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap, nearest_m: float) -> bool:
-        """Whether there is need of a new route; who moves elsewhere gives none."""
+        """Whether there is need of a new route; a person who moves elsewhere gives none."""
         self._ticks_old += 1
+        age_s = self._ticks_old * base.step_s
         if self._slowing:
-            return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
-        if (
-            self._goal is None
-            or math.dist(self._goal, goal.xy) > self._astray_m
-            or self._is_off(base, nearest_m)
-        ):
+            return base.speed_m_s <= JOLT_M_S or age_s >= SLOWING_S
+        if self._goal is None or self._is_off(base, nearest_m):
             return True
-        if route_map is self._map and not self._counts_on_walkers:
-            return False
-        if self._map is None or route_map.surroundings.plan is not self._map.surroundings.plan:
+        if math.dist(self._goal, goal.xy) > self._astray_m and age_s >= FOLLOWS_S:
             return True
-        if self._ticks_old * base.step_s < RETHINK_S:
+        if route_map is self._map:
             return False
-        self._ticks_old = 0
+        before, self._map = self._map, route_map
+        if before is None or route_map.surroundings.plan is not before.surroundings.plan:
+            return True
         return self._route is None or self._should_leave(self._route, route_map)
 
     def _is_off(self, base: Base, nearest_m: float) -> bool:
@@ -207,10 +200,6 @@ class Approach:
         """Whether people moved so that a route is barred or much worse now, or another one much better."""
         if route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m):
             return True
-        self._seen_s += RETHINK_S
-        if route_map is self._seen or self._seen_s < BETTER_S:
-            return False
-        self._seen, self._seen_s = route_map, 0.0
         return route_map.has_better(route, self._gone_m, keep=self.keep, by_m=self._by_m)
 
     @property
@@ -228,15 +217,10 @@ class Approach:
         """How far to stay from whom it approaches, for its routes [m]."""
         return {self.person: self.pose.distance_m}
 
-    def _replan(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker]) -> None:
+    def _replan(self, base: Base, goal: Goal, route_map: RouteMap) -> None:
         """Take a new route; where it leaves in another direction, slow down on the old one first."""
         route = route_map.route(base.xy, goal.xy, keep=self.keep)
-        self._counts_on_walkers = route is None and bool(walkers)
-        if self._counts_on_walkers:  # they are given way to, and will be gone
-            standing = route_map.without({walker.person.name for walker in walkers})
-            route = standing.route(base.xy, goal.xy, keep=self.keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
-        self._seen, self._seen_s = route_map, BETTER_S
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self.keep)
         if route is not None and not self._goes_on_to(route) and _jolt(base, route, goal) > JOLT_M_S:
             self._slowing = True

@@ -12,7 +12,7 @@ from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route import Route
 from comity_sim2d.navigation.route_map import COMFORT_M, WORTH_M, RouteMap
 from comity_sim2d.pose import XY
-from comity_sim2d.robot.approach import Approach
+from comity_sim2d.robot.approach import FOLLOWS_S, Approach
 from comity_sim2d.scene.o_space import OSpace
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
@@ -20,8 +20,6 @@ from comity_sim2d.scene.surroundings import Surroundings
 
 STEP_M = 0.05
 """The way is looked along in steps of this length."""
-EVERY_LOOKS = 5
-"""Where people move all the time and nobody is in the way, every fifth look is enough (our choice)."""
 ARRIVED_M = 0.05
 """So near the place to wait at, the robot waits."""
 NEARER_M = 0.1
@@ -125,9 +123,9 @@ class Hindrance:
         self.now: InTheWay | None = None
         self._found: InTheWay | None = None
         """By the last look: `now` may outlast them."""
-        self._looks = 0
         self._map: RouteMap | None = None
         self._goal: XY | None = None
+        self._looked_s = -math.inf
         self._waits_s, self._least_m = -math.inf, math.inf
         """Since when it waits; and how near it was when it had to, at best."""
         self._in_vain = 0
@@ -143,10 +141,8 @@ class Hindrance:
 
     def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
         """Where to go now: the goal, or the place to wait at."""
-        self._looks += 1
-        due = self._goal is None or self._found is not None or self._looks >= EVERY_LOOKS
-        if due and self._has_changed(route_map, goal):
-            self._looks = 0
+        if self._has_changed(route_map, goal, now_s):
+            self._looked_s = now_s
             before, self._found = self._found, self._in_the_way(route_map, start, goal, approach)
             self._map, self._goal = route_map, goal
             if self._found is None and self.now is not None:
@@ -188,8 +184,10 @@ class Hindrance:
         detour_m = self.detour_m - (min(WORTH_M, self.detour_m / 2) if self.now else 0.0)
         return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=detour_m)
 
-    def _has_changed(self, route_map: RouteMap, goal: XY) -> bool:
-        return route_map is not self._map or self._goal is None or math.dist(self._goal, goal) > STEP_M
+    def _has_changed(self, route_map: RouteMap, goal: XY, now_s: float) -> bool:
+        if route_map is not self._map or self._goal is None:
+            return True
+        return math.dist(self._goal, goal) > STEP_M and now_s - self._looked_s >= FOLLOWS_S
 
 
 def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> float:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 from comity_sim2d.avoidance.drawing_back import DrawBack
 from comity_sim2d.avoidance.restraint import NO_LIMITS, Restraint
@@ -19,13 +18,12 @@ from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
 from comity_sim2d.robot.in_the_way import Hindrance
-from comity_sim2d.robot.loiterers import Loiterers, PassersByKnown
 from comity_sim2d.robot.looking import DRIVES_M_S, LOOK_M, gaze_rad
 from comity_sim2d.robot.motion import Motion, blocked
 from comity_sim2d.robot.progress import Progress
 from comity_sim2d.robot.search import Search
+from comity_sim2d.robot.standing import PassersByKnown, Standing
 from comity_sim2d.scene.obstacles import FloorPlan
-from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import unknown
 from comity_sim2d.senses.sensing import Senses
@@ -34,8 +32,6 @@ DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "omnidirectional": Omnidirectional,
     "differential": Differential,
 }
-REMAP_M = 0.02
-"""The map of routes follows people who moved farther than this."""
 HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
 """A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
 
@@ -67,8 +63,8 @@ class Locomotion:
         self._senses = senses
         self._clock = clock
         self._places = dict(places)
-        self.map = route_map
-        """Its ways around people, where it last believed them to be."""
+        self.standing = Standing(senses, clock, route_map)
+        """Its routes around those who stand."""
         self.motion = Motion("stopped")
         """How the last command goes."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
@@ -77,7 +73,6 @@ class Locomotion:
         self._search = Search(spec.sensor, senses, clock)
         self._progress = Progress(spec, physics, senses, clock)
         self._draw_back = DrawBack(physics.touches, spec.radius_m)
-        self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
         self._docks = False
         self._near_m_s: dict[str, float] = {}
@@ -87,24 +82,14 @@ class Locomotion:
     def let_pass(self, passers_by: PassersByKnown) -> None:
         """Mind people whom nobody plans for: those who walk go first, those who stand are gone round."""
         self._restraint.let_pass(passers_by)
-        self._loiterers = Loiterers(passers_by, self._clock)
-
-    @property
-    def ways(self) -> RouteMap:
-        """Its ways around people, passers-by who stand about among them."""
-        return self._loiterers.on(self.map) if self._loiterers else self.map
-
-    @property
-    def passers_by(self) -> tuple[str, ...]:
-        """What those are called whom nobody plans for."""
-        return self._loiterers.names if self._loiterers else ()
+        self.standing.let_pass(passers_by)
 
     def find_way(self) -> tuple[XY, ...]:
         """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
         goal = self.goal
         if goal is None or self._approach is None:
             return ()
-        ways = without_people(self.map.surroundings, (self._approach.person,))
+        ways = without_people(self.standing.map.surroundings, (self._approach.person,))
         route = ways.route(self._physics.pose.xy, goal, keep=self._approach.keep)
         return () if route is None else route.points
 
@@ -173,15 +158,6 @@ class Locomotion:
         self.stop()
         self.motion = Motion("aborted", f"it was not renewed for {lease_s:g} s")
 
-    def remap(self, tolerance_m: float = 0.0) -> None:
-        """Renew the map of routes where people are not where it has them."""
-        believed, mapped = self._senses.present, self.map.surroundings.people
-        if believed is mapped:
-            return
-        pairs = zip(believed, mapped, strict=False)
-        if len(believed) != len(mapped) or any(_differ(one, other, tolerance_m) for one, other in pairs):
-            self.map = RouteMap(self.map.surroundings.with_people(believed))
-
     def look_for_another_way(self) -> None:
         """Choose the way anew at the next tick: what it is to keep to is something else now."""
         if self._approach is not None:
@@ -189,7 +165,7 @@ class Locomotion:
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Know that other things stand still from now on."""
-        self.map = RouteMap(replace(self.map.surroundings, plan=plan))
+        self.standing.use_plan(plan)
 
     def cut(self, why: str | None = None) -> Twist:
         """The velocity where the motors are cut: none at once; with a reason, what it was told is over."""
@@ -217,7 +193,7 @@ class Locomotion:
     def go_on(self) -> Twist:
         """The velocity for the coming tick, to do what it was told."""
         base = self._foreseen()
-        drawn = self._draw_back.look(base, self._senses.present, self.map.surroundings.plan)
+        drawn = self._draw_back.look(base, self._senses.present, self._plan)
         if drawn is not None:
             return self._get_away(*drawn, base)
         if (twist := self._search_command(base)) is not None:
@@ -233,6 +209,7 @@ class Locomotion:
 
     def _get_away(self, touched: str, wanted: Wanted, base: Base) -> Twist:
         """The velocity away from somebody whom it has touched; what it was told goes on afterwards."""
+        self.standing.touched(touched)
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
@@ -298,10 +275,13 @@ class Locomotion:
 
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
         waits = not approach.has_route or self._hindrance.now is not None
-        self.remap(REMAP_M + (0.0 if waits else 3.0 * self._senses.noise_m))  # it may be noise that waits
+        waits_for = [*self._hindrance.people]
+        if approach.gives_way_to:
+            waits_for.append(approach.gives_way_to)
+        ways = self.standing.look(approach.person, waits_for, lets_by=self._restraint.held_up_by, waits=waits)
         goal, seen = self._goal_of(approach)
         if self._restraint.backs_out_before is None:
-            velocity = self._steer(approach, base, goal)
+            velocity = self._steer(approach, base, goal, ways)
         else:  # it follows no way until it goes on
             approach.forget_route()
             velocity = (0.0, 0.0)
@@ -313,19 +293,17 @@ class Locomotion:
             held_up_by=self._hindrance.now,
             docks=self._docks,
             was=self.motion,
-            plan=self.map.surroundings.plan,
+            plan=self._plan,
         )
         wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
 
-    def _steer(self, approach: Approach, base: Base, goal: Goal) -> XY:
+    def _steer(self, approach: Approach, base: Base, goal: Goal, ways: RouteMap) -> XY:
         """The velocity along the way to the goal, or to where it waits."""
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
-        now = self._goal_for_now(approach, base, led)
-        ways = self.ways
-        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=approach.keep):
-            ways = self.map  # and so it comes up to them and lets them pass
-        return approach.steer(base, now, ways, self._restraint.walkers(approach.person))
+        xy = self._hindrance.look(ways, base.xy, led.xy, approach, self._clock.now_s)
+        now = Goal(xy, (0.0, 0.0)) if self._hindrance.now else led
+        return approach.steer(base, now, ways, self.standing.movers(approach.person))
 
     def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
         """Where to, and what to look at on the last stretch."""
@@ -336,19 +314,15 @@ class Locomotion:
         spot = spot_beside(person, self._spec.radius_m, approach.pose)
         return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
-    def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
-        """The goal, or the place to wait at where people are in the way to it.
-
-        Passers-by who stand are among them, but not whoever it gives way to.
-        """
-        ways = self.map if self._restraint.held_up_by else self.ways
-        xy = self._hindrance.look(ways, base.xy, goal.xy, approach, self._clock.now_s)
-        return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
+    @property
+    def _plan(self) -> FloorPlan:
+        """What stands still."""
+        return self.standing.map.surroundings.plan
 
     def _command(
         self, base: Base, wanted: Wanted, *, visited: str | None = None, looks: bool = True
     ) -> Twist:
-        plan = self.map.surroundings.plan
+        plan = self._plan
         body = self._body(base)
         if self._restraint.is_late(base, body, plan):
             return self._base.brake_before_things(body)
@@ -361,6 +335,7 @@ class Locomotion:
             plan,
             visited=under_way_to,
             approached=approached,
+            movers=self.standing.movers(visited or ""),
             stand=self._hindrance.people,
             looks=looks,
             near_m_s=self._near_m_s if going is not None else NO_LIMITS,
@@ -380,15 +355,6 @@ class Locomotion:
         elif self.motion.state == "running" and not self.motion.is_blocked:
             self.motion = Motion("running", "looking at where it goes before it goes there")
         going.restart_watch(self._clock.now_s)
-
-
-def _differ(one: Person, other: Person, tolerance_m: float) -> bool:
-    """Whether somebody else is there, or they turned, moved farther than that or like another distance."""
-    if one.name != other.name or one.heading_rad != other.heading_rad:
-        return True
-    if one.personal_distance_m != other.personal_distance_m:
-        return True
-    return math.dist(one.xy, other.xy) > tolerance_m
 
 
 def _later(goal: Goal, time_s: float) -> XY:

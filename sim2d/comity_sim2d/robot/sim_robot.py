@@ -195,8 +195,7 @@ class SimRobot:
             ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
         """
         self._require(person)
-        self._locomotion.remap()
-        ways = self._locomotion.ways
+        ways = self._locomotion.standing.everybody()
         if self._senses.has_lost(person):  # the robot goes to look for them where they were seen last
             ways = RouteMap(
                 ways.surroundings.with_people((*ways.surroundings.people, self._senses.person(person)))
@@ -371,9 +370,7 @@ class SimRobot:
         require_kinds("act", act=(act.act, str))
         if act.act == PICK_UP:
             require_text("robot", "place", act.to)
-        elif not (
-            act.act == ASK_TO_PASS and isinstance(act.to, str) and act.to in self._locomotion.passers_by
-        ):
+        elif not (act.act == ASK_TO_PASS and act.to in self._locomotion.standing.passers_by):
             self._require(act.to)
         if act.act in (PICK_UP, HAND_OVER):
             require_kinds("act", thing=(act.thing, str))

@@ -1,15 +1,20 @@
 """What a simulated second costs: a visit in a hall full of people, with everything on, against other crowds.
 
 Ours is the world, the people, the behaviour tree, the recording and the metrics, at 20 Hz with people who
-decide at 10 Hz; theirs is the people alone, at 10 Hz. Everybody walks in a square hall of 8 m2 for each.
+decide at 10 Hz; theirs is the people alone, at 10 Hz. Everybody walks in a square hall of 8 m2 for each: as
+passers-by, and as people of the scenario on walks, whom the robot senses, tracks and plans with. The random
+rooms of `room_study` are timed besides.
 """
 
 from __future__ import annotations
 
 import math
+import sys
 import time
 import tracemalloc
 from collections.abc import Callable
+from functools import partial
+from importlib import import_module
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
@@ -25,14 +30,21 @@ SPACE_M2 = 8.0
 GROWTH = (1, 10, 50, 100, 200, 500)
 MEMORY_S = 600.0
 RUN_S = 20.0
+ROOMS = 200
 
 
 def run(bench: Bench) -> list[Row]:
-    """The contest at 10 and 50 people, the parts of it, the growth, and the memory of ten minutes."""
+    """The contest at 10 and 50 people, parts, walks, random rooms, growth, and the memory of ten minutes."""
     rows: list[Row] = []
     for people in (10,) if bench.quick else (10, 50):
         rows += _contest(bench, people)
         rows += _parts(people)
+        prepared = _prepared(people, walks=True)
+        turns = {"comity, everything on": partial(_episode, prepared)}
+        rows += in_turn(
+            turns, rounds=bench.rounds, suite="world", task=f"{people} people on walks", per="simulated s"
+        )
+    rows += _rooms(3 if bench.quick else ROOMS)
     rows += _growth((1, 10) if bench.quick else GROWTH)
     return rows + _memory(10.0 if bench.quick else MEMORY_S)
 
@@ -75,12 +87,13 @@ def _description(people: int, *, batched: bool) -> dict[str, Any]:
     }
 
 
-def _prepared(people: int) -> Any:
-    """A visit at the other end of the hall, planned."""
+def _prepared(people: int, *, walks: bool = False) -> Any:
+    """A visit at the other end of the hall, planned; the others pass by, or are people on walks."""
     from comity.preparation import prepare
     from comity.scenario import load_scenario
 
     side = round(math.sqrt(SPACE_M2 * people), 3)
+    others = _walks(people - 1, side) if walks else f"passers_by: {{count: {people - 1}}}"
     scenario = f"""
 schema_version: 1
 name: hall
@@ -88,13 +101,45 @@ place: {{width_m: {side}, height_m: {side}}}
 robot: {{at_m: [1.0, 1.0]}}
 people:
   host: {{profile: german_woman, at_m: [{side - 1.5}, {side - 1.5}], facing_deg: 225}}
-passers_by: {{count: {people - 1}}}
+{others}
 goals: [{{greet: host}}]
+limits: {{time_s: 90}}
 """
     with TemporaryDirectory(prefix="comity-bench-") as name:
         file = Path(name) / "hall.scenario.yaml"
         file.write_text(scenario)
         return prepare(load_scenario(str(file)))
+
+
+def _walks(count: int, side: float) -> str:
+    """People who walk to and fro between three spots of the hall each, away from the robot and the host."""
+    dice, cells = Random(0), int(side)
+    spots = [((i + 0.5) * side / cells, (j + 0.5) * side / cells) for i in range(cells) for j in range(cells)]
+    ends = ((1.0, 1.0), (side - 1.5, side - 1.5))
+    free = [spot for spot in spots if all(math.dist(spot, end) > 1.0 for end in ends)]
+    lines = []
+    for i, (x, y) in enumerate(dice.sample(free, count)):
+        route = [[round(value, 2) for value in spot] for spot in dice.sample(free, 2)]
+        lines.append(f"  w{i}: {{at_m: [{x:.2f}, {y:.2f}], walks: {{route: {route}, loop: true}}}}")
+    return "\n".join(lines)
+
+
+def _rooms(count: int) -> list[Row]:
+    """Random rooms in which people walk, with noise and both drives: the median and the 90th percentile."""
+    sys.path.insert(0, str(Path(__file__).parents[2]))
+    study = import_module("room_study")
+    costs = sorted(study.episode("walk", seed)["cpu_ms"] / 1000.0 for seed in range(count))
+    share = {"median": 0.5, "90th percentile": 0.9}
+    return [
+        Row(
+            suite="world",
+            task=f"{count} random rooms, {name}",
+            contestant="comity, everything on",
+            seconds=(costs[min(count - 1, int(at * count))],),
+            per="simulated s",
+        )
+        for name, at in share.items()
+    ]
 
 
 def _episode(prepared: Any) -> float:

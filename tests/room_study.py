@@ -1,0 +1,203 @@
+"""The study of random rooms: whole episodes among people who stand, walk on errands and pass by.
+
+`python tests/room_study.py KIND FIRST LAST` plays the rooms of these seeds and prints a JSON line for each;
+`python tests/room_study.py FILE` prints the table from such lines. The kinds: `stand` (people stand), `walk`
+(some walk along routes of the scenario) and `mix` (passers-by, too). Rooms are drawn from a wide range: one
+to three parts with doorways, furniture, both drives, noise and delay of the sensors, short sight. The judge
+(`judging`) reads the frames.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from fault_study import tracks_of
+from judging import contacts_with_people
+
+from comity.live_episode import execute
+from comity.preparation import Prepared, prepare
+from comity.scenario import load_scenario
+from comity_fis.errors import ComityError
+from comity_sim2d import Frames, World
+
+KINDS = ("stand", "walk", "mix")
+NAMES = ("ada", "ben", "cyd", "dot", "eli", "fay", "gus", "hal")
+PROFILES = (
+    "arab_man", "arab_woman", "british_elder", "german_man", "german_woman", "indian_man", "japanese_woman",
+    "swedish_regular", "unknown",
+)  # fmt: skip
+APART_M = 0.6
+"""So far from one another people, ends of walks and the middles of furniture are."""
+DRAWS = 60
+FLOOR_M, SLACK_M = 0.30, 0.005
+"""What the robot keeps from people, and by how much its route may cut that."""
+MOVES_M_S = 0.02
+"""Slower towards a person, it stands."""
+
+
+def room(kind: str, seed: int, draw: int = 0) -> str:
+    """The text of a scenario; some draws put people onto furniture, and are refused."""
+    dice = random.Random(f"{kind} {seed} {draw}")
+    wide, high = dice.uniform(6.0, 10.5), dice.uniform(4.6, 7.5)
+    taken: list[tuple[float, float]] = []
+
+    def spot() -> tuple[float, float]:
+        while True:
+            xy = round(dice.uniform(0.5, wide - 0.5), 3), round(dice.uniform(0.5, high - 0.5), 3)
+            if all(math.dist(xy, other) > APART_M for other in taken):
+                taken.append(xy)
+                return xy
+
+    lines = ["schema_version: 1", f"name: {kind}-{seed}"]
+    lines += [f"place:\n  width_m: {wide:.3f}\n  height_m: {high:.3f}", *_walls(dice, wide, high)]
+    if pieces := dice.randint(0, 4):
+        lines.append("  furniture:")
+        for i in range(pieces):
+            size = f"{dice.uniform(0.3, 1.4):.3f}, {dice.uniform(0.3, 1.0):.3f}"
+            x, y = spot()
+            lines.append(
+                f"    - {{name: box {i}, box_m: [{x}, {y}, {size}], angle_deg: {dice.uniform(0, 180):.1f}}}"
+            )
+    lines += [f"robot: {{at_m: {list(spot())}, {_robot(dice)}}}", "people:"]
+    for name in NAMES:
+        walks = kind != "stand" and dice.random() < 0.45
+        way = f", walks: {_walk(dice, spot)}" if walks else ""
+        turned = f"facing_deg: {dice.uniform(-180, 180):.1f}"
+        lines.append(f"  {name}: {{profile: {dice.choice(PROFILES)}, at_m: {list(spot())}, {turned}{way}}}")
+    if kind == "mix":
+        lines.append(f"passers_by: {{count: {dice.randint(1, 5)}, reacts: regular}}")
+    goals = dice.sample(NAMES, dice.randint(1, 3))
+    lines += ["goals:", *(f"  - greet: {name}" for name in goals)]
+    lines.append(f"limits: {{time_s: {dice.choice([90, 150])}, planning_s: 10}}")
+    return "\n".join(lines) + "\n"
+
+
+def _walls(dice: random.Random, wide: float, high: float) -> list[str]:
+    """Walls that divide the floor, each with a doorway."""
+    rooms = dice.choice([1, 1, 2, 3])
+    found = []
+    for i in range(1, rooms):
+        x, gap = wide * i / rooms, dice.uniform(1.0, 1.6)
+        low = dice.uniform(0.3, high - gap - 0.3)
+        found += [
+            f"[[{x:.3f}, 0.0], [{x:.3f}, {low:.3f}]]",
+            f"[[{x:.3f}, {low + gap:.3f}], [{x:.3f}, {high:.3f}]]",
+        ]
+    return [f"  walls_m: [{', '.join(found)}]"] if found else []
+
+
+def _robot(dice: random.Random) -> str:
+    noise, delay = dice.choice([(0.0, 0.0), (0.0, 0.0), (0.03, 0.1), (0.05, 0.2)])
+    sensor = [f"noise_m: {noise}, delay_s: {delay}"] if noise else []
+    sensor += ["range_m: 3.9"] if dice.random() < 0.2 else []
+    sensor += ["hidden_by_walls: true"] if dice.random() < 0.5 else []
+    drive = dice.choice(["omnidirectional", "differential"])
+    jerk = dice.choice([20.0, 20.0, 1.0])
+    text = f"facing_deg: {dice.uniform(-180, 180):.1f}, drive: {drive}, max_jerk_m_s3: {jerk}"
+    return text + (f", sensor: {{{', '.join(sensor)}}}" if sensor else "")
+
+
+def _walk(dice: random.Random, spot: Any) -> str:
+    points = [list(spot()) for _ in range(dice.randint(2, 3))]
+    loop, stops = dice.random() < 0.8, dice.random() < 0.4
+    return (
+        f"{{route: {points}, loop: {str(loop).lower()}, speed_m_s: {dice.choice([0.4, 0.7, 1.1, 1.6])}, "
+        f"pause_s: {dice.choice([0, 1, 3])}, stops: {str(stops).lower()}}}"
+    )
+
+
+def prepared(kind: str, seed: int) -> Prepared:
+    """The planned episode of the first draw that is a room."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{kind}{seed}.scenario.yaml"
+        for draw in range(DRAWS):
+            file.write_text(room(kind, seed, draw), encoding="utf-8")
+            try:
+                case = prepare(load_scenario(str(file)))
+                World(
+                    case.scene, seed
+                )  # refuses walks through walls, and more passers-by than there is room for
+            except ComityError:
+                continue
+            return case
+    raise AssertionError(f"no room in {DRAWS} draws")
+
+
+def episode(kind: str, seed: int) -> dict[str, Any]:
+    """What came of one room, judged."""
+    case = prepared(kind, seed)
+    start = time.process_time()
+    got = execute(case, seed=seed)
+    cpu_s, tracks = time.process_time() - start, tracks_of(got)
+    simulated_s = float(got.frames.time_s[-1])
+    contacts = contacts_with_people(tracks)
+    return {
+        "kind": kind,
+        "seed": seed,
+        "noisy": case.scene.robot.sensor.sigma_m > 0.0,
+        "drive": case.scene.robot.drive,
+        "outcome": got.outcome,
+        "served": sum(visit.outcome == "greeted" for visit in got.visits),
+        "asked": len(got.visits),
+        "by_robot": sum(contact.by_robot for contact in contacts),
+        "by_people": sum(not contact.by_robot for contact in contacts),
+        "intrusions": intrusions(got.frames),
+        "simulated_s": simulated_s,
+        "cpu_ms": 1000.0 * cpu_s / simulated_s,
+    }
+
+
+def intrusions(frames: Frames) -> int:
+    """How often the robot's own motion began to bring it nearer to a person than 0.30 m."""
+    at = frames.poses[:, :, :2]
+    apart = at[:, 1:] - at[:, :1]
+    far_m = np.hypot(apart[..., 0], apart[..., 1])
+    gap_m = far_m - frames.radius_m[1:] - frames.radius_m[0]
+    moved = np.diff(at[:, 0], axis=0)[:, None]
+    closing = (
+        (moved * apart[:-1]).sum(axis=2) / np.maximum(far_m[:-1], 1e-9) / np.diff(frames.time_s)[:, None]
+    )
+    own = (gap_m[1:] < FLOOR_M - SLACK_M) & (closing > MOVES_M_S)
+    return int(own[0].sum() + (own[1:] & ~own[:-1]).sum())
+
+
+def table(lines: list[dict[str, Any]]) -> Iterator[str]:
+    """The table of the docs."""
+    yield (
+        "| rooms | episodes | contacts by the robot | by people | nearer than 0.30 m by itself "
+        "| visits served | seconds, median | ms of CPU a simulated second, median / 90th percentile |"
+    )
+    yield "|---" * 8 + "|"
+    for kind in KINDS:
+        for noisy in (False, True):
+            chosen = [line for line in lines if (line["kind"], line["noisy"]) == (kind, noisy)]
+            if not chosen:
+                continue
+            total = {
+                key: sum(line[key] for line in chosen)
+                for key in ("by_robot", "by_people", "intrusions", "served", "asked")
+            }
+            took = np.median([line["simulated_s"] for line in chosen])
+            median, high = np.percentile([line["cpu_ms"] for line in chosen], (50, 90))
+            yield (
+                f"| {kind}, {'noisy' if noisy else 'perfect'} sensors | {len(chosen)} | {total['by_robot']} "
+                f"| {total['by_people']} | {total['intrusions']} | {total['served'] / total['asked']:.1%} "
+                f"| {took:.0f} | {median:.0f} / {high:.0f} |"
+            )
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 2:
+        for number in range(int(sys.argv[2]), int(sys.argv[3])):
+            print(json.dumps(episode(sys.argv[1], number)), flush=True)
+    else:
+        print(*table([json.loads(line) for line in Path(sys.argv[1]).read_text().splitlines()]), sep="\n")
