@@ -218,6 +218,5 @@ class Restraint:
                 self._reach_m,
                 braking=braking,
                 ahead_m=ahead_m,
-                velocity=self._passers_by.velocity,
             )
         return yield_to(velocity, base.xy, at, reach_m, braking=braking, ahead_m=ahead_m, stands_beside=True)

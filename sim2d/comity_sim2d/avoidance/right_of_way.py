@@ -14,8 +14,6 @@ from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 SIDEWAYS_COS = 0.1
 """Who is farther to the side than this (84 deg) is not in the way."""
-BRAKES_SHARE = 0.3
-"""So much of how near they come while the robot brakes is counted on: they mostly turn aside (our choice)."""
 CLOSES_M_S = 0.015
 """Going by them it comes nearer to them no faster [m/s]: less than what counts as coming (our choice)."""
 AWAY_COS = -0.3
@@ -39,11 +37,6 @@ class PassersBySeen(Protocol):
         ...
 
     @property
-    def velocity(self) -> NDArray[np.complex128]:
-        """How they go [m/s], shape (n,)."""
-        ...
-
-    @property
     def radius_m(self) -> NDArray[np.float64]:
         """Of their bodies, shape (n,)."""
         ...
@@ -57,7 +50,6 @@ def yield_to(
     *,
     braking: float,
     ahead_m: float,
-    velocity: NDArray[np.complex128] | None = None,
     stands_beside: bool = False,
 ) -> XY:
     """The wanted velocity, slowed down so that the robot can stop before people and is slow near them.
@@ -69,7 +61,6 @@ def yield_to(
         reach_m: Both radii together, shape (n,).
         braking: The deceleration to count on [m/s^2].
         ahead_m: How far the robot comes before the next command.
-        velocity: How they go, shape (n,): it stops sooner for those who come; None: as if they stood.
         stands_beside: Whether it stands beside those inside the margin, unless it gets away from them: a
             person who walks may come nearer yet.
     """
@@ -78,11 +69,6 @@ def yield_to(
         return wanted
     apart = people - complex(*xy)
     gap = np.abs(apart) - reach_m
-    if velocity is not None:  # how near they come while the robot brakes
-        comes = -(velocity * apart.conj()).real / np.maximum(np.abs(apart), 1e-9)
-        gap = np.where(
-            comes > 0.0, np.maximum(gap - BRAKES_SHARE * comes * speed / braking, np.minimum(gap, 0.0)), gap
-        )
     slow_m = NEAR_PEOPLE_M + NEAR_PEOPLE_SLACK_M + ahead_m
     matter = (gap <= slow_m + speed**2 / (2.0 * braking)).nonzero()[0]
     if not len(matter):
