@@ -75,7 +75,7 @@ def run(
         at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
         seed: For random places and the noise of sensors.
         out: Write the run folder there; None writes nothing.
-        acts: Behaviours of your own in place of the robot's acts, by the act's name: `utter`, or a gesture of
+        acts: Behaviours of your own in place of the robot's acts, by the act's name: `say`, or a gesture of
             the rulebook. Each is a class or function of the name of its node and the person.
         robot: A real robot in the place of the simulated one, on the scenario's map, from where it is and
             sees people (`comity_executor.MapRobot` says what it needs).

@@ -145,7 +145,7 @@ class Episode:
         """Hold that a node was halted, and because of what.
 
         Args:
-            node: A part of its name: `utter`.
+            node: A part of its name: `say`.
             by: A part of any link of the chain of causes: `docked?`.
 
         Raises:

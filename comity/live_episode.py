@@ -33,7 +33,7 @@ from comity_executor import (
     TraceEvent,
     Write,
 )
-from comity_executor.memory.meeting import NO_GESTURE, UTTER
+from comity_executor.memory.meeting import NO_GESTURE, SAY_ACT
 from comity_fis.errors import InputError
 from comity_sim2d import DoorTurn, Frames, World
 from comity_sim2d.base.drive import stopping_time_s
@@ -383,7 +383,7 @@ def _refuse(operator: Operator | None) -> None:
 def _check_acts(prepared: Prepared, acts: Iterable[str]) -> None:
     gestures = prepared.rulebook.parameters.get("greeting_gesture")
     categories = getattr(gestures, "categories", ())
-    known = (UTTER, *(each.name for each in categories if each.name != NO_GESTURE))
+    known = (SAY_ACT, *(each.name for each in categories if each.name != NO_GESTURE))
     for act in acts:
         if act not in known:
             raise InputError(

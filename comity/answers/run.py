@@ -22,7 +22,7 @@ PlanStatus = Literal["rebound", "replanned", "not_replanned"]
 class ActAnswer(Answer):
     """One utterance or gesture, as it was done."""
 
-    act: str = Field(description="`utter`, a gesture's name, `pick_up` or `hand_over`.")
+    act: str = Field(description="`say`, a gesture's name, `pick_up` or `hand_over`.")
     start_s: float
     end_s: float = Field(description="When it ended, or was broken off.")
     text: str | None = Field(description="What was said; null for a gesture.")

@@ -22,7 +22,7 @@ Told = TypeVar("Told", bound=BaseModel)
 # fmt: off
 PROGRAM = frozenset({
     "Reach_user", "Return_to_user", "Greet_person", "Greet_company", "Fetch", "Say", "Offer", "Wait",
-    "Take_leave", "Skip_visit", "utter", "say", "nod", "wave", "bow", "bow_and_nod", "handshake",
+    "Take_leave", "Skip_visit", "say", "nod", "wave", "bow", "bow_and_nod", "handshake",
     "palms_together", "pick_up", "hand_over", "front", "left", "right", "behind", "start", "here", "none",
     "verbal", "gestural", "both", "speaks", "moves", "robot",
 })

@@ -93,7 +93,7 @@ class LeafRaises(Timed):
     """A leaf of the tree raises an exception when it is ticked next."""
 
     fault: Literal["leaf raises"]
-    leaf: Name = Field(description="Its name, `utter(johanna)`, or for all that are called so, `utter`.")
+    leaf: Name = Field(description="Its name, `say(johanna)`, or for all that are called so, `say`.")
     times: Count = Field(default=1, description="In so many of its ticks.")
 
 

@@ -63,7 +63,7 @@ class Execution:
             tree that fails has failed.
         unserved: Whom the plan leaves out because it cannot serve them, and why: with a planner, they are
             looked at again when the rest is done.
-        acts: Behaviours of your own in place of the robot's acts, by the act's name (`utter` or a gesture):
+        acts: Behaviours of your own in place of the robot's acts, by the act's name (`say` or a gesture):
             what makes one from the name of its node, `juggle(johanna)`, and the person.
         emergency: Says why the robot must stand still, in place of the robot's own call: in real time the
             `read` of a `Heartbeat`.
@@ -273,7 +273,7 @@ class Execution:
         """Have a leaf raise an exception when it is ticked next: a failure, and never a traceback.
 
         Args:
-            leaf: Its name, `utter(johanna)`, or without whom it is about, `utter`.
+            leaf: Its name, `say(johanna)`, or without whom it is about, `say`.
             error: What to raise.
             times: In so many of its ticks.
         """

@@ -244,7 +244,7 @@ def test_a_search_shows_what_was_found_with_the_way_to_it(reader, runs):
     page = reader.open(page_of(runs["many"]))
     before = page.locator("[role=treeitem]:visible").count()
     page.keyboard.press("/")
-    page.keyboard.type("utter, yuki")
+    page.keyboard.type("say, yuki")
     seen = page.locator("[role=treeitem]:visible")
     assert seen.first.get_attribute("data-node") == "Safe"
     assert page.locator("[role=treeitem][data-found=true]").count() == 3

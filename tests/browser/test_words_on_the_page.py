@@ -34,6 +34,6 @@ def test_what_is_said_has_its_script_its_language_and_latin_letters(reader, page
 def test_the_facts_of_a_wording_stand_with_the_reasons(reader, page_of_words):
     path, said_s = page_of_words
     page = reader.open(path, f"#t={said_s:.2f}")
-    page.locator(".sentence", has_text="utter(johanna)").first.click()
+    page.locator(".sentence", has_text="say(johanna)").first.click()
     facts = page.locator(".card .wordings li")
     assert facts.inner_text() == "greet, ar, Arab, neutral: مرحبًا، {name}. (reviewed by nobody)"

@@ -76,7 +76,7 @@ def check_all_is_done_once(episode) -> None:
     assert episode.outcome == "success"
     acts = done(episode)
     for person in ("anna", "omar"):
-        words = [text for act, whom, text, _ in acts.elements() if (act, whom) == ("utter", person)]
+        words = [text for act, whom, text, _ in acts.elements() if (act, whom) == ("say", person)]
         assert len(words) == len(set(words))
     gestures = Counter((act, whom) for act, whom, text, thing in acts.elements() if text is thing is None)
     assert max(gestures.values()) <= 2  # a greeting and a farewell

@@ -196,7 +196,7 @@ def test_a_robot_that_cannot_speak_does_not_come_near(here):
     episode = comity.run(path)
     visit = next(each for each in episode.visits if each.person == "anna")
     assert visit.outcome == "unreached"
-    assert "utter was broken off" in visit.failure
+    assert "say was broken off" in visit.failure
     assert gaps_m(episode).min() >= SPOKEN_TO_M
 
 

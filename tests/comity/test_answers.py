@@ -216,10 +216,10 @@ def test_the_trace_can_be_asked_for_a_node_and_a_time(comity):
     comity("run", "--out", "run", "--json")
     events = comity("trace", "run", "--node", "docked?", "--between", 5, 100, "--json").json["events"]
     assert [(event["node"], event["status"]) for event in events] == [("docked?(johanna)", "success")]
-    assert "□ utter(johanna)  success" in comity("trace", "run").out
+    assert "□ say(johanna)  success" in comity("trace", "run").out
     before = comity("trace", "run", "--at", 1).out
     assert "□ Navigate_to_user(johanna)  running" in before
-    assert "utter(johanna)  " not in before
+    assert "say(johanna)  " not in before
 
 
 def test_halts_lead_from_the_reading_back_to_the_culture(comity):

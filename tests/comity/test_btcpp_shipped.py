@@ -31,4 +31,4 @@ def test_no_leaf_leaves_a_declared_port_unset_and_every_act_is_tried_again(scena
     acts = [*tree.iter("Act"), *tree.iter("TaskAct")]
     attempts = [act for once in tree.iterfind(".//RetryUntilSuccessful/Fallback") for act in once[:1]]
     assert {act.get("name") for act in acts} == {act.get("name") for act in attempts}
-    assert all(act.get("text") for act in acts if act.get("act") == "utter")
+    assert all(act.get("text") for act in acts if act.get("act") == "say")

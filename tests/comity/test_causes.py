@@ -42,7 +42,7 @@ def few() -> list[Case]:
 
 
 def kind(switch: Switch) -> str:
-    """`utter halted (preempted) by docked? -> failure`, whoever it was about."""
+    """`say halted (preempted) by docked? -> failure`, whoever it was about."""
     event, cause = switch.event, switch.cause
     doing = "an action began" if event.status == "running" else f"an action was halted ({event.halt})"
     return f"{doing}, blamed: {cause.node.partition('(')[0]} -> {cause.status}"

@@ -85,31 +85,31 @@ def test_a_door_that_is_shut_elsewhere_is_not_behind_what_a_wheel_does(run):
 
 def test_speech_that_fails_is_broken_off_and_said_again(run):
     ran = run("at_s: 3, fault: speech fails, for_s: 8")
-    said = [act for act in ran.acts if act.act == "utter"]
+    said = [act for act in ran.acts if act.act == "say"]
     assert [act.stopped for act in said] == [True] * (len(said) - 1) + [False]
     assert len(said) > 1
     assert all(act.t_start < 11.0 for act in said[:-1])
     assert ran.outcome == "success"
-    assert "fault at t=3 s: speech fails for 8 s; utter was broken off" in chains(ran)[0]
+    assert "fault at t=3 s: speech fails for 8 s; say was broken off" in chains(ran)[0]
 
 
 def test_asked_why_while_an_act_pauses_the_trace_says_before_which_attempt_and_until_when(run):
     ran = run("at_s: 3, fault: speech fails, for_s: 8")
-    (first, second, *_) = (e for e in ran.events if e.node == "utter(anna)" and e.status == "failure")
-    says = "utter was broken off, it pauses before attempt {} until t={:.2f} s"
+    (first, second, *_) = (e for e in ran.events if e.node == "say(anna)" and e.status == "failure")
+    says = "say was broken off, it pauses before attempt {} until t={:.2f} s"
     for attempt, failed in ((2, first), (3, second)):
-        (why,) = (why for why in ran.why(failed.t + 0.5) if why.event.node == "utter(anna)")
+        (why,) = (why for why in ran.why(failed.t + 0.5) if why.event.node == "say(anna)")
         assert why.because[1].text == says.format(attempt, failed.t + 1.0)
-        (begins,) = (e.t for e in ran.events if e.node == "utter(anna)" and failed.t < e.t <= failed.t + 1.0)
+        (begins,) = (e.t for e in ran.events if e.node == "say(anna)" and failed.t < e.t <= failed.t + 1.0)
         assert begins == pytest.approx(failed.t + 1.0)
-        timeout = next(node for node in ran.nodes if node.name == "Timeout 10 s(utter, anna)")
+        timeout = next(node for node in ran.nodes if node.name == "Timeout 10 s(say, anna)")
         assert ran.history.why_node(timeout.path, failed.t + 0.5).switched_by == failed
 
 
 def test_the_last_attempt_at_an_act_has_no_pause_after_it(run):
     ran = run("at_s: 3, fault: speech fails, for_s: 60", more="limits: {act_s: 2.5, replans: 0}\n")
-    last = [e for e in ran.events if e.node == "utter(anna)" and e.status == "failure"][-1]
-    assert last.because[1].text == "utter was broken off"
+    last = [e for e in ran.events if e.node == "say(anna)" and e.status == "failure"][-1]
+    assert last.because[1].text == "say was broken off"
 
 
 def test_a_fault_is_named_once_where_the_robot_sees_nothing(run):
@@ -276,7 +276,7 @@ def test_what_is_permitted_can_be_told_while_the_robot_stands_where_somebody_was
 
 @pytest.mark.parametrize(
     "leaf",
-    ["docked?", "Navigate_to_user(anna)", "utter", "Give_up", "all_greeted?", "plan_holds?", "emergency?"],
+    ["docked?", "Navigate_to_user(anna)", "say", "Give_up", "all_greeted?", "plan_holds?", "emergency?"],
 )
 def test_a_leaf_that_raises_fails_with_its_cause_and_the_visit_goes_on(run, leaf: str):
     at_s = run().visits[0].docked_s + 0.2 if leaf == "docked?" else 1.0
@@ -347,7 +347,7 @@ def test_the_run_folder_the_trace_and_its_answers_name_the_fault(comity, here, r
         ("{at_s: 2, fault: planner fails, person: anna}", ["a known key", "'person'"]),
         ("{at_s: 2, fault: person walks off, person: ana}", ["'ana'", "somebody from `people`", "anna"]),
         ("{at_s: 2, fault: door closes, door: kitchen}", ["a door of the map", "'kitchen'", "Use a map"]),
-        ("{at_s: 2, fault: leaf raises, leaf: uter}", ["a leaf of the plan's tree", "'uter'", "utter"]),
+        ("{at_s: 2, fault: leaf raises, leaf: uter}", ["a leaf of the plan's tree", "'uter'", "say"]),
         ("{at_s: 2, fault: leaf raises, leaf: Goal}", ["a leaf of the plan's tree", "'Goal'"]),
         ("wheel stuck", ["mapping"]),
         (

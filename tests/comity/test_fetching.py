@@ -57,7 +57,7 @@ def test_whoever_stands_in_the_way_to_what_is_fetched_is_asked_and_the_run_ends_
     (visit,) = ran.visits
     assert len(asked(ran)) == 2, "once in each attempt, and as often only from before Anna"
     assert (visit.outcome, visit.failure) == ("unfinished", REASON)
-    assert done(ran, "utter"), "what can be done without the tea is done"
+    assert done(ran, "say"), "what can be done without the tea is done"
     assert ran.outcome == "partial"
     assert ran.frames.time_s[-1] < 90.0
 
@@ -110,7 +110,7 @@ def test_the_robot_fetches_it_as_soon_as_they_leave(run):
     goes = {"at_s": 12, "person": "dan", "moves_to_m": [2.0, 0.6]}
     ran = run(changes=[STEPS_IN, goes])
     assert len(asked(ran)) == 1
-    assert done(ran, "pick_up")[0] < done(ran, "utter")[0]
+    assert done(ran, "pick_up")[0] < done(ran, "say")[0]
     assert ran.outcome == "success"
 
 

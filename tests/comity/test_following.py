@@ -57,7 +57,7 @@ def greeted(prepared: Prepared, *happenings: BacksAway) -> Episode:
     assert episode.outcome == "success"
     assert episode.metrics.touches == 0
     done = [act.act for act in episode.acts if not act.stopped]
-    assert sorted(done) == ["nod", "utter"], "each once"
+    assert sorted(done) == ["nod", "say"], "each once"
     return episode
 
 
@@ -94,5 +94,5 @@ def test_who_walks_off_is_docked_to_again_and_no_act_that_was_done_is_repeated(r
 
 def test_speech_and_gesture_run_at_the_same_time(room) -> None:
     episode = greeted(room)
-    utter, nod = sorted(episode.acts, key=lambda act: act.act, reverse=True)
-    assert max(utter.t_start, nod.t_start) < min(utter.t_end, nod.t_end)
+    say, nod = sorted(episode.acts, key=lambda act: act.act, reverse=True)
+    assert max(say.t_start, nod.t_start) < min(say.t_end, nod.t_end)

@@ -34,7 +34,7 @@ def test_the_errors_of_its_functions_are_called_by_its_name(here: Path) -> None:
 
 
 def test_an_act_that_no_greeting_has_is_bad_input_and_writes_nothing(here: Path) -> None:
-    with pytest.raises(package.InputError, match=r"utter, wave, nod.*acts\['juggle'\]"):
+    with pytest.raises(package.InputError, match=r"say, wave, nod.*acts\['juggle'\]"):
         package.run("johanna", acts={"juggle": lambda name, person: Success(name)}, out=here / "run")
     assert list(here.iterdir()) == []
 

@@ -46,9 +46,9 @@ def test_changing_any_one_variable_changes_the_episode(visits):
 def test_each_variable_changes_what_its_rules_decide(visits):
     met = {name: episode.visits[0] for name, episode in visits.items()}
     stated = met["as stated"]
-    assert stated.greeting == ("utter", "nod")
-    assert met["gender"].greeting == ("utter", "wave")
-    assert met["age"].greeting == ("utter",)
+    assert stated.greeting == ("say", "nod")
+    assert met["gender"].greeting == ("say", "wave")
+    assert met["age"].greeting == ("say",)
     assert abs(stated.docked_at.bearing_deg) == pytest.approx(78.3, abs=1)
     assert abs(met["education"].docked_at.bearing_deg) < 15
     assert stated.docked_at.distance_m == pytest.approx(0.85, abs=0.01)

@@ -56,7 +56,7 @@ def test_the_account_of_a_run_tells_what_was_said_and_done_and_how(comity):
     assert said.code == 0, said.err
     utterance, gesture = said.json["visits"][0]["acts"]
     assert (utterance["act"], utterance["volume"], utterance["rate"], utterance["amplitude"]) == (
-        "utter",
+        "say",
         0.5,
         1.0,
         None,
@@ -80,7 +80,7 @@ def test_a_profile_that_wants_to_be_met_formally_says_so_to_the_rulebook():
 
 
 def test_slow_speech_takes_longer(meet):
-    normal, slow = (act(meet({"settings": {"speech_rate": rate}}), "utter") for rate in (1.0, 0.5))
+    normal, slow = (act(meet({"settings": {"speech_rate": rate}}), "say") for rate in (1.0, 0.5))
     assert slow.rate == 0.5
     assert slow.text == normal.text
     assert slow.t_end - slow.t_start == pytest.approx(2 * (normal.t_end - normal.t_start))
@@ -92,14 +92,13 @@ def test_however_slow_speech_is_it_is_not_broken_off(meet):
         "culture": "DEU",
         "languages": ["ara"],
     }
-    utterance = act(meet(facts), "utter")
+    utterance = act(meet(facts), "say")
     assert not utterance.stopped
 
 
 def test_who_is_met_from_afar_is_spoken_to_louder(meet):
     near, far = (
-        act(meet({}, situation={"familiarity": familiarity}), "utter")
-        for familiarity in ("close", "stranger")
+        act(meet({}, situation={"familiarity": familiarity}), "say") for familiarity in ("close", "stranger")
     )
     assert far.volume > near.volume + 0.1
 
@@ -111,31 +110,31 @@ def test_a_strangers_visit_ends_farther_off_than_a_friends(meet):
 
 def test_manner_and_words_do_not_follow_from_culture_while_their_findings_are_weak(meet):
     told = [meet({"culture": culture}) for culture in ("DEU", "JPN", "Arab countries")]
-    assert {act(one, "utter").text for one in told} == {"Hello, Johanna."}
-    assert {act(one, "utter").volume for one in told} == {0.5}
+    assert {act(one, "say").text for one in told} == {"Hello, Johanna."}
+    assert {act(one, "say").volume for one in told} == {0.5}
 
 
 def test_words_follow_directness_formality_style_and_language(meet):
     said = {
-        "explicit": act(meet({"settings": {"verbal_directness": 0.9}}), "utter").text,
-        "implicit": act(meet({"settings": {"verbal_directness": 0.1}}), "utter").text,
-        "informal": act(meet({"settings": {"formality": 0.1}}), "utter").text,
+        "explicit": act(meet({"settings": {"verbal_directness": 0.9}}), "say").text,
+        "implicit": act(meet({"settings": {"verbal_directness": 0.1}}), "say").text,
+        "informal": act(meet({"settings": {"formality": 0.1}}), "say").text,
         "rhetorical": act(
             meet(
                 {"languages": ["ara"], "settings": {"rhetorical_style": 0.9}},
                 situation={"familiarity": "stranger"},
             ),
-            "utter",
+            "say",
         ).text,
         "to a close person": act(
             meet(
                 {"languages": ["ara"], "settings": {"rhetorical_style": 0.9}},
                 situation={"familiarity": "close"},
             ),
-            "utter",
+            "say",
         ).text,
-        "plain": act(meet({}), "utter").text,
-        "formal": act(meet({"settings": {"formality": 0.9}}), "utter").text,
+        "plain": act(meet({}), "say").text,
+        "formal": act(meet({"settings": {"formality": 0.9}}), "say").text,
     }
     assert said == {
         "explicit": "Hello, Johanna. What can I do for you?",
@@ -150,7 +149,7 @@ def test_words_follow_directness_formality_style_and_language(meet):
 
 def test_a_rulebook_without_manners_leaves_the_normal_ones():
     episode = run("johanna")
-    utterance = act(episode, "utter")
+    utterance = act(episode, "say")
     assert (utterance.volume, utterance.rate, utterance.text) == (0.5, 1.0, "Hello, Johanna.")
 
 

@@ -195,7 +195,7 @@ def test_in_an_episode_everybody_gets_what_they_perceive(here, sense, acts, cult
     path.write_text(SCENARIO.format(sense=sense, culture=culture, facing=facing), encoding="utf-8")
     (visit,) = comity.run(path).visits
     assert visit.outcome == "greeted"
-    done = {"words" if act == "utter" else "gesture" for act in visit.greeting}
+    done = {"words" if act == "say" else "gesture" for act in visit.greeting}
     assert acts <= done
     if "hearing" in sense:
         assert abs(visit.docked_at.bearing_deg) <= 60.5

@@ -34,21 +34,19 @@ def test_a_wish_for_a_gesture_leaves_the_words_and_the_plan_says_that_it_takes_b
     (one,) = visit["planned_instead"]
     assert (one["parameter"], one["inferred"], one["planned"]) == ("greeting_modality", "verbal", "both")
     assert "the gesture asked for" in one["because"]
-    assert visit["greeting"] == ["utter", "nod"]
+    assert visit["greeting"] == ["say", "nod"]
     events = comity("trace", answer["episode"], "--events", "--json").json["events"]
-    texts = [
-        cause["text"] for event in events if event["node"] == "utter(mira)" for cause in event["because"]
-    ]
+    texts = [cause["text"] for event in events if event["node"] == "say(mira)" for cause in event["because"]]
     assert "greeting_modality both, planned in the place of verbal (culture)" in texts
 
 
 def test_a_wish_for_words_leaves_the_gesture_as_it_was_inferred(told) -> None:
     """Words alone take no gesture: nothing else than what was inferred is planned."""
     visit, answer = told("greeting_modality: verbal")
-    assert visit["greeting"] == ["utter"]
+    assert visit["greeting"] == ["say"]
     assert visit["planned_instead"] == []
     both, _ = told("greeting_modality: both")
-    assert both["greeting"] == ["utter", answer["values"]["mira"]["parameters"]["greeting_gesture"]["value"]]
+    assert both["greeting"] == ["say", answer["values"]["mira"]["parameters"]["greeting_gesture"]["value"]]
 
 
 def test_nothing_is_told_where_the_plan_takes_what_was_inferred(comity) -> None:

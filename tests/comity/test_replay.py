@@ -155,7 +155,7 @@ def test_the_page_holds_the_values_that_the_robot_went_by(visits):
 def test_a_node_is_about_the_person_in_its_brackets(visits):
     history = History(read_nodes(visits / "trace.jsonl"), ())
     told = {name: person for name, _, _, person in tree_data(history, ["host", "guest"])["nodes"]}
-    assert told["docked?(host)"] == told["Timeout 10 s(utter, host)"] == "host"
+    assert told["docked?(host)"] == told["Timeout 10 s(say, host)"] == "host"
     assert told["Goal"] is None
 
 

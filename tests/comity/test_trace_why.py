@@ -35,7 +35,7 @@ def test_the_blackboard_is_shown_as_it_was_at_a_time(comity, runs):
     assert at_end["johanna/docked"]["value"] == "yes"
     assert at_end["johanna/performed"] | {"t": 0} == {
         "entry": "johanna/performed",
-        "value": "utter, nod",
+        "value": "say, nod",
         "t": 0,
         "leaf": "nod(johanna)",
     }
@@ -130,7 +130,7 @@ def test_a_run_does_not_part_from_itself(comity, runs):
         (("--events", "--at", "inf"), "expected a time from 0 s on, got inf"),
         (("--between", "10", "5"), "Write --between 5 10"),
         (
-            ("--why", "3", "--node", "utter"),
+            ("--why", "3", "--node", "say"),
             "expected one question at a time, got --why and --events, --node or --between",
         ),
         (("--why", "3", "--diff", "other"), "expected one question at a time, got --why and --diff"),
@@ -168,8 +168,8 @@ def test_an_episode_can_be_asked_in_python():
     ):
         episode.assert_halted("Dock_to_user", by="Give_up")
     with pytest.raises(AssertionError, match="none"):
-        episode.assert_halted("utter")
-    for no_time in (-1, float("nan"), "utter"):
+        episode.assert_halted("say")
+    for no_time in (-1, float("nan"), "say"):
         with pytest.raises(ValueError, match="expected a time from 0 s on"):
             episode.why(no_time)
     with pytest.raises(ValueError, match="a part of the name of a node"):

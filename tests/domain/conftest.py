@@ -27,7 +27,7 @@ from comity_domain import (
     offers,
 )
 from comity_fis.defuzzification.curve import Choice, Curve
-from comity_fis.inference.value import Inference, Origin, ParameterValue
+from comity_fis.inference.value import Contribution, Inference, Origin, ParameterValue
 
 SIDES = ("front", "left", "right")
 
@@ -71,7 +71,8 @@ def flat(front: float, beside: float) -> Line:
 def parameter(
     name: str, value: float | str, desirability: Curve | Choice, origin: Origin = "culture"
 ) -> ParameterValue:
-    return ParameterValue(name, value, None, None, origin, (), desirability, (), "")
+    start = Contribution(origin, value, "")
+    return ParameterValue(name, value, None, None, origin, (start,), desirability, (), "")
 
 
 def infer(

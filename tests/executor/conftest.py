@@ -31,13 +31,13 @@ from comity_executor import (
 from comity_executor.robots.goals import GoalState
 from comity_executor.robots.scripted import ScriptedReading
 from comity_fis.defuzzification.curve import Choice, Curve
-from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.inference.value import Contribution, FiredRule, Inference, ParameterValue
 from comity_fis.rules.rule import Is, Rule
 
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 CONTROL_S = 0.05
 LEASE_S = 0.3
-ACT_S = {"utter": 2.0}
+ACT_S = {"say": 2.0}
 GESTURE_S = 1.5
 TURN_DEG_S = 90.0
 
@@ -340,7 +340,7 @@ def infer(distance_m: float = 1.01) -> Inference:
             unit=unit,
             spread=None,
             origin="culture",
-            contributions=(),
+            contributions=(Contribution("culture", value, ""),),
             desirability=desirability,
             fired=fired,
             note="",

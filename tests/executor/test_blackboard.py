@@ -23,7 +23,7 @@ from comity_executor.memory.write import in_words
 disturbances = st.fixed_dictionaries(
     {
         "names": st.sampled_from((("johanna",), ("johanna", "alice"), ("bob", "johanna"))),
-        "raising": st.sampled_from(("utter", "Navigate_to_user", "docked?", "nod")),
+        "raising": st.sampled_from(("say", "Navigate_to_user", "docked?", "nod")),
         "blocked": st.tuples(st.floats(0.0, 20.0), st.floats(0.0, 12.0)),
         "pressed": st.tuples(st.floats(0.0, 20.0), st.floats(0.0, 5.0)),
     }

@@ -122,7 +122,7 @@ def test_ports_carry_what_the_plan_decided(written) -> None:
     assert [dock.get("person") for dock in docks] == ["johanna", "alice"]
     assert {dock.get("conversational_distance") for dock in docks} == {"1.01"}
     acts = ElementTree.fromstring(written).findall(".//BehaviorTree//Act")
-    assert [act.get("act") for act in acts] == ["utter", "nod"] * 2
+    assert [act.get("act") for act in acts] == ["say", "nod"] * 2
     assert [act.get("text") for act in acts] == ["Hello, Johanna.", "", "Hello, Alice.", ""]
     (everybody,) = ElementTree.fromstring(written).findall(".//BehaviorTree//AreAllGreeted")
     assert everybody.get("people") == "johanna;alice"
@@ -131,7 +131,7 @@ def test_ports_carry_what_the_plan_decided(written) -> None:
 def test_an_act_is_tried_again_there_as_long_and_as_often_as_here(episode) -> None:
     """Attempts with a second between them, ten seconds in all."""
     tree = ElementTree.fromstring(episode().execution.btcpp_xml())[0]
-    timeout = next(each for each in tree.iter("Timeout") if "utter" in each.get("name"))
+    timeout = next(each for each in tree.iter("Timeout") if "say" in each.get("name"))
     (retry,) = timeout
     (attempt,) = retry
     act, failed = attempt
@@ -144,7 +144,7 @@ def test_an_act_is_tried_again_there_as_long_and_as_often_as_here(episode) -> No
         "ForceFailure",
         "Sleep",
     ]
-    assert act.get("act") == "utter"
+    assert act.get("act") == "say"
 
 
 def test_names_of_people_are_escaped(episode) -> None:

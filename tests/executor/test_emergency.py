@@ -36,19 +36,19 @@ def test_the_robot_rests_while_it_is_pressed_and_greets_everybody_once_afterward
     run_with(visits, presses)
     assert visits.execution.status == "success"
     for person in ("johanna", "alice"):
-        assert visits.hall.finished.count(("utter", person)) == 1
+        assert visits.hall.finished.count(("say", person)) == 1
         assert visits.hall.finished.count(("nod", person)) == 1
 
 
 def test_what_it_halts_is_halted_by_the_emergency_with_its_reason(episode) -> None:
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.run(for_s=0.1)
     visits.hall.emergency_stop = "the bumper touched a chair"
     visits.run(for_s=0.0)
     now_s = visits.hall.now_s()
     halts = [event for event in visits.execution.events if event.t == now_s and event.halt]
-    assert {"Goal", "Keep_distance(johanna)", "utter(johanna)", "nod(johanna)"} <= {e.node for e in halts}
+    assert {"Goal", "Keep_distance(johanna)", "say(johanna)", "nod(johanna)"} <= {e.node for e in halts}
     assert {event.halt for event in halts} == {"emergency"}
     for event in halts:
         texts = [cause.text for cause in event.because]
@@ -63,9 +63,9 @@ def test_a_gesture_that_was_done_before_is_not_repeated(episode) -> None:
     visits.run(for_s=2.0)
     visits.hall.emergency_stop = False
     visits.run()
-    assert visits.execution.visits[0].greeting == ("utter", "nod")
+    assert visits.execution.visits[0].greeting == ("say", "nod")
     assert visits.hall.calls.count("nod johanna") == 1
-    assert visits.hall.calls.count("utter johanna: Hello, Johanna.") == 2, "it was broken off"
+    assert visits.hall.calls.count("say johanna: Hello, Johanna.") == 2, "it was broken off"
 
 
 def test_a_stop_that_cannot_be_read_counts_as_pressed(episode) -> None:
@@ -197,7 +197,7 @@ def test_all_else_is_pressed(episode, said: object) -> None:
 def test_a_robot_that_cannot_say_how_an_act_goes_is_told_to_break_it_off(episode, press: bool) -> None:
     """Pressed or not, nothing that it raises leaves the tick, and the episode goes on to its end."""
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.run(for_s=0.2)
     visits.hall.faults["performance"] = ConnectionError("the voice does not answer")
     visits.hall.emergency_stop = "the button" if press else False

@@ -13,14 +13,14 @@ def test_a_person_is_reached_and_greeted(episode) -> None:
     """The robot rests at the wanted place, faces the person, speaks and nods."""
     visit = episode().run().execution.visits[0]
     assert visit.outcome == "greeted"
-    assert visit.greeting == ("utter", "nod")
+    assert visit.greeting == ("say", "nod")
     assert visit.docked_at.distance_m == pytest.approx(1.01, abs=0.01)
     assert visit.docked_at.facing_error_deg <= 5
     assert visit.deviation_reason is None
 
 
 @pytest.mark.parametrize(
-    ("modality", "acts"), [("verbal", ("utter",)), ("gestural", ("bow",)), ("both", ("utter", "bow"))]
+    ("modality", "acts"), [("verbal", ("say",)), ("gestural", ("bow",)), ("both", ("say", "bow"))]
 )
 def test_the_modality_decides_the_acts(episode, modality: str, acts: tuple[str, ...]) -> None:
     gesture = "none" if modality == "verbal" else "bow"
@@ -55,13 +55,13 @@ def test_a_robot_that_is_docked_does_not_move_first(episode) -> None:
     visits.hall.heading = 0.0
     visits.run()
     assert visits.execution.visits[0].outcome == "greeted"
-    assert visits.hall.calls == ["dock johanna", "utter johanna: Hello, Johanna.", "nod johanna"]
+    assert visits.hall.calls == ["dock johanna", "say johanna: Hello, Johanna.", "nod johanna"]
 
 
 def test_a_shuffle_does_not_undock(episode) -> None:
     """0.18 m are inside the switching band; the hold follows, and nothing is begun anew."""
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.hall.people["johanna"].x += 0.18
     visits.run()
     assert visits.count("Reach_user(johanna)", "running") == 1
@@ -75,11 +75,11 @@ def test_who_walks_away_is_followed_and_no_gesture_is_repeated(episode) -> None:
     visits.run(for_s=0.05)
     visits.hall.people["johanna"].x += 1.3
     visits.run()
-    assert visits.execution.visits[0].greeting == ("utter", "nod")
+    assert visits.execution.visits[0].greeting == ("say", "nod")
     assert visits.count("Reach_user(johanna)", "running") == 2
     assert visits.hall.now_s() < 15, "setting out again is not held up by the end of the hold"
     assert visits.hall.calls.count("nod johanna") == 1
-    assert visits.hall.finished.count(("utter", "johanna")) == 1
+    assert visits.hall.finished.count(("say", "johanna")) == 1
 
 
 def test_one_who_cannot_be_reached_does_not_cost_the_next_one_the_visit(episode) -> None:
@@ -127,10 +127,10 @@ def test_an_act_that_never_ends_times_out(episode) -> None:
     assert johanna.outcome == "not_greeted"
     assert johanna.docked_at is not None
     allows = "(`act_s` of the scenario's limits allows more)"
-    assert johanna.failure == f"utter(johanna) did not end within 0.5 s {allows}"
+    assert johanna.failure == f"say(johanna) did not end within 0.5 s {allows}"
 
 
-@pytest.mark.parametrize("call", ["choose_pose", "navigate", "dock", "face", "read", "utter", "nod"])
+@pytest.mark.parametrize("call", ["choose_pose", "navigate", "dock", "face", "read", "say", "nod"])
 def test_an_exception_is_a_failure_with_its_text(episode, call: str) -> None:
     visits = episode("johanna", "alice")
     visits.hall.faults[call] = RuntimeError("servo 3 is hot")
@@ -152,7 +152,7 @@ def test_the_chosen_pose_and_its_reason_are_remembered(episode) -> None:
 
 def test_losing_sight_for_a_moment_does_not_undock(episode) -> None:
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.hall.blind.add("johanna")
     visits.run(for_s=0.5)
     visits.hall.blind.clear()
@@ -162,11 +162,11 @@ def test_losing_sight_for_a_moment_does_not_undock(episode) -> None:
 
 def test_losing_sight_for_long_does(episode) -> None:
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.hall.blind.add("johanna")
     visits.run(for_s=1.5)
     assert visits.count("docked?(johanna)", "failure") == 2
-    assert not visits.is_running("utter(johanna)")
+    assert not visits.is_running("say(johanna)")
 
 
 def test_the_robot_rests_at_every_end(episode) -> None:

@@ -30,12 +30,12 @@ def test_facing_ends_early_because_docking_turned_true(episode) -> None:
 def test_a_greeting_is_preempted_with_the_whole_chain(episode) -> None:
     """The line of the design: the distance that left the band, and the rule that set it."""
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.run(for_s=0.5)
     visits.hall.people["johanna"].x += 0.37  # of which the hold closes 2 cm in one period
     visits.hall.step()
     visits.run(for_s=0.0)
-    halt = halt_of(visits, "utter(johanna)")
+    halt = halt_of(visits, "say(johanna)")
     assert halt.halt == "preempted"
     chain = [(cause.kind, cause.text, cause.value) for cause in halt.because]
     assert chain == [
@@ -50,18 +50,18 @@ def test_a_greeting_is_preempted_with_the_whole_chain(episode) -> None:
 
 def test_an_act_that_takes_too_long_is_timed_out_and_its_companion_ends_with_the_parent(episode) -> None:
     visits = episode(limits=Limits(act_timeout_s=0.5)).run()
-    spoken, nodded = halt_of(visits, "utter(johanna)"), halt_of(visits, "nod(johanna)")
+    spoken, nodded = halt_of(visits, "say(johanna)"), halt_of(visits, "nod(johanna)")
     assert spoken.halt == nodded.halt == "timed_out"
-    assert spoken.because[0].text.startswith("utter(johanna) did not end within 0.5 s")
+    assert spoken.because[0].text.startswith("say(johanna) did not end within 0.5 s")
     held = halt_of(visits, "Keep_distance(johanna)")
     assert held.halt == "parent_ended"
-    assert held.because[0].text.startswith("utter(johanna) did not end within 0.5 s")
+    assert held.because[0].text.startswith("say(johanna) did not end within 0.5 s")
 
 
 def test_the_hold_ends_when_the_greeting_is_done(episode) -> None:
     halt = halt_of(episode().run(), "Keep_distance(johanna)")
     assert halt.halt == "parent_ended"
-    assert halt.because[0].text == "utter is done"
+    assert halt.because[0].text == "say is done"
 
 
 def test_an_emergency_halts_everything_that_ran(episode) -> None:

@@ -15,7 +15,7 @@ def history_of(visits) -> History:
 def interrupted(episode):
     """Johanna steps away while the robot speaks; the robot docks again and ends its greeting."""
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.run(for_s=0.5)
     visits.hall.people["johanna"].x += 0.37
     return visits.run()
@@ -47,7 +47,7 @@ def test_every_running_action_has_a_reason_that_came_before_it(interrupted) -> N
 def test_the_robot_docks_again_because_the_person_left_the_band(interrupted) -> None:
     """From the running action to the reading, the rule and the culture score."""
     history = history_of(interrupted)
-    halt = next(e for e in history.events if e.node == "utter(johanna)" and e.status == "halted")
+    halt = next(e for e in history.events if e.node == "say(johanna)" and e.status == "halted")
     (why,) = history.why_at(halt.t)
     assert why.event.node == "Dock_to_user(johanna)"
     assert why.switched_by is not None
@@ -64,13 +64,13 @@ def test_a_composite_answers_with_the_leaf_that_decided(interrupted) -> None:
     why = history.why_node(visited.path)
     assert why is not None
     assert why.switched_by is not None
-    assert why.switched_by.node in ("utter(johanna)", "nod(johanna)")
+    assert why.switched_by.node in ("say(johanna)", "nod(johanna)")
     assert why.because[0].text.endswith("is done")
 
 
 def test_a_node_that_did_nothing_yet_has_no_reason(episode) -> None:
     history = history_of(episode().run(for_s=1.0))
-    (act,) = [node for node in history.nodes if node.name == "utter(johanna)"]
+    (act,) = [node for node in history.nodes if node.name == "say(johanna)"]
     assert history.why_node(act.path) is None
     assert History((), ()).why_at(3.0) == ()
 
@@ -102,7 +102,7 @@ def test_coverage_counts_every_outcome_of_every_behaviour(episode, interrupted) 
         each.leaf: each for each in leaf_coverage([history_of(episode().run()), history_of(interrupted)])
     }
     assert together["docked?"].never == ()
-    assert together["utter"].seen["halted"] == 1
+    assert together["say"].seen["halted"] == 1
     assert together["Give_up"].never == ("success", "failure", "halted")
     failing = history_of(episode(limits=Limits(act_timeout_s=0.2)).run())
     wider = {each.leaf: each for each in leaf_coverage([history_of(interrupted), failing])}

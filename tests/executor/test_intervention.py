@@ -13,7 +13,7 @@ def episode_of(*interventions: Intervention, limits: Limits | None = None, stuck
     hall = Hall({"johanna": Stander(3.0, 0.0)})
     hall.frozen = stuck
     visits = Episode(hall, plan_for("johanna"), limits, interventions)
-    visits.run(until=lambda: visits.is_running("utter(johanna)"), for_s=30.0)
+    visits.run(until=lambda: visits.is_running("say(johanna)"), for_s=30.0)
     if not stuck:
         visits.run(for_s=0.5)
         hall.people["johanna"].x += 0.37
@@ -49,7 +49,7 @@ def test_without_its_cause_no_switch_happens() -> None:
 def test_the_rest_goes_on_as_before_until_then() -> None:
     """The events before the intervention are the same, and one tick later the world has its way."""
     history = history_of(episode_of())
-    halt = find(history, "utter(johanna)", "halted")
+    halt = find(history, "say(johanna)", "halted")
     other = history_of(episode_of(halt.without_cause))
     before = [event for event in history.events if event.t < halt.event.t]
     assert list(other.events[: len(before)]) == before

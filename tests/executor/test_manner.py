@@ -37,7 +37,7 @@ def test_the_tree_hands_the_manner_to_the_robot(episode):
         {name: louder[name] for name in ("voice_volume", "speech_rate", "gesture_amplitude")}
     )
     visits.run()
-    assert visits.hall.manners["utter", "johanna"].volume == 0.9
+    assert visits.hall.manners["say", "johanna"].volume == 0.9
     assert visits.hall.manners["nod", "johanna"].amplitude == 0.1
 
 

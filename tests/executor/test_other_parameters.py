@@ -14,7 +14,7 @@ def test_the_robot_receives_it_with_every_goal_and_act(episode):
     visits.values["johanna"].parameters[GAZE] = values[GAZE]
     visits.run()
     told = visits.hall.others
-    assert {"navigate", "dock", "utter", "nod"} <= {name for name, _ in told}
+    assert {"navigate", "dock", "say", "nod"} <= {name for name, _ in told}
     assert all(others == {GAZE: values[GAZE].value} for _, others in told)
 
 

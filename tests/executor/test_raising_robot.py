@@ -80,7 +80,7 @@ def test_a_clock_that_goes_back_or_gives_no_time_ends_the_episode_and_is_named(e
 
 def test_a_robot_whose_act_cannot_be_asked_for_still_has_it_ended(episode) -> None:
     visits = episode()
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     visits.run(for_s=0.3)
     visits.hall.faults["stop_act"] = ConnectionError("the voice does not answer")
     visits.execution.stop("by the test")

@@ -12,5 +12,5 @@ def test_the_example_runs(capsys: pytest.CaptureFixture[str]) -> None:
     (example,) = re.findall(r"```python\n(.*?)```", readme.read_text(encoding="utf-8"), flags=re.DOTALL)
     exec(compile(example, str(readme), "exec"), {})
     printed = capsys.readouterr().out
-    assert printed.startswith("('utter', 'wave')\n[o] Safe [✓]\n")
+    assert printed.startswith("('say', 'wave')\n[o] Safe [✓]\n")
     assert "achieved_early because distance" in printed

@@ -102,7 +102,7 @@ def test_a_distance_that_is_bound_anew_is_where_the_robot_stops(episode, at_s, a
 def test_a_small_change_while_it_greets_is_followed_without_docking_again(episode) -> None:
     script = Script({4.0: with_number("conversational_distance", 1.11)})
     visits = planned(episode(), script)
-    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(until=lambda: visits.is_running("say(johanna)"))
     assert visits.hall.now_s() < 4.0
     visits.run()
     assert visits.hall.read("johanna").distance_m == pytest.approx(1.11, abs=0.01)
@@ -162,13 +162,13 @@ def test_a_tree_that_fails_is_followed_by_another_plan_and_those_who_were_served
     script = Script(again=anew)
     visits = planned(visits, script)
     visits.hall.unreachable.add("johanna")
-    visits.run(until=lambda: visits.is_running("utter(alice)"))
+    visits.run(until=lambda: visits.is_running("say(alice)"))
     visits.hall.unreachable.clear()
     visits.run()
     assert visits.execution.status == "success"
     assert script.courses[-1].done == ("alice",)
     assert script.courses[-1].failures == {"johanna": "no free and reachable place to stand near johanna"}
-    assert visits.hall.finished.count(("utter", "alice")) == 1
+    assert visits.hall.finished.count(("say", "alice")) == 1
 
 
 @pytest.mark.parametrize("replans", [0, 1, 3])

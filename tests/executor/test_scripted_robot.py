@@ -25,7 +25,7 @@ def test_the_same_plan_is_carried_out(away_m: list[float]) -> None:
     execution = carried_out(ScriptedRobot(people), *people)
     assert execution.status == "success"
     for visit in execution.visits:
-        assert (visit.outcome, visit.greeting) == ("greeted", ("utter", "nod"))
+        assert (visit.outcome, visit.greeting) == ("greeted", ("say", "nod"))
         assert visit.docked_at is not None
         assert visit.docked_at.distance_m == pytest.approx(1.01, abs=0.0101)
 

@@ -59,7 +59,7 @@ def test_a_question_to_people_who_were_asked_already_starts_each_time(episode) -
 
 @settings(max_examples=30)
 @given(
-    in_the_way=spans, pressed=spans, raising=st.sampled_from(("utter", "Navigate_to_user", "docked?", "nod"))
+    in_the_way=spans, pressed=spans, raising=st.sampled_from(("say", "Navigate_to_user", "docked?", "nod"))
 )
 def test_every_begin_is_one_start(episode, in_the_way, pressed, raising) -> None:
     """Whoever stands in the way, whenever the stop is pressed, and with leaves that raise."""

@@ -152,11 +152,11 @@ def test_the_order_and_the_pronunciation_are_those_that_were_stated():
 def test_what_a_robot_is_told_to_say_has_language_latin_letters_and_pronunciation():
     values = EVIDENCE.infer({}, settings={"greeting_language": "ara"})
     okafor = replace(SPEAKER, addresses={"ada": Address(name="Okafor", pronunciation="oh-KAH-for")})
-    goal = speech("utter", "ada", okafor.greeting(("ada",), values))
+    goal = speech("say", "ada", okafor.greeting(("ada",), values))
     assert (goal.text, goal.language) == ("مرحبًا، Okafor.", "ar")
     assert (goal.latin, goal.spoken) == ("Marhaban, Okafor.", "مرحبًا، oh-KAH-for.")
     assert goal.without({"ada"}).text == "مرحبًا."
-    own = ActGoal("utter", "ada", "Tea is ready, Ada.")
+    own = ActGoal("say", "ada", "Tea is ready, Ada.")
     assert (own.latin, own.spoken, own.language) == (own.text, own.text, None)
     assert own.without({"ada"}).text == "Tea is ready."
 
@@ -166,7 +166,7 @@ def test_the_tree_speaks_as_its_speaker_does(episode):
     speaker = Speaker(site="swe", addresses={"johanna": Address(name="Ekman", title="Dr")})
     visits.execution = Execution(visits.plan, visits.hall, visits.values, speaker=speaker)
     visits.run()
-    assert "utter johanna: Hej, Dr Ekman." in visits.hall.calls
+    assert "say johanna: Hej, Dr Ekman." in visits.hall.calls
 
 
 @pytest.mark.parametrize("wording", ALL, ids=lambda one: f"{one.language}-{one.use}-{one.register}")

@@ -67,7 +67,7 @@ FRAMES = WORLD.frames
 SPAN = Span(0.0, 0.2)
 WANTED = Wanted("anna", SPAN, SPAN, 0.6, 0.0)
 WISH = Wish("anna", 0.6, 0.0, CURVE, CURVE)
-EVENT = ActEvent(0.0, 0.1, "utter", "anna", "Hello.")
+EVENT = ActEvent(0.0, 0.1, "say", "anna", "Hello.")
 ROBOT_PARTS = {
     "spec": ROBOT,
     "physics": WORLD._physics,
@@ -77,7 +77,7 @@ ROBOT_PARTS = {
 }
 
 CALLS: Mapping[str, Mapping[str, Any]] = {
-    "ActEvent": {"t_start": 0.0, "t_end": 1.0, "act": "utter", "person": "anna", "text": "Hello."},
+    "ActEvent": {"t_start": 0.0, "t_end": 1.0, "act": "say", "person": "anna", "text": "Hello."},
     "Area": {"name": "hall", "corners": ROOM.corners},
     "Comfort": {"near_m": 0.5, "far_m": 1.5},
     "Contacts": {},

@@ -81,7 +81,7 @@ def episode() -> World:
     world.robot.dock("johanna", DockingPose(0.64, 0.0), speed_m_s=0.7)
     while world.robot.motion().state != "succeeded":
         world.step()
-    world.robot.perform(ActGoal("utter", "johanna", "Guten Tag, Johanna."))
+    world.robot.perform(ActGoal("say", "johanna", "Guten Tag, Johanna."))
     world.run(1.5)
     return world
 
@@ -114,7 +114,7 @@ def test_a_dollar_in_a_name_is_a_dollar_in_every_picture(tmp_path, name: str) ->
         locations=(Location(name, 3.4, 0.8),),
     )
     world = World(place)
-    world.robot.perform(ActGoal("utter", name, f"Hello, {name}."))
+    world.robot.perform(ActGoal("say", name, f"Hello, {name}."))
     world.run(0.3)
     ring = Ring(name, 0.6, 0.6, label=label)
     for path, draw in ((tmp_path / "a.png", draw_picture), (tmp_path / "a.gif", write_gif)):
@@ -579,7 +579,7 @@ NARROW = Scene(
     RobotBody(1.0, 4.8, math.pi / 2),
     (Person("johanna", 1.0, 6.0, -math.pi / 2), Person("omar", 0.3, 5.3, 0.0)),
 )
-ASKS = ActEvent(0.0, 2.0, "utter", "johanna", "Excuse me, would you please be so kind as to let me pass?")
+ASKS = ActEvent(0.0, 2.0, "say", "johanna", "Excuse me, would you please be so kind as to let me pass?")
 """In bubbles of several lines."""
 
 
@@ -690,7 +690,7 @@ def test_furniture_and_who_is_spoken_to_are_called_by_number_where_no_font_has_t
     low = Furniture.box("furniture 1", 1.5, 3.9, width_m=1.0, depth_m=0.7)
     scene = replace(SCENE, people=(Person(anna, 4.6, 3.0, 0.0),), furniture=(table, low))
     world = World(scene)
-    world.robot.perform(ActGoal("utter", anna, f"Hello, {anna}: tea."))
+    world.robot.perform(ActGoal("say", anna, f"Hello, {anna}: tea."))
     world.run(0.2)
     shown = readable(scene, world.frames, events=world.events)
     assert [piece.name for piece in shown.scene.furniture] == ["furniture 1'", "furniture 1"]
@@ -724,8 +724,8 @@ def test_a_picture_writes_a_number_for_whatever_it_has_no_letters_for(monkeypatc
     )
     events = (
         ActEvent(1.0, 2.0, "pick_up", f"{unknown}b", thing=f"{unknown}c"),
-        ActEvent(2.0, 3.0, "utter", "ada", text=f"ada, here is {unknown}c."),
-        ActEvent(3.0, 4.0, "utter", "ada", text=f"{unknown} {unknown}, ada"),
+        ActEvent(2.0, 3.0, "say", "ada", text=f"ada, here is {unknown}c."),
+        ActEvent(3.0, 4.0, "say", "ada", text=f"{unknown} {unknown}, ada"),
     )
     frames, rings = World(place).frames, (Ring("ada", 0.6, label=f"{unknown}a"),)
     shown = readable(place, frames, rings, events)

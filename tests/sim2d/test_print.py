@@ -140,7 +140,7 @@ def test_what_is_said_again_and_again_is_in_one_bubble_with_how_often() -> None:
     assert math.dist(places[0], places[1]) > TOGETHER_M
     (found,) = sayings(world.frames, "robot", asks)
     assert (found.times, found.lines[-1]) == (3, "(3 times)")
-    other = ActEvent(t_start=3.0, t_end=3.2, act="utter", person="johanna", text="Thank you.")
+    other = ActEvent(t_start=3.0, t_end=3.2, act="say", person="johanna", text="Thank you.")
     assert [one.times for one in sayings(world.frames, "robot", [*asks, other])] == [2, 1, 1]
 
 

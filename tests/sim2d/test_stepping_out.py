@@ -85,7 +85,7 @@ def test_they_go_on_when_the_robot_is_by() -> None:
 def test_passers_by_are_asked_to_let_it_pass_and_told_nothing_else() -> None:
     world = until_blocked()
     with pytest.raises(ValueError, match="passer-by 1"):
-        world.robot.perform(ActGoal("utter", "passer-by 1", "Good morning"))
+        world.robot.perform(ActGoal("say", "passer-by 1", "Good morning"))
 
 
 @pytest.mark.parametrize("reacts", REACTIONS)

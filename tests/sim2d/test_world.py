@@ -338,7 +338,7 @@ def test_stopping_brakes_within_the_limit_and_drops_the_command() -> None:
 def test_acts_take_their_time_and_can_be_broken_off() -> None:
     world = World(hall())
     robot = world.robot
-    says = robot.perform(ActGoal("utter", "p0", "x" * 50))
+    says = robot.perform(ActGoal("say", "p0", "x" * 50))
     nods = robot.perform(ActGoal("nod", "p0"))
     world.run(1.5)
     assert [robot.performance(act).state for act in (says, nods)] == ["running", "succeeded"]

@@ -37,7 +37,7 @@ def reasons(judge):
     ("sentence", "named"),
     [
         ("docking_time of host at most 5 s", ["Navigate_to_user(host)"]),
-        ("duration at most 5 s", ["Navigate_to_user(host)", "utter(host)", "utter(host)", "guest"]),
+        ("duration at most 5 s", ["Navigate_to_user(host)", "say(host)", "say(host)", "guest"]),
         ("path_length at most 1 m", ["Navigate_to_user(host)", "guest"]),
         ("overshoot of host is 9 m", ["Navigate_to_user(host)"]),
         ("plan_cost at most 1 m", []),
@@ -225,7 +225,7 @@ def test_the_highest_speed_has_what_limits_speeds_and_no_distance(reasons):
 
 def test_many_failures_of_one_action_for_one_reason_are_one_line(reasons):
     told = reasons("duration at most 60 s", more="faults: [{at_s: 5, fault: speech fails, for_s: 100}]\n")
-    (line,) = re.findall(r"^failed    utter\(\w+\) .*$", told, re.M)[:1]
+    (line,) = re.findall(r"^failed    say\(\w+\) .*$", told, re.M)[:1]
     assert re.search(r"and \d+ more times until t=[\d.]+ s: fault at t=5 s: speech fails", line)
 
 

@@ -34,7 +34,7 @@ def test_what_a_group_does_not_hear_is_told_of_each_member_with_what_they_heard(
     assert list(found) == ["“Good morning” to guest, of pair", "“Good morning” to sam, of pair"]
     for finding in found.values():
         assert re.fullmatch("“Hello, (Guest and Sam|Sam and Guest).”", finding.got)
-        assert any(re.match(r"t=[\d.]+ s  utter\((guest|sam)\) success", line) for line in finding.because)
+        assert any(re.match(r"t=[\d.]+ s  say\((guest|sam)\) success", line) for line in finding.because)
     told = [
         line for finding in found.values() for line in finding.because if "is greeted together with" in line
     ]
@@ -54,7 +54,7 @@ def test_what_one_member_hears_is_too_much_where_the_group_never_hears_it(judge)
     (failure,) = verdict.failures
     assert failure.finding.expected == "never “Tea?” to sam, of pair"
     assert failure.finding.got == "“Tea?”"
-    assert any("utter(sam)" in line for line in failure.finding.because)
+    assert any("say(sam)" in line for line in failure.finding.because)
 
 
 def test_what_was_said_too_much_is_told_with_the_step_that_said_it_and_not_a_later_one(judge):

@@ -60,11 +60,11 @@ PAIRS = {
     "event": [
         (
             "Dock_to_user is halted because 'docked?' at least once",
-            "utter is halted because 'docked?' at least once",
-            "utter is halted because of “docked?” at least once",
+            "say is halted because 'docked?' at least once",
+            "say is halted because of “docked?” at least once",
             "never, of 0 in all",
         ),
-        ("utter is never halted", "Dock_to_user is never halted", "Dock_to_user is halted never", "twice"),
+        ("say is never halted", "Dock_to_user is never halted", "Dock_to_user is halted never", "twice"),
         (
             "docked? succeeds exactly twice",
             "docked? succeeds at least 3 times",
@@ -101,8 +101,8 @@ PAIRS = {
         ),
         (
             "Dock_to_user is halted because 'conversational_distance' exactly twice",
-            "utter is halted because 'the person spoke'",
-            "utter is halted because of “the person spoke” at least once",
+            "say is halted because 'the person spoke'",
+            "say is halted because of “the person spoke” at least once",
             "never, of 0 in all",
         ),
         (
@@ -701,7 +701,7 @@ def test_a_number_without_within_is_told_with_the_digits_in_which_it_differs(jud
             "differs between arab_woman and german_man: conversational_distance, by at least 45.1 cm",
             r"at least (\S+) cm apart, got .*: (\S+) cm apart",
         ),
-        ("utter lasts 1.004 s within 0.001 s", r"utter for from (\S+) s to (\S+) s, got .*\) for (\S+) s,"),
+        ("say lasts 1.004 s within 0.001 s", r"say for from (\S+) s to (\S+) s, got .*\) for (\S+) s,"),
     ],
 )
 def test_sides_that_differ_are_told_with_the_digits_in_which_they_do(sentence, sides, judge):

@@ -47,11 +47,11 @@ def coffee(tmp_path: Path):
 def test_every_act_has_its_occasion(coffee):
     trial: Trial = attempted(coffee("outcome is success").case)
     assert [(each.act, each.occasion) for each in done_for(trial, ANNA)] == [
-        ("utter", "at the greeting"),
-        ("utter", "as it tells them something"),
-        ("utter", "as it brings them something"),
+        ("say", "at the greeting"),
+        ("say", "as it tells them something"),
+        ("say", "as it brings them something"),
         ("hand_over", "as it brings them something"),
-        ("utter", "at the farewell"),
+        ("say", "at the farewell"),
         ("wave", "at the farewell"),
     ]
 

@@ -106,10 +106,10 @@ def test_reasons_that_another_sentence_of_the_same_line_told_are_found_by_its_wo
 )
 def test_that_nothing_happened_to_two_nodes_is_no_common_reason(sentence, write):
     """Each has what it did last, or its name."""
-    (claim,) = claims_in(write(*map(sentence.format, ("Navigate_to_user", "utter", "nod"))))
+    (claim,) = claims_in(write(*map(sentence.format, ("Navigate_to_user", "say", "nod"))))
     text = failure_text(claim, judged(claim).failures)
     assert not re.search("as for|for both|for all", text)
-    for node in ("Navigate_to_user", "utter", "nod"):
+    for node in ("Navigate_to_user", "say", "nod"):
         assert re.search(rf"because +.*{node}", text)
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from comity_executor import Why
 
 ABOUT = re.compile(r"\((?:[^()]*, )?([^(),]+)\)$")
-"""The person at the end of a node's name: `dock(host)`, `done?(utter, host)`."""
+"""The person at the end of a node's name: `dock(host)`, `done?(say, host)`."""
 
 
 def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswer]:

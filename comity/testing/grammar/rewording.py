@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 
 from comity_domain.problem.request import PARAMETERS
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 from comity_sim2d.metrics import EPISODE, VISIT, by_short_name
 from comity_sim2d.robot.acts import VERBS
 
@@ -23,7 +23,7 @@ _SPACED: Mapping[str, str] = {
 _ACTS: Mapping[str, str] = {verb: act for act, verb in VERBS.items()}
 _VERBS: Mapping[str, str] = {
     **{verb.replace(" ", "_"): act for act, verb in VERBS.items()},
-    **dict.fromkeys(("speaks", "utters"), UTTER),
+    **dict.fromkeys(("speaks", "utters"), SAY_ACT),
 }
 """By what the robot does, the node that does it."""
 _NAME = r"(\"[^\"]+\"|'[^']+'|\S+?)"
@@ -44,6 +44,7 @@ _FORMER: Mapping[str, _Put] = {
     rf"^never ({'|'.join(_VERBS)}) twice": lambda found: (
         f"{_VERBS[found[1].lower()]} succeeds at most once per person"
     ),
+    r"\butter\b": "say",
     r"\bplans anew\b": "replans",
     r"\bbinds anew\b": "updates parameters",
     r"\bis ruled out\b": "is excluded",

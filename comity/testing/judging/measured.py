@@ -14,7 +14,7 @@ from comity.testing.kinds.order import visited
 from comity.testing.metrics.course import actions
 from comity.testing.metrics.moments import intrusion
 from comity.testing.metrics.standing import Standing, standing
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ def _phases(trial: Trial) -> dict[str, float]:
     spans: dict[str, list[tuple[float, float]]] = {phase: [] for phase in PHASES}
     for took, start, node in actions(trial):
         name = node.split("(")[0]
-        acts = name in VERBS or name == UTTER
+        acts = name in VERBS or name == SAY_ACT
         phase = _OF_NODE.get(name) or ("greeting" if acts else "attending" if name == "Attend" else None)
         if phase:
             spans[phase].append((start, start + took))

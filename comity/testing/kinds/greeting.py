@@ -10,14 +10,14 @@ from comity.parameters.consent import TOUCHING
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.acting import Done, done_for
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
-WORDS = ("words", "speech", "utterance", UTTER)
+WORDS = ("words", "speech", "utterance", SAY_ACT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +33,11 @@ class Item:
     def among(self, acts: Sequence[str]) -> bool:
         """Whether it is among what was done."""
         if self.name in WORDS:
-            return UTTER in acts
+            return SAY_ACT in acts
         if self.name == "touch":
             return bool(TOUCHING & set(acts))
         if self.name == "gesture":
-            return any(act != UTTER for act in acts)
+            return any(act != SAY_ACT for act in acts)
         return self.name in acts
 
 
@@ -72,7 +72,7 @@ class GreetingContent(Expectation):
                     *causes.of_parameter(trial, "greeting_modality", person),
                 )
                 got = (
-                    " and ".join(WORDS[0] if act == UTTER else act for act in acts)
+                    " and ".join(WORDS[0] if act == SAY_ACT else act for act in acts)
                     or f"no act ({trial.outcome_of(person)})"
                 )
                 besides = dict.fromkeys(str(each) for each in _elsewhere(wrong, done))
@@ -89,7 +89,7 @@ def _elsewhere(wrong: Sequence[Item], done: Sequence[Done]) -> Iterator[Done]:
 def _possible(items: tuple[Item, ...]) -> tuple[Item, ...]:
     """Refuse what no greeting can contain at once: a handshake and no touch."""
     ruled_out = [item for item in items if not item.wanted]
-    open_ones = [act for act in (*VERBS, UTTER) if not any(item.among((act,)) for item in ruled_out)]
+    open_ones = [act for act in (*VERBS, SAY_ACT) if not any(item.among((act,)) for item in ruled_out)]
     for item in items:
         if item.wanted and not item.among(open_ones):
             raise InputError(

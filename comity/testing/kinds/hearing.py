@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.words import holds
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -67,7 +67,7 @@ class Hearing(Expectation):
             *(() if person in trial.goals else (_ASKED.format(person),)),
             *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
             *(() if said else _why_silent(trial, person, spoken_to)),
-            *causes.of_node(trial, f"{UTTER}({spoken_to})"),
+            *causes.of_node(trial, f"{SAY_ACT}({spoken_to})"),
             *causes.of_parameter(trial, "greeting_modality", person),
         )
         return Finding(f"“{self.words}” to {person}{of_group}", heard or "not a word", because)
@@ -105,7 +105,7 @@ def _said_to(trial: Trial, person: str) -> list[ActEvent]:
     return [
         act
         for act in trial.episode.acts
-        if act.text and (act.person == person or (act.person == spoken_to and act.act == UTTER))
+        if act.text and (act.person == person or (act.person == spoken_to and act.act == SAY_ACT))
     ]
 
 

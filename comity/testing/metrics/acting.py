@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing.metrics.course import runs
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.memory.task import LEAVE, OFFER, SAY
 from comity_executor.trees.tree import GREETINGS
 from comity_sim2d.robot.acts import VERBS
@@ -39,7 +39,7 @@ class Done:
         return self.occasion == _OCCASIONS[GREETINGS[0]]
 
     def __str__(self) -> str:
-        return f"{VERBS.get(self.act, 'speaks' if self.act == UTTER else self.act)}, but {self.occasion}"
+        return f"{VERBS.get(self.act, 'speaks' if self.act == SAY_ACT else self.act)}, but {self.occasion}"
 
 
 def done_for(trial: Trial, person: str) -> tuple[Done, ...]:

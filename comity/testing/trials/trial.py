@@ -13,7 +13,7 @@ from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
 from comity.specification.goals import greeted
 from comity_executor import node_names
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.trees.tree import GREETINGS, SKIP
 from comity_fis import InputError, closest
 
@@ -135,7 +135,7 @@ class Trial:
     def _possible(self) -> Iterator[str]:
         """What nodes another profile's tree has, or would have if everybody could be visited."""
         gestures = self.prepared.rulebook.parameters["greeting_gesture"]
-        yield from (UTTER, *GREETINGS)
+        yield from (SAY_ACT, *GREETINGS)
         yield from (gesture.name for gesture in getattr(gestures, "categories", ()))
         if set(self.prepared.file.scenario.visited()) - self._served:
             yield from node_names()

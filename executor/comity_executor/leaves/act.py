@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from comity_executor.leaves.body_act import BodyAct
-from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
@@ -16,7 +16,7 @@ class Act(BodyAct):
 
     Args:
         meeting: Whose branch it belongs to.
-        act: `utter`, or the name of a gesture.
+        act: `say`, or the name of a gesture.
     """
 
     def __init__(self, meeting: Meeting, act: str) -> None:
@@ -26,7 +26,9 @@ class Act(BodyAct):
     def words(self) -> Utterance | None:
         """Only an utterance has words."""
         meeting = self._meeting
-        return meeting.speaker.greeting(meeting.greet.people, meeting.values) if self._act == UTTER else None
+        return (
+            meeting.speaker.greeting(meeting.greet.people, meeting.values) if self._act == SAY_ACT else None
+        )
 
     def goal(self) -> ActGoal:
         """In the manner that suits the person."""
@@ -41,7 +43,7 @@ class Act(BodyAct):
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off."""
-        if self._act == UTTER:
+        if self._act == SAY_ACT:
             others = self.told((*ABOUT_SPEECH, *ABOUT_WORDS))
             return Account(
                 self.how_it_went(), parameter="greeting_modality", others=others, fault=self.trouble()

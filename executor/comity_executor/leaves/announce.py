@@ -13,7 +13,7 @@ from comity_executor.leaves.body_act import BodyAct
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.leaf import Action, Condition, Ports
@@ -115,7 +115,7 @@ class Announcement(BodyAct):
     """
 
     def __init__(self, verb: str, meeting: Meeting, *, reads: tuple[str, ...] = ()) -> None:
-        super().__init__(meeting.person, meeting, UTTER, meeting.reach_grounds)
+        super().__init__(meeting.person, meeting, SAY_ACT, meeting.reach_grounds)
         self.verb = verb
         self.name = f"{verb}({meeting.person})"
         self._meeting = meeting.seen_by(self, reads=("values", *reads), writes=("announced", "stopped_s"))
@@ -123,7 +123,7 @@ class Announcement(BodyAct):
     def goal(self) -> ActGoal:
         """In the manner that suits the person."""
         meeting = self._meeting
-        return speech(UTTER, meeting.person, self.words(), manner=meeting.manner)
+        return speech(SAY_ACT, meeting.person, self.words(), manner=meeting.manner)
 
     @abstractmethod
     def words(self) -> Utterance:
@@ -258,7 +258,7 @@ class SayLeaving(Action):
         values = self._values[self._who]
         words = self._meeting.speaker.leaving(self._who, values)
         self._text = words.latin
-        self._performing.begin(speech(UTTER, self._who, words, manner=manner_of(values)), values)
+        self._performing.begin(speech(SAY_ACT, self._who, words, manner=manner_of(values)), values)
 
     def step(self) -> Status:
         """SUCCESS when it is said, FAILURE when it was broken off from elsewhere."""

@@ -23,7 +23,7 @@ class BodyAct(Action):
     Args:
         label: What the node is called after, in brackets.
         meeting: Whose branch it belongs to.
-        act: `utter`, or another act by its name.
+        act: `say`, or another act by its name.
         grounds: The plan step that it carries out.
     """
 

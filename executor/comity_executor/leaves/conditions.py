@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from comity_executor.leaves.docking_band import DockingBand, enter_band, leave_band
-from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.leaf import Condition, Ports
@@ -106,7 +106,7 @@ class IsActDone(Condition):
     def explain(self) -> Account | None:
         """Whether it was performed."""
         text = f"{self._act} {'is done' if self._meeting.is_done(self._act) else 'not done yet'}"
-        return Account(text, parameter="greeting_modality" if self._act == UTTER else "greeting_gesture")
+        return Account(text, parameter="greeting_modality" if self._act == SAY_ACT else "greeting_gesture")
 
 
 class IsGivenUp(Condition):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from comity_executor.leaves.body_act import BodyAct
-from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.memory.task import SAY, Task
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
@@ -25,7 +25,7 @@ class TaskAct(BodyAct):
         super().__init__(task.label, task.meeting, act, task.grounds)
         self._task = task.seen_by(self, writes=("performed", "handing_over", "done_s"), of_visit=("values",))
         self._meeting = self._task.meeting
-        self._tells = task.tells_leaving and act == UTTER
+        self._tells = task.tells_leaving and act == SAY_ACT
         self._shared = task.meeting.shared.seen_by(self, writes=("announced",) if self._tells else ())
 
     @property
@@ -35,7 +35,7 @@ class TaskAct(BodyAct):
 
     def words(self) -> Utterance | str | None:
         """Only an utterance has words."""
-        return self._task.words if self._act == UTTER else None
+        return self._task.words if self._act == SAY_ACT else None
 
     def goal(self) -> ActGoal:
         """An object goes from hand to hand."""
@@ -61,7 +61,7 @@ class TaskAct(BodyAct):
         text = self.how_it_went()
         if self._act == HAND_OVER:
             return Account(text, parameter="conversational_distance")
-        if self._act != UTTER:
+        if self._act != SAY_ACT:
             return Account(text, parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))
         words = () if self._task.step.action == SAY else ABOUT_WORDS
         return Account(text, others=self.told((*ABOUT_SPEECH, *words)), fault=self.trouble())

@@ -28,7 +28,7 @@ from comity_fis.defuzzification.moved_curve import MovedCurve
 from comity_fis.inference.value import Inference
 from comity_fis.membership.interval import Interval
 
-UTTER = "utter"
+SAY_ACT = "say"
 NO_GESTURE = "none"
 DISTANCE = "conversational_distance"
 POSE = ("pose", "reach", "values", "shown")
@@ -207,7 +207,7 @@ class Meeting:
 
     @property
     def acts(self) -> tuple[str, ...]:
-        """What the greeting consists of, `utter` first."""
+        """What the greeting consists of, `say` first."""
         return acts_of(self.greet)
 
     def is_done(self, act: str) -> bool:
@@ -262,13 +262,13 @@ class Meeting:
 
 
 def acts_of(step: PlanStep) -> tuple[str, ...]:
-    """What a greeting or a farewell consists of, `utter` first.
+    """What a greeting or a farewell consists of, `say` first.
 
     Raises:
         ValueError: The step names no way to do it.
     """
     modality, gesture = step.arguments[-2:]
-    known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
+    known = {"verbal": (SAY_ACT,), "gestural": (gesture,), "both": (SAY_ACT, gesture)}
     if modality not in known:
         raise ValueError(f"unknown modality {modality!r} in {step.action}, known are {', '.join(known)}")
     if NO_GESTURE in known[modality]:

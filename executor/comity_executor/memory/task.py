@@ -10,7 +10,7 @@ from py_trees.behaviour import Behaviour
 
 from comity_domain.plans.actions import ANNOUNCED
 from comity_domain.plans.plan import PlanStep
-from comity_executor.memory.meeting import UTTER, Meeting, acts_of
+from comity_executor.memory.meeting import SAY_ACT, Meeting, acts_of
 from comity_executor.memory.visit import TaskMemory, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.leaf import Ports
@@ -110,12 +110,12 @@ class Task:
 
     @property
     def acts(self) -> tuple[str, ...]:
-        """What it consists of, `utter` first."""
+        """What it consists of, `say` first."""
         match self.step.action:
             case "Say":
-                return (UTTER,)
+                return (SAY_ACT,)
             case "Offer":
-                return (UTTER, HAND_OVER) if self.step.parameters["modality"] == "both" else (HAND_OVER,)
+                return (SAY_ACT, HAND_OVER) if self.step.parameters["modality"] == "both" else (HAND_OVER,)
             case "Take_leave":
                 return acts_of(self.step)
         return ()

@@ -43,7 +43,7 @@ class Visit:
     docked_s: float | None
     """When that was, in the world's time."""
     greeting: tuple[str, ...]
-    """The acts that were performed, `utter` first."""
+    """The acts that were performed, `say` first."""
     failure: str | None
     """Why the visit was given up; None where it was not."""
     noticed: Noticed | None = None

@@ -30,7 +30,7 @@ CALLS: Mapping[str, tuple[tuple[object, ...], Mapping[str, object]]] = {
     "go": ((MotionGoal("dock", "anna", PlannedPose(0.8, 0.0), 0.4),), {}),
     "renew": ((1,), {}),
     "motion": ((), {}),
-    "perform": ((ActGoal("utter", "anna", "Hello."),), {}),
+    "perform": ((ActGoal("say", "anna", "Hello."),), {}),
     "performance": ((1,), {}),
     "stop": ((1,), {}),
 }

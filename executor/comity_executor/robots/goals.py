@@ -104,7 +104,7 @@ class ActGoal:
     """Something to say, to show, to take up or to hand over."""
 
     act: str
-    """`utter` or `ask_to_pass` with a text, `pick_up` or `hand_over` with a thing, or a gesture's name."""
+    """`say` or `ask_to_pass` with a text, `pick_up` or `hand_over` with a thing, or a gesture's name."""
     to: str
     """Towards which person; of `pick_up`, at which place."""
     text: str | None = None
@@ -146,7 +146,7 @@ def speech(
     """An act of speech.
 
     Args:
-        act: `utter` or `ask_to_pass`.
+        act: `say` or `ask_to_pass`.
         to: Towards whom.
         words: What is said; a text where the plan has one of its own.
         thing: What is handed over with it.

@@ -36,7 +36,7 @@ class LeafFaults:
         """Have a leaf raise.
 
         Args:
-            leaf: Its name, `utter(johanna)`, or without whom it is about, `utter`, for all of them.
+            leaf: Its name, `say(johanna)`, or without whom it is about, `say`, for all of them.
             error: What.
             times: In so many of its ticks.
         """

@@ -23,7 +23,7 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.task_act import TaskAct, WaitBefore
 from comity_executor.leaves.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
 from comity_executor.leaves.task_motion import StepAway
-from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.memory.task import LEAVE, WAIT, Task
 from comity_executor.nodes.act_timeout import ActTimeout
 
@@ -78,7 +78,7 @@ def _act(task: Task, act: str) -> Behaviour:
 
 def _done(task: Task, act: str) -> Behaviour:
     limits, rate = task.meeting.limits, min(1.0, task.meeting.manner.rate)
-    normal_s = SECONDS_PER_CHARACTER * len(task.latin) if act == UTTER else 0.0
+    normal_s = SECONDS_PER_CHARACTER * len(task.latin) if act == SAY_ACT else 0.0
     patience_s = max(limits.act_timeout_s, normal_s) / rate  # slow speech takes its time
     timeout = ActTimeout(
         f"Timeout {patience_s:g} s({act}, {task.label})",

@@ -102,7 +102,7 @@ class ActEvent:
     t_end: float
     """When it ends, or was broken off."""
     act: str
-    """`utter`, another act of speech such as `ask_to_pass`, a gesture's name, `pick_up` or `hand_over`."""
+    """`say`, another act of speech such as `ask_to_pass`, a gesture's name, `pick_up` or `hand_over`."""
     person: str
     """Towards whom; of `pick_up` where."""
     text: str | None = None
@@ -148,7 +148,7 @@ class ActGoal(Protocol):
 
     @property
     def act(self) -> str:
-        """`utter`, `ask_to_pass`, `pick_up`, `hand_over`, or a gesture's name."""
+        """`say`, `ask_to_pass`, `pick_up`, `hand_over`, or a gesture's name."""
         ...
 
     @property
@@ -284,7 +284,7 @@ class Acts:
 
 def is_spoken(act: str, text: str | None) -> bool:
     """Whether an act is speech: gestures have no text."""
-    return act == "utter" or text is not None
+    return act == "say" or text is not None
 
 
 def duration_s(act: str, text: str | None, rate: float = 1.0) -> float:

@@ -55,7 +55,7 @@ def test_it_ticks_at_its_rate_to_the_end() -> None:
 
 
 @settings(max_examples=20)
-@given(takes_s=st.floats(0.1, 3.0), call=st.sampled_from(("read", "motion", "emergency", "utter")))
+@given(takes_s=st.floats(0.1, 3.0), call=st.sampled_from(("read", "motion", "emergency", "say")))
 def test_a_tick_that_takes_longer_than_its_share_is_told(takes_s: float, call: str) -> None:
     hall = RealHall()
     _, loop = loop_of(hall)

@@ -105,4 +105,4 @@ def test_a_whole_visit_goes_through_a_watchdog() -> None:
         execution = Execution(plan_for("johanna"), robot, {"johanna": infer()})
         report = Loop(execution).run()
     assert report.status == "success"
-    assert execution.visits[0].greeting == ("utter", "nod")
+    assert execution.visits[0].greeting == ("say", "nod")

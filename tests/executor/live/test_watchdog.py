@@ -27,7 +27,7 @@ def test_what_the_robot_says_and_raises_comes_through() -> None:
         assert robot.emergency() is False
         assert robot.read("johanna").distance_m == 3.0
         assert robot.read("nobody") is None
-        act = robot.perform(ActGoal("utter", "johanna", "Hello."))
+        act = robot.perform(ActGoal("say", "johanna", "Hello."))
         assert robot.performance(act).state == "running"
         with pytest.raises(WatchdogError, match="performance: IndexError"):
             robot.performance("act 9")
