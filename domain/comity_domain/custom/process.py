@@ -55,7 +55,7 @@ def in_one_process(call: Callable[[], T], *, limit_s: float, plans: int = 1, mem
             if returned:
                 return value  # type: ignore[no-any-return]
             raise value
-        raise _nothing(code, (folder / LOG).read_text("utf-8", "replace"), limit_s, memory_mb)
+        raise _nothing(code, (folder / LOG).read_text(encoding="utf-8", errors="replace"), limit_s, memory_mb)
 
 
 def _run(folder: Path, seconds: float, memory_mb: int) -> int | None:
