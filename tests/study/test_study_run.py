@@ -74,10 +74,20 @@ def kept(folder: Path) -> int:
     return len(read_journal(folder / "journal.jsonl"))
 
 
-def begun(out: str, **options) -> subprocess.Popen[bytes]:
+def hear_interrupts() -> None:
+    """A job in the background of a shell inherits that they are ignored."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def begun(out: str, preexec_fn=hear_interrupts) -> subprocess.Popen[bytes]:
     """The command, once its journal has an episode."""
     command = [COMMAND, "study", "run", "noisy.yaml", "--out", out, "--jobs", "1"]
-    process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, **options)
+    process = subprocess.Popen(
+        command,
+        stderr=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        preexec_fn=preexec_fn,  # noqa: PLW1509  (no thread runs here)
+    )
     while process.poll() is None and not kept(Path(out)):
         time.sleep(0.02)
     return process
