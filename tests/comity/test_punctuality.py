@@ -107,7 +107,7 @@ def test_when_time_is_up_who_is_out_of_reach_alone_is_named_without_the_others(h
         prepare(load_scenario("hall.scenario.yaml"))
     assert not failed.value.cut_off, "there is time enough by the machine's clock"
     ticks = count()
-    for module in ("labelling.punctual", "problem.survey", "labelling.search"):
+    for module in ("labelling.punctual", "problem.measuring", "labelling.search"):
         monkeypatch.setattr(f"comity_domain.{module}.monotonic", lambda: float(next(ticks)))
     monkeypatch.setattr("comity.preparation.monotonic", lambda: 30.0)
     with pytest.raises(GoalsUnmet) as failed:
