@@ -29,7 +29,7 @@ def read_sights(
     Args:
         path: Of the file.
         rulebook: Its variables that describe a situation may be headings.
-        name: Of whom all rows tell, where there is no column of names.
+        name: The person of every row, where the table has no column of names.
         day: Of rows without a date; None for today.
 
     Raises:

@@ -31,7 +31,7 @@ def signal_in_words(words: str, where: Where | None = None) -> Signal:
     """A signal as an observer writes it.
 
     Raises:
-        InputError: if there is none of the kind.
+        InputError: The words name no signal.
     """
     if isinstance(words, str):
         plain = words.strip().casefold().replace(" ", "_")
@@ -52,7 +52,7 @@ def distance(given: object, where: Where | None = None) -> float:
     """A distance as an observer writes it: 0.8, `0.8 m` or `80 cm`.
 
     Raises:
-        InputError: if it is none, or nowhere near a person.
+        InputError: It is no distance, or one at which nobody is met.
     """
     found = metres(given.strip() if isinstance(given, str) else given)
     try:

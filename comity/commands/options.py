@@ -13,6 +13,7 @@ from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
     from datetime import date
+    from pathlib import Path
 
     from pydantic import BaseModel
 
@@ -163,3 +164,10 @@ def print_json(answer: BaseModel | dict[str, Any]) -> None:
     except UnicodeEncodeError:
         text = json.dumps(content, indent=2, allow_nan=False)
     print(text)
+
+
+def open_page(page: Path) -> None:
+    """Show a page in the browser."""
+    import webbrowser
+
+    webbrowser.open(page.resolve().as_uri())

@@ -20,6 +20,7 @@ from comity.commands.options import (
     Seed,
     With,
     day,
+    open_page,
     pairs,
     print_json,
 )
@@ -185,7 +186,9 @@ def run(
         _draw(recorded, picture)
     _tell(recorded, _learnt(recorded, at) if learn else (), pseudonyms=pseudonyms, as_json=as_json)
     if open_:
-        _open(recorded)
+        from comity.output.run_folder import REPLAY
+
+        open_page(recorded.folder / REPLAY)
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
 
 
@@ -289,11 +292,3 @@ def _draw(recorded: Recorded, path: Path) -> None:
     from comity.replay.pictures import write_picture
 
     write_picture(recorded.folder, path)
-
-
-def _open(recorded: Recorded) -> None:
-    import webbrowser
-
-    from comity.output.run_folder import REPLAY
-
-    webbrowser.open((recorded.folder / REPLAY).resolve().as_uri())

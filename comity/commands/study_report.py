@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from comity.commands.options import AsJson, print_json
+from comity.commands.options import AsJson, open_page, print_json
 
 StudyFolder = Annotated[Path, typer.Argument(metavar="DIR", help="What `comity study run` wrote.")]
 StudySource = Annotated[
@@ -60,7 +60,8 @@ def report(
         print_json(answer)
     else:
         say(*report_text(answer))
-    _open(answer.page, asked=open_)
+    if open_:
+        open_page(Path(answer.page))
 
 
 REPORT = "report"
@@ -135,13 +136,7 @@ def show(
         print_json(answer)
     else:
         say(*show_text(answer))
-    _open(answer.page, asked=open_)
+    if open_:
+        open_page(Path(answer.page))
     if not answer.same:
         raise typer.Exit(1)
-
-
-def _open(page: str, *, asked: bool) -> None:
-    if asked:
-        import webbrowser
-
-        webbrowser.open(Path(page).resolve().as_uri())

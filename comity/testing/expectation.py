@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeGuard
@@ -24,7 +25,7 @@ class Finding:
     """What else differs, a line each; no causes."""
 
 
-class Sentence:
+class Sentence(ABC):
     """One kind of expectation: how it is written, and which people it names."""
 
     __slots__ = ()
@@ -51,9 +52,9 @@ class Expectation(Sentence):
 
     __slots__ = ()
 
+    @abstractmethod
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
-        raise NotImplementedError
 
 
 class ProfileComparison(Sentence):
@@ -66,9 +67,9 @@ class ProfileComparison(Sentence):
         """The profiles that it names."""
         return ()
 
+    @abstractmethod
     def compare(self, among: Among) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
-        raise NotImplementedError
 
 
 def compares(meaning: Expectation | ProfileComparison) -> TypeGuard[ProfileComparison]:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.testing.metrics.amount import differences_apart, told_apart, told_beside, told_range
+from comity.testing.amounts.amount import differences_apart, told_apart, told_beside, told_range
 
 UNITS = st.sampled_from(["m", "s", "deg", "m/s", None, "1"])
 NUMBERS = st.integers(-(10**9), 10**9).map(lambda number: number / 10**6)

@@ -7,8 +7,8 @@ import re
 import numpy as np
 import pytest
 
+from comity.testing.amounts.course import MOTIONS
 from comity.testing.collection.cases import claims_in
-from comity.testing.metrics.course import MOTIONS
 from comity.testing.trials.trial import attempted
 from comity_executor import node_names
 from comity_sim2d.metrics import clearances_m

@@ -8,12 +8,12 @@ from dataclasses import replace
 import pytest
 from rooms import FIRST_LINE, scenario
 
+from comity.testing.amounts.moments import intrusion
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.measured import measured
 from comity.testing.judging.safety import dangers
 from comity.testing.judging.verdict import Failure, judged
 from comity.testing.kinds import KINDS
-from comity.testing.metrics.moments import intrusion
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.trial import Trial, attempted
 from comity_fis import InputError

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from comity.testing.amounts.acting import done_for
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import judged
-from comity.testing.metrics.acting import done_for
 from comity.testing.trials.trial import Trial, attempted
 
 COFFEE = """\

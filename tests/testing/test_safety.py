@@ -13,10 +13,10 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from comity.testing.amounts.causes import TICK_S
+from comity.testing.amounts.quantity import quantities
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.safety import dangers
-from comity.testing.metrics.causes import TICK_S
-from comity.testing.metrics.quantity import quantities
 from comity.testing.trials.case import Case
 from comity.testing.trials.trial import Trial, attempted
 from comity_executor import Cause

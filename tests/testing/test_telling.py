@@ -14,10 +14,10 @@ from comity.people.learnt_file import Stated
 from comity.people.remembered import remember_answer
 from comity.people.store import Store
 from comity.system.library import shipped
+from comity.testing.amounts.shaping import HEAD
 from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.expectation import Finding
 from comity.testing.judging.verdict import Failure, judged
-from comity.testing.metrics.shaping import HEAD
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.case import DAY
 from comity_fis import Where

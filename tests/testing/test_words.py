@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.testing.metrics.words import holds
+from comity.testing.amounts.words import holds
 
 WORD = st.text("abcXYZ019é_", min_size=1, max_size=4)
 

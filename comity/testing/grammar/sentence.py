@@ -12,13 +12,13 @@ from typing import Any
 from lark import Lark, Token, Transformer, Tree, UnexpectedInput
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 
+from comity.testing.amounts.amount import Amount, Bounds, Times
 from comity.testing.expectation import Expectation, ProfileComparison
 from comity.testing.grammar.rewording import renamed, rewordings
 from comity.testing.grammar.spelling import unit_meant, units_told
 from comity.testing.grammar.vocabulary import KEYWORDS, MEANING, grammar
 from comity.testing.kinds import KINDS
 from comity.testing.kinds.metric import MetricBounds
-from comity.testing.metrics.amount import Amount, Bounds, Times
 from comity_fis import InputError, Where, closest
 from comity_fis.validation.one_line import JOINERS
 

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.report.difference import counted
-from comity.testing.metrics import causes
-from comity.testing.metrics.touching import THINGS, before_bump, bumps
+from comity.testing.amounts import causes
+from comity.testing.amounts.touching import THINGS, before_bump, bumps
 from comity_sim2d.base.drive import SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within
 from comity_sim2d.metrics import clearances_m, speeds_m_s

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts.amount import Bounds
+from comity.testing.amounts.shaping import shaping_price
+from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics.amount import Bounds
-from comity.testing.metrics.shaping import shaping_price
-from comity.testing.metrics.words import holds
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_domain.explanation.agenda_reason import AFTER, BEFORE
 from comity_domain.explanation.company_reason import ONE_BY_ONE

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from comity.report.values.inference import because
+from comity.testing.amounts import causes
+from comity.testing.amounts.quantity import require_parameter
+from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes
-from comity.testing.metrics.quantity import require_parameter
-from comity.testing.metrics.words import holds
 from comity_fis import InputError, closest
 from comity_fis.inference.value import Origin
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts import causes
+from comity.testing.amounts.amount import ROUNDING, Amount, differences_apart, told_apart
+from comity.testing.amounts.quantity import require_parameter
 from comity.testing.expectation import Finding, ProfileComparison
-from comity.testing.metrics import causes
-from comity.testing.metrics.amount import ROUNDING, Amount, differences_apart, told_apart
-from comity.testing.metrics.quantity import require_parameter
 from comity_fis import InputError
 
 if TYPE_CHECKING:

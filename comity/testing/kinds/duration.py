@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts import causes
+from comity.testing.amounts.amount import Amount, Bounds
+from comity.testing.amounts.course import runs
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes
-from comity.testing.metrics.amount import Amount, Bounds
-from comity.testing.metrics.course import runs
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts import causes
+from comity.testing.amounts.amount import AT_LEAST_ONCE, NEVER, Times, times
+from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes
-from comity.testing.metrics.amount import AT_LEAST_ONCE, NEVER, Times, times
-from comity.testing.metrics.words import holds
 from comity_fis import InputError
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.parameters.consent import TOUCHING
+from comity.testing.amounts import causes
+from comity.testing.amounts.acting import Done, done_for
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes
-from comity.testing.metrics.acting import Done, done_for
 from comity_executor.memory.meeting import SAY_ACT
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts import causes
+from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes
-from comity.testing.metrics.words import holds
 from comity_executor.memory.meeting import SAY_ACT
 
 if TYPE_CHECKING:

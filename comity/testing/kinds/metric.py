@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
+from comity.testing.amounts.amount import Bounds
+from comity.testing.amounts.quantity import NoQuantity, quantities, require_sensible
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics.amount import Bounds
-from comity.testing.metrics.quantity import NoQuantity, quantities, require_sensible
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial

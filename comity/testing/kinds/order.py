@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts import causes, ordering
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes, ordering
 from comity_fis import InputError
 
 if TYPE_CHECKING:

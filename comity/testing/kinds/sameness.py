@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from comity.testing.amounts import causes
+from comity.testing.amounts.amount import told
+from comity.testing.amounts.quantity import require_parameter
 from comity.testing.expectation import Finding, ProfileComparison
-from comity.testing.metrics import causes
-from comity.testing.metrics.amount import told
-from comity.testing.metrics.quantity import require_parameter
 
 if TYPE_CHECKING:
     from comity.testing.judging.among import Among

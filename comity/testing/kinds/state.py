@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from comity.episode import Outcome
 from comity.monitoring.lateness import late_s
+from comity.testing.amounts import causes
+from comity.testing.amounts.course import of_lateness, of_plan
+from comity.testing.amounts.quantity import is_figure, require_parameter
 from comity.testing.expectation import Expectation, Finding
-from comity.testing.metrics import causes
-from comity.testing.metrics.course import of_lateness, of_plan
-from comity.testing.metrics.quantity import is_figure, require_parameter
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from itertools import groupby
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
+from comity.testing.amounts.shaping import HEAD
 from comity.testing.collection.cases import ships, shown
-from comity.testing.metrics.shaping import HEAD
 from comity.testing.runner.citing import cited
 from comity.testing.runner.evidence import NONE
 from comity.testing.trials.day import day_taken

@@ -11,10 +11,10 @@ import numpy as np
 from comity.monitoring.measuring import known_of
 from comity.monitoring.told import later_distances_m
 from comity.parameters.passing import own_distance_m
-from comity.testing.metrics import causes
-from comity.testing.metrics.course import MOTIONS
-from comity.testing.metrics.happened import walking
-from comity.testing.metrics.shaping import DISTANCE, told_of
+from comity.testing.amounts import causes
+from comity.testing.amounts.course import MOTIONS
+from comity.testing.amounts.happened import walking
+from comity.testing.amounts.shaping import DISTANCE, told_of
 from comity_executor import Limits
 from comity_sim2d.metrics import (
     clearances_m,

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from comity.report.plans.plan_why import PARTS
 from comity.specification.goals import greeted
-from comity.testing.metrics import causes
-from comity.testing.metrics.shaping import told_of
+from comity.testing.amounts import causes
+from comity.testing.amounts.shaping import told_of
 from comity_domain import in_order
 
 if TYPE_CHECKING:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from comity.testing.metrics import causes
-from comity.testing.metrics.amount import Bounds, told_apart
-from comity.testing.metrics.course import of_course, of_plan
-from comity.testing.metrics.happened import walking
-from comity.testing.metrics.moments import Moment, intrusion, moment_of, of_moment, of_stay
-from comity.testing.metrics.standing import standing
-from comity.testing.metrics.touching import CONTACTS, of_contacts
+from comity.testing.amounts import causes
+from comity.testing.amounts.amount import Bounds, told_apart
+from comity.testing.amounts.course import of_course, of_plan
+from comity.testing.amounts.happened import walking
+from comity.testing.amounts.moments import Moment, intrusion, moment_of, of_moment, of_stay
+from comity.testing.amounts.standing import standing
+from comity.testing.amounts.touching import CONTACTS, of_contacts
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Metric, by_short_name, of_episode, of_person
 

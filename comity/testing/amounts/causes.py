@@ -7,10 +7,10 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from comity.report.values.inference import because as because_of_value
-from comity.testing.metrics.amount import told
-from comity.testing.metrics.holding import of_time
-from comity.testing.metrics.planned import last_for
-from comity.testing.metrics.shaping import told_of
+from comity.testing.amounts.amount import told
+from comity.testing.amounts.holding import of_time
+from comity.testing.amounts.planned import last_for
+from comity.testing.amounts.shaping import told_of
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial

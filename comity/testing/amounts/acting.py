@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.testing.metrics.course import runs
+from comity.testing.amounts.course import runs
 from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.memory.task import LEAVE, OFFER, SAY
 from comity_executor.trees.tree import GREETINGS

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.testing.metrics.amount import told
+from comity.testing.amounts.amount import told
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from comity.testing.metrics import causes
+from comity.testing.amounts import causes
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial

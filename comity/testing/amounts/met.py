@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.monitoring.measuring import turns
-from comity.testing.metrics.happened import walking
+from comity.testing.amounts.happened import walking
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.metrics import clearances_m
 

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.monitoring.lateness import late_s
-from comity.testing.metrics.amount import told
-from comity.testing.metrics.happened import happened
-from comity.testing.metrics.met import met
-from comity.testing.metrics.planned import last_for, plans
-from comity.testing.metrics.shaping import shaping
+from comity.testing.amounts.amount import told
+from comity.testing.amounts.happened import happened
+from comity.testing.amounts.met import met
+from comity.testing.amounts.planned import last_for, plans
+from comity.testing.amounts.shaping import shaping
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial

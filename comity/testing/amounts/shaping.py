@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from comity.report.values.inference import in_brief
-from comity.testing.metrics.amount import told
-from comity.testing.metrics.holding import Held, held
+from comity.testing.amounts.amount import told
+from comity.testing.amounts.holding import Held, held
 from comity_executor import Limits
 from comity_sim2d.metrics import clearances_m
 from comity_sim2d.paths.personal_space import FRONT
