@@ -55,19 +55,19 @@ def tabled(folder: Path, rows: list[dict[str, object]]) -> StudyVisits:
     return StudyVisits.of(Study.load(folder))
 
 
-def visits(folder, distance, **more):
-    """Four individuals of two groups x two rulebooks x two seeds; distances by a function of all."""
+def visits(folder, distance, *, people=4, seeds=2, **more):
+    """Individuals of two groups x two rulebooks x seeds; distances by a function of all."""
     rows = []
     for i, book in enumerate(("a", "b")):
-        for person in range(4):
-            for seed in range(2):
+        for person in range(people):
+            for seed in range(seeds):
                 row = {
                     "row": len(rows) + 1,
                     "scenario": "room",
                     "condition": i + 1,
                     "rulebook": book,
                     "rulebook_used": book,
-                    "group": "near" if person < 2 else "far",
+                    "group": "near" if person < people / 2 else "far",
                     "individual": f"p{person}",
                     "seed": seed,
                     "person": "x",
@@ -129,12 +129,23 @@ def test_failures_are_all_visits_without_a_greeting_that_nobody_declined(tmp_pat
     assert [(one.row, one.what) for one in failures(found.study)] == [(1, "unreached"), (3, "error")]
 
 
-def test_an_outlier_is_beyond_the_fence_of_its_room_and_condition(tmp_path):
-    """The rulebooks are a metre apart, which is no outlier; one visit under the first is."""
+def test_an_outlier_is_unlike_the_other_seeds_of_its_individual(tmp_path):
+    """Rulebooks are a metre apart and people a decimetre, which is no outlier; one seed of one person is."""
     found = visits(
-        tmp_path, lambda book, person, seed: 3.0 if (book, person, seed) == (0, 3, 1) else book + person / 100
+        tmp_path,
+        lambda book, person, seed: 9.0 if (book, person, seed) == (0, 3, 2) else book + person / 10,
+        seeds=5,
     )
-    assert [one.row for one in outliers(found, pictured(outcomes_of(found), ()))] == [8]
+    assert [(one.individual, one.seed) for one in outliers(found, pictured(outcomes_of(found), ()))] == [
+        ("p3", "2")
+    ]
+
+
+def test_without_repeats_an_outlier_is_unlike_the_others_in_its_room(tmp_path):
+    found = visits(
+        tmp_path, lambda book, person, seed: 9.0 if person == 7 else person / 10, seeds=1, people=12
+    )
+    assert {one.individual for one in outliers(found, pictured(outcomes_of(found), ()))} == {"p7"}
 
 
 @pytest.fixture(scope="module")

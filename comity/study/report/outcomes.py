@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -43,7 +44,7 @@ class StudyOutcome:
 def label_of(name: str, unit: str) -> str:
     """A column as an axis calls it: `distance actual [m]` of `distance_actual_m`."""
     end = {"m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3"}.get(unit, f"_{unit}")
-    plain = name.removesuffix(end).replace("_", " ")
+    plain = re.sub(r"(?<=\d) (?=\d)", ".", name.removesuffix(end).replace("_", " "))  # `1_5` is 1.5
     return plain if unit in ("1", "") else f"{plain} [{unit}]"
 
 
@@ -68,7 +69,7 @@ DERIVED: Mapping[str, tuple[str, str, _Derive]] = MappingProxyType(
     {
         SERVED: (
             "1",
-            "Share of the visits in which the person was greeted; declined ones count not.",
+            "Share of the visits in which the person was greeted; declined ones do not count.",
             served,
         ),
         OUTSIDE: ("1", "Share of the stops outside the person's comfort interval.", _outside),

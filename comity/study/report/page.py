@@ -79,9 +79,10 @@ def page_of_study(answer: StudyReportAnswer, study: Study, figures: Mapping[str,
 
 _FAILED = "Visits without a greeting that the person did not decline, and episodes that raised."
 _FAR = (
-    "Visits beyond the outer fence, three interquartile ranges beyond the quartiles, of all visits in the "
-    "same room under the same condition; a range counts as at least a tenth of the standard deviation over "
-    "all visits. The farthest first."
+    "Visits unlike the other seeds of the same individual: farther from their median than the outer fence, "
+    "three interquartile ranges beyond the quartiles of all such differences in the same room under the same "
+    "condition. A range counts as at least half the standard deviation over all visits. Where no visit "
+    "was repeated, the fence is around the values. The farthest first."
 )
 
 

@@ -86,8 +86,8 @@ def averaged(values: Floats, individuals: Labels, rooms: Labels) -> Floats:
         rooms: The scenario of each episode.
     """
     there = ~np.isnan(values)
-    person, persons = _numbered(individuals[there])
-    room, room_count = _numbered(rooms[there])
+    person, persons = numbered(individuals[there])
+    room, room_count = numbered(rooms[there])
     cell = person * room_count + room
     sums = np.bincount(cell, weights=values[there], minlength=persons * room_count)
     counts = np.bincount(cell, minlength=persons * room_count)
@@ -132,14 +132,14 @@ def _monte_carlo_error(
     residuals, what is left of each value without the mean of its repeats, are added up seed by seed
     (Liang and Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73(1), 1986).
     """
-    seed, seed_count = _numbered(seeds)
+    seed, seed_count = numbered(seeds)
     if seed_count < 2:
         return None
-    person, _ = _numbered(individuals)
-    room, room_count = _numbered(rooms)
-    condition, condition_count = _numbered(repeated)
-    cell, cells = _numbered(person * room_count + room)
-    group, groups = _numbered(cell * condition_count + condition)
+    person, _ = numbered(individuals)
+    room, room_count = numbered(rooms)
+    condition, condition_count = numbered(repeated)
+    cell, cells = numbered(person * room_count + room)
+    group, groups = numbered(cell * condition_count + condition)
     counts = np.bincount(group, minlength=groups)
     if counts.max() < 2:
         return None
@@ -149,7 +149,7 @@ def _monte_carlo_error(
     return math.sqrt(float((sums**2).sum()) * seed_count / (seed_count - 1))
 
 
-def _numbered(labels: NDArray[Any]) -> tuple[Whole, int]:
+def numbered(labels: NDArray[Any]) -> tuple[Whole, int]:
     """Labels as numbers from 0, and how many there are."""
     found, numbers = np.unique(labels, return_inverse=True)
     return numbers.reshape(-1), len(found)

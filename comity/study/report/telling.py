@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 from comity.report.text import table, unbroken, words
@@ -20,6 +22,9 @@ if TYPE_CHECKING:
         StudyShowAnswer,
     )
 
+DECIMALS = 4
+"""Of numbers in text: a tenth of a millimetre is finer than anything that the world measures."""
+SMALLEST = 10.0**-DECIMALS
 HEAD = ("outcome", "group", "first", "second", "difference", "95 % interval", "Monte Carlo error", "pairs")
 
 
@@ -43,8 +48,12 @@ def worse_text(one: ServedWorseAnswer) -> str:
 def compare_text(answer: StudyCompareAnswer) -> Iterator[RenderableType]:
     """Two levels side by side."""
     yield f"Study {answer.study}, {answer.factor}: {answer.first} and {answer.second}, {answer.pairs} pairs"
-    head = (*HEAD[:2], answer.first, answer.second, "difference", "95 % interval", "seeds")
-    yield table([difference_cells(one)[: len(head)] for one in answer.differences], head=head)
+    head = ("group", answer.first, answer.second, "difference", "95 % interval", "seeds")
+    for (outcome, unit), found in groupby(answer.differences, key=lambda one: (one.outcome, one.unit)):
+        yield ""
+        yield f"  {label_of(outcome, unit)}"
+        yield table([difference_cells(one)[1 : 1 + len(head)] for one in found], head=head)
+    yield ""
     yield (
         "  Second minus first, within the same individual, room and seed. Intervals resample individuals and "
         "rooms; `seeds` is the Monte Carlo error, which seeds alone leave."
@@ -89,12 +98,11 @@ def value_text(value: float, unit: str) -> str:
 
 
 def number_text(value: float | None, *, signed: bool = False) -> str:
-    """Three digits that matter, none of them of a rounding error: `0.309`, `11.4`, `0`; a dash for none."""
+    """Three digits that matter, of at most four decimals: `0.309`, `11.4`, `0.0001`, `0`; a dash for none."""
     if value is None:
         return "-"
-    if abs(value) < 1e-9:
+    if abs(value) < SMALLEST / 2:
         return "0"
-    digits = f"{value:+.3g}" if signed else f"{value:.3g}"
-    if "e" not in digits:
-        return digits
-    return f"{value:+.0f}" if signed and abs(value) >= 1 else f"{value:.0f}" if abs(value) >= 1 else digits
+    decimals = min(max(2 - math.floor(math.log10(abs(value))), 0), DECIMALS)
+    digits = f"{value:{'+' if signed else ''}.{decimals}f}"
+    return digits.rstrip("0").rstrip(".") if "." in digits else digits

@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.study.report.resampling import numbered
+
 if TYPE_CHECKING:
     from comity.study.report.episodes import StudyVisits
     from comity.study.report.outcomes import StudyOutcome
-    from comity.study.report.resampling import Whole
+    from comity.study.report.resampling import Floats, Whole
     from comity.study.results import Study
 
 FENCE = 3.0
 """Interquartile ranges beyond the quartiles: Tukey's outer fence ("Exploratory Data Analysis", 1977)."""
-LEAST = 0.1
+LEAST = 0.5
 """Of the standard deviation over all visits: where most visits are alike a smaller width means nothing."""
 FEWEST = 8
 """Visits of one room under one condition whose quartiles mean anything."""
@@ -47,34 +49,50 @@ def failures(study: Study) -> Iterator[UnusualVisit]:
 
 
 def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[UnusualVisit, ...]:
-    """Visits with a value beyond the outer fence of their room and condition, the farthest first.
+    """Visits unlike the other seeds of the same individual, the farthest beyond the fence first.
 
-    A visit with several such values stands once, by the farthest of them.
+    People differ from each other, which the figures show. So the fence is set around differences from the
+    median of the same individual in the same room under the same condition; where no visit was repeated by
+    another seed, around the values themselves. A visit with several such values stands once, by the farthest.
     """
-    places = np.char.add(np.char.add(visits.rooms, "\0"), visits.conditions)
+    places, _ = numbered(np.char.add(np.char.add(visits.rooms, "\0"), visits.conditions))
+    individuals, people = numbered(visits.individuals)
+    repeats, _ = numbered(places * people + individuals)
     farthest: dict[int, tuple[float, StudyOutcome, float]] = {}
     for outcome in outcomes:
         if outcome.unit in ("1", ""):
             continue  # shares and counts have no fence
+        usual = _usual(outcome.values, repeats)
         least = LEAST * float(np.nanstd(outcome.values))
         for place in np.unique(places):
             rows = np.flatnonzero((places == place) & ~np.isnan(outcome.values))
-            for row, beyond, fence in _beyond(rows, outcome, least):
+            for row, beyond, fence in _beyond(rows, outcome.values - usual, least):
                 if beyond > farthest.get(row, (0.0,))[0]:
-                    farthest[row] = (beyond, outcome, fence)
+                    farthest[row] = (beyond, outcome, fence + float(usual[row]))
     ranked = sorted(farthest.items(), key=lambda one: (-one[1][0], one[0]))
     return tuple(_outlier(visits.rows[row], row, outcome, fence) for row, (_, outcome, fence) in ranked)
 
 
-def _beyond(rows: Whole, outcome: StudyOutcome, least: float) -> Iterator[tuple[int, float, float]]:
+def _usual(values: Floats, repeats: Whole) -> Floats:
+    """By visit the median of its repeats; 0 where nothing was repeated, so that values stay themselves."""
+    usual = np.zeros(len(values))
+    counts = np.bincount(repeats[~np.isnan(values)], minlength=len(values))
+    if counts.max(initial=0) < 2:
+        return usual
+    for one in np.flatnonzero(counts):
+        usual[repeats == one] = np.nanmedian(values[repeats == one])
+    return usual
+
+
+def _beyond(rows: Whole, values: Floats, least: float) -> Iterator[tuple[int, float, float]]:
     """Rows beyond a fence, how many widths beyond, and the fence."""
     if len(rows) < FEWEST:
         return
-    low, high = np.quantile(outcome.values[rows], [0.25, 0.75])
+    low, high = np.quantile(values[rows], [0.25, 0.75])
     if (width := max(high - low, least)) == 0:
         return
     for row in rows:
-        value = outcome.values[row]
+        value = values[row]
         fence = low - FENCE * width if value < low else high + FENCE * width
         beyond = abs(value - fence) / width
         if value < min(low, fence) or value > max(high, fence):
