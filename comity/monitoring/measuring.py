@@ -79,6 +79,7 @@ def known_of(
         later_m=later_distances_m(told),
         visits=tuple(_wanted(prepared, visits, events, revisions, told)),
         engaged=_engaged(visits, events),
+        groups=tuple(group.members for group in prepared.scene.groups),
     )
 
 

@@ -127,6 +127,88 @@ def test_time_in_the_spaces_goes_by_the_nearest_person():
     assert found.intimate_space_surface_s == pytest.approx(1.0)
 
 
+def test_shares_of_the_zones_and_the_mean_distance_go_by_the_nearest_person():
+    """Gaps 4, 3, 1, 0.3 m, each for a second: a quarter in each zone, 2.075 m in the mean."""
+    gaps = (4.0, 3.0, 1.0, 0.3, 0.3)
+    found = measure(frames(line(*(10 - 0.45 - gap for gap in gaps)), (10, 0)))
+    shares = (found.intimate_space_share, found.personal_space_share)
+    assert (*shares, found.social_space_share, found.public_space_share) == pytest.approx((0.25,) * 4)
+    assert found.mean_nearest_distance_m == pytest.approx(8.3 / 4)
+
+
+def test_without_people_there_is_no_distance_no_zone_and_no_speed_near_them():
+    named = of_episode(measure(frames(line(0, 1))))
+    assert not {"mean_nearest_distance_m", "public_space_share", "p95_speed_within_1_5_m_m_s"} & named.keys()
+
+
+def test_the_speed_near_people_is_a_percentile_of_the_steps_near_them():
+    """Twenty steps of 0.01 to 0.20 m towards Anna, some of them within 1.5 m of her."""
+    places = np.concatenate(([0.0], np.cumsum(np.arange(1, 21) / 100)))
+    walk = frames(line(*places), (3.5, 0), (40, 0))
+    near = measure(walk, Known(own_m={"anna": 0.5, "ben": 0.5}))
+    inside = [step for step in range(20) if 3.05 - (places[step] + places[step + 1]) / 2 < 1.5]
+    expected = np.quantile([(step + 1) / 100 for step in inside], 0.95)
+    assert near.p95_speed_within_1_5_m_m_s == pytest.approx(expected)
+    assert near.p95_speed_near_by_person_m_s == pytest.approx({"anna": expected})
+
+
+def test_a_path_with_two_right_angles_turns_half_around_in_its_length():
+    """1 m east, 1 m north, 1 m east: pi over 3 m; standing still in between adds nothing."""
+    path = [(0, 0), (1, 0), (1, 0), (1, 0.001), (1, 1), (2, 1)]
+    assert measure(frames(path)).path_irregularity_rad_m == pytest.approx(math.pi / 3, abs=1e-3)
+
+
+def test_a_path_twice_as_long_as_the_shortest_has_a_ratio_of_two():
+    assert measure(frames(line(0, 1, 2)), Known(shortest_m=1.0)).path_length_ratio == pytest.approx(2.0)
+    assert measure(frames(line(0, 1, 2)), Known(shortest_m=1.0, success=False)).path_length_ratio is None
+
+
+def test_whose_motion_led_to_a_contact():
+    """The robot drives into Anna, who stands; Ben runs into the robot later."""
+    robot = line(0, 0.6, 0.4, 0.4, 0.4)
+    found = measure(frames(robot, (1, 0), [(0, 5), (0, 5), (0.4, 3), (0.4, 0.3), (0.4, 3)]))
+    assert (found.contacts_by_robot, found.contacts_by_people) == (1, 1)
+
+
+def test_a_robot_between_two_who_talk_intrudes_on_them_once_unless_it_visits_one():
+    """Anna and Ben face each other 2 m apart; the robot drives through the middle and comes back."""
+    crossing = [(0, y) for y in (-3, -2, 0, 0.1, 2, 3)]
+    walk = frames(crossing, (-1, 0, 0.0), (1, 0, math.pi))
+    group = Known(groups=(("anna", "ben"),))
+    assert measure(walk, group).group_intrusions == 1
+    visit = {"anna": (Span(0.0, 9.0),)}
+    assert measure(walk, replace(group, engaged=visit)).group_intrusions == 0
+    assert measure(walk).group_intrusions == 0
+
+
+def test_a_group_of_which_one_has_gone_keeps_no_space():
+    walk = frames([(0, -3), (0, 0)], [(-1, 0, 0.0), (-3, 0, 0.0)], (1, 0, math.pi))
+    assert measure(walk, Known(groups=(("anna", "ben"),))).group_intrusions == 0
+
+
+def test_a_group_of_people_who_are_not_there_is_refused():
+    with pytest.raises(InputError):
+        measure(frames(line(0, 1), (3, 0)), Known(groups=(("anna", "bem"),)))
+
+
+walks = st.lists(st.tuples(*[st.floats(-5, 5)] * 4), min_size=2, max_size=8)
+
+
+@given(walks, st.floats(-math.pi, math.pi), st.tuples(st.floats(-9, 9), st.floats(-9, 9)))
+def test_metrics_near_people_stay_as_the_room_is_turned_and_moved(walk, angle, by):
+    """And the shares of the four zones add up to 1."""
+    turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+
+    def of(place):
+        return [tuple(turn @ np.array(pose) + by) for pose in place]
+
+    robot, anna = [pose[:2] for pose in walk], [pose[2:] for pose in walk]
+    one, other = measure(frames(robot, anna)), measure(frames(of(robot), of(anna)))
+    assert other.mean_nearest_distance_m == pytest.approx(one.mean_nearest_distance_m, abs=1e-6)
+    zones = ("intimate", "personal", "social", "public")
+    assert sum(getattr(one, f"{zone}_space_share") for zone in zones) == pytest.approx(1.0)
+
+
 def test_time_to_collision_of_two_who_meet_head_on():
     """5 m between centres, closing at 1 + 1 m/s: 4.55 m of air are gone after 2.275 s."""
     found = measure(frames(line(0, 1), [(5, 0), (4, 0)]))
@@ -490,12 +572,12 @@ def test_an_empty_world_has_figures_too():
 
 
 def test_every_figure_is_defined_and_every_definition_is_a_figure():
-    walk = frames(line(0, 1, 2, 3, *[3.0] * 5), (5, 0, math.pi))
-    visit = Wanted("anna", Span(0, 8), Span(0, 8), 1.55, 0.0)
+    walk = frames(line(0, 1, 2, 3.1, *[3.1] * 5), (5, 0, math.pi))
+    visit = Wanted("anna", Span(0, 8), Span(0, 8), 1.45, 0.0)
     plan = {"plan_cost_m": 3.0, "plan_gap": 0.0}
     found = measure(walk, Known(Contacts(), own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0, **plan))
     assert of_episode(found).keys() == EPISODE.keys()
-    of_a_person = {"compliance_share", "longest_intrusion_s", "walked_m"}
+    of_a_person = {"compliance_share", "longest_intrusion_s", "p95_speed_within_1_5_m_m_s", "walked_m"}
     assert VISIT.keys() == of_a_person | {field.name for field in fields(Stopping)}
     assert of_person(found, "anna").keys() <= VISIT.keys()
 

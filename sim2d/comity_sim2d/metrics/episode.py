@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,7 +11,8 @@ import numpy as np
 from comity_fis.errors import InputError, closest
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers, require_pairs
-from comity_sim2d.metrics import motion, proximity
+from comity_sim2d.metrics import motion, near_people, proximity
+from comity_sim2d.metrics.group_intrusion import group_intrusions
 from comity_sim2d.metrics.intrusion import Intrusion, Since
 from comity_sim2d.metrics.motion import Numbers, Span, Spread
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
@@ -47,6 +48,8 @@ class Known:
     """When the robot was on its way to each person or with them, by name; None: as the visits say."""
     shortest_m: float | None = None
     """The length of the shortest way that would have done."""
+    groups: tuple[tuple[str, ...], ...] = ()
+    """The members of each group that stands together at the start."""
     success: bool = True
     plan_cost_m: float | None = None
     """What the first plan costs, in metres of path."""
@@ -62,6 +65,7 @@ class Known:
         for pairs in self.later_m.values():
             require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
         require_tuple("what is known", "visits", self.visits, Wanted, "visits, each a Wanted")
+        require_tuple("what is known", "groups", self.groups, tuple, "groups, each a tuple of names")
         require_numbers("what is known", shortest_m=self.shortest_m)
         require_numbers("what is known", plan_cost_m=self.plan_cost_m, plan_gap=self.plan_gap)
 
@@ -72,6 +76,8 @@ class Metrics:
 
     duration_s: float
     path_length_m: float
+    path_length_ratio: float | None
+    path_irregularity_rad_m: float
     success_weighted_by_path_length: float | None
     speed_m_s: Spread
     acceleration_m_s2: Spread
@@ -83,14 +89,23 @@ class Metrics:
     wall_contacts: int | None
     furniture_contacts: int | None
     touches: int | None
+    contacts_by_robot: int
+    contacts_by_people: int
     min_clearance_m: float
     min_centre_distance_m: float
     intimate_space_surface_s: float
     personal_space_surface_s: float
     social_space_surface_s: float
+    mean_nearest_distance_m: float | None
+    intimate_space_share: float | None
+    personal_space_share: float | None
+    social_space_share: float | None
+    public_space_share: float | None
+    p95_speed_within_1_5_m_m_s: float | None
     min_time_to_collision_s: float
     space_compliance_share: float
     longest_intrusion_s: float
+    group_intrusions: int
     walked_m: float
     plan_cost_m: float | None
     plan_gap: float | None
@@ -100,6 +115,8 @@ class Metrics:
     """Likewise."""
     walked_by_person_m: Mapping[str, float]
     """Likewise."""
+    p95_speed_near_by_person_m_s: Mapping[str, float]
+    """Likewise, of people whom the robot came within 1.5 m of."""
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
 
@@ -120,6 +137,7 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     if len(frames) == 0:
         raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
     known = known or Known()
+    _check_groups(known.groups, frames.entities[1:])
     _check_own("own_m", known.own_m.items(), frames.entities[1:])
     later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
     _check_own("later_m", later, frames.entities[1:])
@@ -130,9 +148,13 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     longest = intrusion.longest(frames)
     walked = motion.path_lengths_m(frames)
     length = float(walked[0])
+    shares = near_people.zone_shares(frames, gaps) or (None,) * 4
+    by_robot, by_people = near_people.contacts_by(frames)
     return Metrics(
         duration_s=float(frames.time_s[-1] - frames.time_s[0]),
         path_length_m=length,
+        path_length_ratio=length / known.shortest_m if known.shortest_m and known.success else None,
+        path_irregularity_rad_m=motion.path_irregularity_rad_m(frames),
         success_weighted_by_path_length=_spl(length, known),
         speed_m_s=motion.speed_m_s(frames),
         acceleration_m_s2=motion.acceleration_m_s2(frames),
@@ -144,14 +166,23 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         wall_contacts=touched.walls if touched else None,
         furniture_contacts=touched.furniture if touched else None,
         touches=touched.people + touched.walls + touched.furniture if touched else None,
+        contacts_by_robot=by_robot,
+        contacts_by_people=by_people,
         min_clearance_m=float(gaps.min(initial=math.inf)),
         min_centre_distance_m=float((gaps + _reach_m(frames)).min(initial=math.inf)),
         intimate_space_surface_s=intimate,
         personal_space_surface_s=personal,
         social_space_surface_s=social,
+        mean_nearest_distance_m=near_people.mean_nearest_m(frames, gaps),
+        intimate_space_share=shares[0],
+        personal_space_share=shares[1],
+        social_space_share=shares[2],
+        public_space_share=shares[3],
+        p95_speed_within_1_5_m_m_s=near_people.fast_near_m_s(frames, gaps),
         min_time_to_collision_s=proximity.min_time_to_collision_s(frames),
         space_compliance_share=intrusion.compliance_share(frames),
         longest_intrusion_s=longest.length_s if longest else 0.0,
+        group_intrusions=group_intrusions(frames, known.groups, intrusion),
         walked_m=float(walked[1:].sum()),
         plan_cost_m=known.plan_cost_m,
         plan_gap=known.plan_gap,
@@ -160,8 +191,19 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         walked_by_person_m={
             name: float(walked[i]) for i, name in enumerate(frames.entities) if name in intrusion.own
         },
+        p95_speed_near_by_person_m_s=_fast_by_person_m_s(frames, gaps, intrusion.own),
         stopping={visit.person: stopping(frames, visit) for visit in known.visits},
     )
+
+
+def _fast_by_person_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -> dict[str, float]:
+    """For each of some people whom the robot came near, the 95th percentile of its speed there."""
+    speeds = {
+        name: near_people.fast_near_m_s(frames, gaps[:, i : i + 1])
+        for i, name in enumerate(frames.entities[1:])
+        if name in people
+    }
+    return {name: speed for name, speed in speeds.items() if speed is not None}
 
 
 def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[str, ...]) -> None:
@@ -175,6 +217,14 @@ def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[
                 expected=f"distances of 0 m or more in {what}",
                 got=f"{shown(distance_m)} of {name}",
                 remedy="Leave out whose distance is not known.",
+            )
+
+
+def _check_groups(groups: Iterable[tuple[str, ...]], people: tuple[str, ...]) -> None:
+    for name in (member for group in groups for member in group):
+        if name not in people:
+            raise InputError(
+                expected="groups of people of the frames", got=repr(name), remedy=closest(name, people)
             )
 
 

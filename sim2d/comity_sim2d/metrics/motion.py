@@ -18,6 +18,8 @@ STANDING_M_S = 0.02
 """Slower counts as standing."""
 STANDING_RAD_S = 0.08
 """Turning slower counts as standing: a rim of 0.25 m is then as fast as `STANDING_M_S` (our choice)."""
+STRETCH_M = 0.1
+"""Length of path over which it has a direction [m] (our choice: well above the noise of one frame)."""
 STUCK_M, STUCK_S = 0.1, 3.0
 """Under way and not farther than this for so long: it failed to make progress (our choice of both)."""
 
@@ -92,6 +94,24 @@ def turns_rad(frames: Frames) -> Numbers:
     return np.asarray(np.abs(np.remainder(turns + np.pi, 2 * np.pi) - np.pi))
 
 
+def path_irregularity_rad_m(frames: Frames) -> float:
+    """Turning of the direction of travel for each metre of path [rad/m]; 0 of a straight path or none.
+
+    The direction is that from place to place at least `STRETCH_M` apart: between frames of a robot that
+    hardly moves it would be noise. Turns that walls and people demand are included; Guzzi et al. 2013
+    ("Human-friendly robot navigation in dynamic environments", ICRA) take off those of the shortest path.
+    """
+    places = [frames.poses[0, 0, :2].tolist()]
+    for place in frames.poses[:, 0, :2].tolist():
+        if math.dist(place, places[-1]) >= STRETCH_M:
+            places.append(place)
+    steps = np.diff(np.array(places), axis=0)
+    directions = np.arctan2(steps[:, 1], steps[:, 0])
+    turned = np.abs(np.remainder(np.diff(directions) + np.pi, 2 * np.pi) - np.pi).sum()
+    length = _size(steps).sum()
+    return float(turned / length) if length > 0.0 else 0.0
+
+
 def stalled_s(frames: Frames, under_way: Sequence[Span]) -> float:
     """How long the robot stood although it was under way; who is under way may be so in several stretches."""
     standing = speeds_m_s(frames) < STANDING_M_S
@@ -113,6 +133,11 @@ def _times_stuck(frames: Frames, span: Span) -> int:
         elif times[k] - times[anchor] >= STUCK_S and not counted:
             count, counted = count + 1, True
     return count
+
+
+def velocities_m_s(frames: Frames) -> Numbers:
+    """Every entity's mean velocity between frames, shape (n - 1, entities, 2)."""
+    return np.asarray(np.diff(frames.poses[..., :2], axis=0) / np.diff(frames.time_s)[:, None, None])
 
 
 def _velocities(frames: Frames, entity: int) -> Numbers:

@@ -8,10 +8,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import require_kinds
-from comity_sim2d.metrics.motion import Numbers
+from comity_sim2d.metrics.motion import Numbers, velocities_m_s
 
 INTIMATE_M, PERSONAL_M, SOCIAL_M = 0.45, 1.2, 3.6
 """Where Hall's intimate, personal and social spaces end, as HuNavSim counts them (Hall 1966 has 4 and 12
@@ -30,13 +31,21 @@ def seconds_in_spaces(frames: Frames, gaps: Numbers) -> tuple[float, float, floa
     """How long the nearest person was in intimate, personal and social distance, each up to the next [s]."""
     if gaps.shape[1] == 0:
         return (0.0, 0.0, 0.0)
-    zones = np.searchsorted((INTIMATE_M, PERSONAL_M, SOCIAL_M), gaps.min(axis=1), side="right")
-    steps = weights_s(frames)
+    found, steps = zones(gaps), weights_s(frames)
     return (
-        float(steps[zones == 0].sum()),
-        float(steps[zones == 1].sum()),
-        float(steps[zones == 2].sum()),
+        float(steps[found == 0].sum()),
+        float(steps[found == 1].sum()),
+        float(steps[found == 2].sum()),
     )
+
+
+def zones(gaps: Numbers) -> NDArray[np.intp]:
+    """By frame, the zone of the nearest person: 0 intimate, 1 personal, 2 social, 3 public; shape (n,).
+
+    Args:
+        gaps: Of `clearances_m`, with at least one person.
+    """
+    return np.searchsorted((INTIMATE_M, PERSONAL_M, SOCIAL_M), gaps.min(axis=1), side="right")
 
 
 def contacts(gaps: Numbers) -> int:
@@ -58,7 +67,7 @@ def seconds_to_collision(frames: Frames) -> Numbers:
     """The same from each frame but the last, shape (n - 1, people); 0 where bodies overlap."""
     require_kinds("figures", frames=(frames, Frames))
     places = frames.poses[..., :2]
-    velocities = np.diff(places, axis=0) / np.diff(frames.time_s)[:, None, None]
+    velocities = velocities_m_s(frames)
     apart = places[:-1, 1:] - places[:-1, :1]
     closing = velocities[:, 1:] - velocities[:, :1]
     reach = np.array(frames.radius_m[1:]) + frames.radius_m[0]

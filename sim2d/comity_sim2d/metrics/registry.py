@@ -17,11 +17,14 @@ FRANCIS = "Francis et al. 2023, arXiv 2306.16740"
 HUNAVSIM = "Pérez-Higueras et al. 2023, HuNavSim, arXiv 2305.01303"
 ANDERSON = "Anderson et al. 2018, arXiv 1807.06757"
 OWN = "Comity's own"
+GUZZI = "Guzzi et al. 2013, ICRA"
+HALL = "Hall 1966, The Hidden Dimension"
 HALF_TURN_DEG = 180.0
 _ENDS: Mapping[str, str] = {
     "m/s^3": "_m_s3",
     "m/s^2": "_m_s2",
     "m/s": "_m_s",
+    "rad/m": "_rad_m",
     "m": "_m",
     "s": "_s",
     "deg": "_deg",
@@ -61,6 +64,20 @@ EPISODE: Mapping[str, Metric] = _by_name(
     Metric("duration_s", "s", "From the first frame to the last.", FRANCIS),
     Metric("path_length_m", "m", "Path length of the robot's centre.", FRANCIS),
     Metric(
+        "path_length_ratio",
+        "1",
+        "Path length by that of the shortest path through the places where it docked, around people at the "
+        "safety margin; of episodes that served all.",
+        FRANCIS,
+    ),
+    Metric(
+        "path_irregularity_rad_m",
+        "rad/m",
+        "Turning of the direction of travel for each metre of path, in stretches of 0.1 m; Guzzi et al. take "
+        "off the turns of the shortest path.",
+        GUZZI,
+    ),
+    Metric(
         "success_weighted_by_path_length",
         "1",
         "Success times l / max(p, l): p the path length, l the shortest path through the places where it "
@@ -91,11 +108,53 @@ EPISODE: Mapping[str, Metric] = _by_name(
     Metric("wall_contacts", "1", "Contacts with walls and closed doors that began.", FRANCIS),
     Metric("furniture_contacts", "1", "Contacts with furniture that began.", FRANCIS),
     Metric("touches", "1", "Contacts of every kind that began."),
+    Metric(
+        "contacts_by_robot",
+        "1",
+        "Contacts with people that began, in the frames, with the robot coming at the person faster than the "
+        "person came at it.",
+        HUNAVSIM,
+    ),
+    Metric("contacts_by_people", "1", "The other contacts with people that began in the frames.", HUNAVSIM),
     Metric("min_clearance_m", "m", "Smallest gap to any person, between surfaces.", FRANCIS, least=None),
     Metric("min_centre_distance_m", "m", "Smallest distance to any person, between centres.", FRANCIS),
     Metric("intimate_space_surface_s", "s", "Nearest person closer than 0.45 m, between surfaces.", HUNAVSIM),
     Metric("personal_space_surface_s", "s", "Nearest person at 0.45 to 1.2 m, between surfaces.", HUNAVSIM),
     Metric("social_space_surface_s", "s", "Nearest person at 1.2 to 3.6 m, between surfaces.", HUNAVSIM),
+    Metric(
+        "mean_nearest_distance_m",
+        "m",
+        "Mean gap to the nearest person over time, between surfaces; HuNavSim's is between centres, less "
+        "the robot's radius alone.",
+        HUNAVSIM,
+        least=None,
+    ),
+    *(
+        Metric(
+            f"{zone}_space_share",
+            "1",
+            f"Share of time with the nearest person {where}, between surfaces.",
+            HALL,
+            most=1.0,
+        )
+        for zone, where in (
+            ("intimate", "closer than 0.45 m (HuNavSim's takes off the robot's radius alone)"),
+            ("personal", "at 0.45 to 1.2 m"),
+            ("social", "at 1.2 to 3.6 m"),
+            ("public", "at 3.6 m or more"),
+        )
+    ),
+    Metric(
+        "p95_speed_within_1_5_m_m_s",
+        "m/s",
+        "95th percentile of its speed within 1.5 m of any person, between surfaces.",
+    ),
+    Metric(
+        "group_intrusions",
+        "1",
+        "How often the robot's body entered the space between people who stand together, while it neither "
+        "visited nor left any of them, and all of them stood where they began.",
+    ),
     Metric(
         "min_time_to_collision_s",
         "s",
@@ -228,6 +287,12 @@ VISIT: Mapping[str, Metric] = _by_name(
         per="person",
     ),
     Metric(
+        "p95_speed_within_1_5_m_m_s",
+        "m/s",
+        "95th percentile of the robot's speed within 1.5 m of this person, between surfaces.",
+        per="person",
+    ),
+    Metric(
         "walked_m",
         "m",
         "Path length of a person's centre; per run, of all people together, passers-by included.",
@@ -263,6 +328,7 @@ def of_person(metrics: Metrics, person: str) -> dict[str, float]:
     own = {
         "compliance_share": metrics.compliance_share.get(person),
         "longest_intrusion_s": metrics.longest_intrusion_by_person_s.get(person),
+        "p95_speed_within_1_5_m_m_s": metrics.p95_speed_near_by_person_m_s.get(person),
         "walked_m": metrics.walked_by_person_m.get(person),
     }
     return _with_values({**values, **own})

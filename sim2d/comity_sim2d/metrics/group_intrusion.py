@@ -1,0 +1,57 @@
+"""Group intrusions: the robot enters the space that a group keeps open, without a visit to a member."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.metrics.intrusion import SLACK_M, Intrusion
+from comity_sim2d.scene.o_space import LEFT_M, OSpace, o_space
+from comity_sim2d.scene.person import Person
+
+
+def group_intrusions(frames: Frames, groups: Sequence[Sequence[str]], intrusion: Intrusion) -> int:
+    """How often the robot entered an o-space.
+
+    A group's o-space is that of the first frame, and is there while all members are within `LEFT_M` of where
+    they stood. A frame counts in which the robot neither visits nor leaves a member, as in `intrusion`.
+
+    Args:
+        frames: Of the episode.
+        groups: The names of each group's members.
+        intrusion: Says when the robot visited or left each person.
+    """
+    return sum(_entries(_inside(frames, group) & _passes(group, intrusion)) for group in groups)
+
+
+def _inside(frames: Frames, group: Sequence[str]) -> NDArray[np.bool_]:
+    """Frames with the robot's body in the o-space of a group that still stands there, shape (n,)."""
+    members = [frames.entities.index(name) for name in group]
+    space = _first_space(frames, members)
+    moved = frames.poses[:, members, :2] - frames.poses[:1, members, :2]
+    stands = (np.hypot(moved[..., 0], moved[..., 1]) <= LEFT_M).all(axis=1)
+    reach = space.grown(frames.radius_m[0] - SLACK_M)
+    return np.asarray(stands & (reach.depth_m(frames.poses[:, 0, :2]) > 0.0))
+
+
+def _first_space(frames: Frames, members: Sequence[int]) -> OSpace:
+    return o_space(
+        [
+            Person(frames.entities[i], *frames.poses[0, i].tolist(), radius_m=frames.radius_m[i])
+            for i in members
+        ]
+    )
+
+
+def _passes(group: Sequence[str], intrusion: Intrusion) -> NDArray[np.bool_]:
+    """Frames in which the robot neither visits nor leaves any member, shape (n,)."""
+    columns = [intrusion.people.index(name) for name in group]
+    return np.asarray(intrusion.passing[:, columns].all(axis=1))
+
+
+def _entries(inside: NDArray[np.bool_]) -> int:
+    """How often a run of frames inside begins."""
+    return int(inside[:1].sum() + (inside[1:] & ~inside[:-1]).sum())
