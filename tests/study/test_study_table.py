@@ -14,7 +14,7 @@ from comity.study.columns import columns_of
 from comity.study.episode_rows import comfort_gap_m
 from comity_sim2d import EPISODE, VISIT
 
-ENDS = {"m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3"}
+ENDS = {"rad/m": "_rad_m", "m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3"}
 
 
 @pytest.fixture(scope="module")

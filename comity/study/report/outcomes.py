@@ -43,7 +43,7 @@ class StudyOutcome:
 
 def label_of(name: str, unit: str) -> str:
     """A column as an axis calls it: `distance actual [m]` of `distance_actual_m`."""
-    end = {"m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3"}.get(unit, f"_{unit}")
+    end = {"m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3", "rad/m": "_rad_m"}.get(unit, f"_{unit}")
     plain = re.sub(r"(?<=\d) (?=\d)", ".", name.removesuffix(end).replace("_", " "))  # `1_5` is 1.5
     return plain if unit in ("1", "") else f"{plain} [{unit}]"
 

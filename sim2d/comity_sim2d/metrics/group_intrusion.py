@@ -38,12 +38,11 @@ def _inside(frames: Frames, group: Sequence[str]) -> NDArray[np.bool_]:
 
 
 def _first_space(frames: Frames, members: Sequence[int]) -> OSpace:
-    return o_space(
-        [
-            Person(frames.entities[i], *frames.poses[0, i].tolist(), radius_m=frames.radius_m[i])
-            for i in members
-        ]
-    )
+    people = []
+    for i in members:
+        x_m, y_m, heading_rad = frames.poses[0, i].tolist()
+        people.append(Person(frames.entities[i], x_m, y_m, heading_rad, radius_m=frames.radius_m[i]))
+    return o_space(people)
 
 
 def _passes(group: Sequence[str], intrusion: Intrusion) -> NDArray[np.bool_]:

@@ -105,7 +105,7 @@ def path_irregularity_rad_m(frames: Frames) -> float:
     for place in frames.poses[:, 0, :2].tolist():
         if math.dist(place, places[-1]) >= STRETCH_M:
             places.append(place)
-    steps = np.diff(np.array(places), axis=0)
+    steps: Numbers = np.diff(np.array(places, dtype=np.float64), axis=0)
     directions = np.arctan2(steps[:, 1], steps[:, 0])
     turned = np.abs(np.remainder(np.diff(directions) + np.pi, 2 * np.pi) - np.pi).sum()
     length = _size(steps).sum()

@@ -45,7 +45,8 @@ def zones(gaps: Numbers) -> NDArray[np.intp]:
     Args:
         gaps: Of `clearances_m`, with at least one person.
     """
-    return np.searchsorted((INTIMATE_M, PERSONAL_M, SOCIAL_M), gaps.min(axis=1), side="right")
+    ends = (INTIMATE_M, PERSONAL_M, SOCIAL_M)
+    return np.asarray(np.searchsorted(ends, gaps.min(axis=1), side="right"))
 
 
 def contacts(gaps: Numbers) -> int:
