@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import AsJson, print_json
+from comity.commands.options import AsJson, EngineName, print_json
 from comity.system.stopping import is_stop
 from comity_fis.errors import ComityError, InputError, Where
 
@@ -80,6 +80,7 @@ def test(
     first: First = False,
     update: Update = False,
     fairness: Fairness = False,
+    engine: EngineName = "comity",
     jobs: Jobs = None,
     failed: Failed = "runs/failed",
     as_json: AsJson = False,
@@ -96,9 +97,11 @@ def test(
     start = perf_counter()
     with _told_anyway(fairness=fairness, as_json=as_json):
         named = list(takewhile(lambda word: not word.startswith("-"), paths))
+        _require_engine(engine, update=update)
         arguments = _asked(named, _ship(sets, taught=shipped), profile, update=update)
         options = [
             f"--comity-failed={failed}",
+            f"--comity-engine={engine}",
             *(f"--comity-profile={name}" for name in profile),
             *(["--comity-update"] if update else []),
             *([f"-k={words}"] if words else []),
@@ -123,6 +126,23 @@ def _ship(sets: Sequence[str], *, taught: bool) -> dict[str, Path]:
     for name in sets:
         files |= set_asked(name)
     return files
+
+
+def _require_engine(engine: str, *, update: bool) -> None:
+    """Refuse what is not installed, and golden episodes by another planner than the default."""
+    from comity_domain import ENGINE
+
+    if engine == ENGINE:
+        return
+    from comity_domain.custom.solving.choosing import require_installed
+
+    require_installed(engine)
+    if update:
+        raise InputError(
+            expected=f"golden episodes planned by {ENGINE}",
+            got=f"--update with --engine {engine}",
+            remedy="Leave one of the two options out: golden episodes are compared with the default.",
+        )
 
 
 def _asked(

@@ -25,7 +25,7 @@ FIRST_WORKER = "gw0"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Three options, all of which a project can do without."""
+    """Four options, all of which a project can do without."""
     group = parser.getgroup("comity", "scenario tests")
     group.addoption(
         "--comity-update", action="store_true", help="Store golden episodes instead of comparing with them."
@@ -42,6 +42,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="append",
         default=[],
         help="Instead of the profiles of every matrix: a name, or a path from the current folder.",
+    )
+    group.addoption(
+        "--comity-engine",
+        metavar="NAME",
+        default="comity",
+        help="Who plans: comity, or an engine of unified-planning that is installed.",
     )
 
 
@@ -122,7 +128,9 @@ class ScenarioTests(pytest.File):
         from comity_fis import InputError
 
         try:
-            claims = claims_in(self.path, profiles=self.profiles)
+            claims = claims_in(
+                self.path, profiles=self.profiles, engine=str(self.config.getoption("comity_engine"))
+            )
         except InputError as error:
             raise self.CollectError(str(error)) from None
         if _is_first(self.config) and not self.profiles:

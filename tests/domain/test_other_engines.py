@@ -112,3 +112,12 @@ def test_plans_of_the_core_are_plans_of_the_whole_at_equal_cost(infer, request_f
     found = solve_pddl("fast-downward-opt", domain, problem, time_limit_s=60.0)
     visits = tour_of(((one.name, one.arguments) for one in found.actions), choices, names)
     assert tour_cost(visits, choices) == make_plan(request).cost
+
+
+@needs_fast_downward
+def test_an_engine_that_is_a_script_finds_its_modules_where_python_does_not_look_beside_scripts(
+    rich_request, monkeypatch
+):
+    request = without_deadlines(rich_request(2, 4))
+    monkeypatch.setenv("PYTHONSAFEPATH", "1")
+    assert plan_with("fast-downward-opt", request).cost == make_plan(request).cost

@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from downward import needs_fast_downward
 from terminal import signals_of_a_terminal
 
 MATRIX = "matrix: {profiles: [arab_woman, german_man]}\n"
@@ -36,6 +37,38 @@ def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
     ]
     assert done.code == 1
     assert "PASSED" not in done.out
+
+
+ANOTHER = ("--engine", "fast-downward-opt")
+
+
+@needs_fast_downward
+def test_another_engine_of_unified_planning_plans_what_is_tested(comity, write):
+    """The plan has the same steps, and a failure says how to see it again with that engine."""
+    write("duration at most 7 s", "min_clearance at least 0.3 m")
+    done = comity(*ANOTHER, "--json")
+    (result,) = json.loads(done.out)["tests"]
+    assert done.code == 1
+    assert result["again"].endswith(" --engine fast-downward-opt")
+    assert "duration at most 7 s" in result["text"]
+    assert "min_clearance" not in result["text"]
+
+
+@needs_fast_downward
+def test_a_deadline_is_refused_for_an_engine_that_keeps_none(comity):
+    done = comity("in-a-hurry", "--profile", "german_woman", *ANOTHER)
+    assert done.code == 2
+    assert "by_s: 23.0 of host" in done.out
+
+
+@needs_fast_downward
+@pytest.mark.parametrize("options", [("--engine", "nonsense"), (*ANOTHER, "--update")])
+def test_what_no_engine_can_do_is_refused_before_any_test(options, comity, write):
+    path = write("duration at most 60 s")
+    done = comity(*options)
+    assert done.code == 2
+    assert done.err.startswith("comity: ")
+    assert [one.name for one in path.parent.iterdir()] == [path.name]
 
 
 @pytest.mark.parametrize("options", [(), ("--json",)])

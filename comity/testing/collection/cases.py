@@ -17,6 +17,7 @@ from comity.testing.kinds.hearing import Hearing
 from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
+from comity_domain import ENGINE
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
 from comity_fis.errors import ManyInputErrors
 from comity_fis.validation.yaml_file import read_yaml
@@ -49,6 +50,11 @@ class Claim:
         return self.case.file.scenario.markers
 
     @property
+    def engine(self) -> str:
+        """Who plans."""
+        return self.case.engine
+
+    @property
     def must_fail(self) -> bool:
         """Whether passing is a failure: of a file that is marked so, a comparison may hold all the same."""
         return self.markers.xfail is not None and not isinstance(self.case, Across)
@@ -59,12 +65,13 @@ class Claim:
         return self.case.file.where("expect").line or 1
 
 
-def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
+def claims_in(path: Path, *, profiles: Sequence[str] = (), engine: str = ENGINE) -> tuple[Claim, ...]:
     """The tests of a file, in the order of its matrix; a comparison of profiles comes last.
 
     Args:
         path: The file.
         profiles: Instead of the matrix's profiles, where it has any: names, or paths from the current folder.
+        engine: Who plans, as for `comity.preparation.prepare`.
 
     Raises:
         InputError: with the line, for whatever in the file cannot be used.
@@ -75,7 +82,7 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
     written = _expectations(file, {tried.called for tried in own})
     by_itself = tuple(one for one in written if not compares(one.meaning))
     compared = tuple(one for one in written if compares(one.meaning))
-    cases = tuple(_cases(file, profiles_of(file, profiles) if profiles else own))
+    cases = tuple(_cases(file, profiles_of(file, profiles) if profiles else own, engine))
     claims = [
         Claim(
             case,
@@ -197,7 +204,7 @@ def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tupl
     return f"{start}: {end}", where
 
 
-def _cases(file: ScenarioFile, profiles: Sequence[Tried]) -> Iterator[Case]:
+def _cases(file: ScenarioFile, profiles: Sequence[Tried], engine: str) -> Iterator[Case]:
     matrix = file.scenario.matrix
     worlds: dict[str | None, ScenarioFile] = {None: file}
     if matrix.worlds:
@@ -215,6 +222,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[Tried]) -> Iterator[Case]:
                         seed=seed,
                         rulebook=rulebook,
                         world=world,
+                        engine=engine,
                     )
 
 

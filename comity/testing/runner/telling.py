@@ -13,6 +13,7 @@ from comity.testing.collection.cases import ships, shown
 from comity.testing.runner.citing import cited
 from comity.testing.runner.evidence import NONE
 from comity.testing.trials.day import day_taken
+from comity_domain import ENGINE
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -67,15 +68,18 @@ def left_over_text(path: Path) -> str:
 
 def again(claim: Claim) -> str:
     """The command that runs this test alone."""
-    return command(claim.path, claim.id, claim.others)
+    return command(claim.path, claim.id, claim.others, engine=claim.engine)
 
 
-def command(path: Path, test: str | None = None, profiles: Iterable[str] = ()) -> str:
+def command(
+    path: Path, test: str | None = None, profiles: Iterable[str] = (), *, engine: str = ENGINE
+) -> str:
     """The line for a shell that runs a file's tests, or one of them."""
     name = shown(path)
     name = f"./{name}" if name.startswith("-") else name  # else it would be an option
     others = (word for profile in profiles for word in ("--profile", profile))
-    return shlex.join(["comity", "test", f"{name}::{test}" if test else name, *others])
+    planner = () if engine == ENGINE else ("--engine", engine)
+    return shlex.join(["comity", "test", f"{name}::{test}" if test else name, *others, *planner])
 
 
 def _lines(

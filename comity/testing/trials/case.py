@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.cast import rulebook_of
 from comity.system.library import looks_like_a_file
+from comity_domain import ENGINE
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
@@ -41,6 +42,8 @@ class Case:
     """As the matrix or `--profile` has it; None as the profile."""
     rulebook: str | None = None
     world: str | None = None
+    engine: str = ENGINE
+    """Who plans: `comity`, or an engine by the name that unified-planning has for it."""
 
     @property
     def day(self) -> date:
@@ -99,6 +102,11 @@ class Across:
     def file(self) -> ScenarioFile:
         """The scenario."""
         return self.cases[0].file
+
+    @property
+    def engine(self) -> str:
+        """Who plans."""
+        return self.cases[0].engine
 
     @property
     def id(self) -> str:

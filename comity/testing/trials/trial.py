@@ -180,4 +180,5 @@ def prepared_case(case: Case) -> Prepared:
         rulebook=case.rulebook,
         seed=case.seed,
         at=case.day,
+        engine=case.engine,
     )

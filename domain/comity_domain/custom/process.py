@@ -90,10 +90,12 @@ def _environment(folder: Path, memory_mb: int) -> dict[str, str]:
     Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
     Java takes little enough of the address space to start under its limit: by default it reserves more; what
     the user's own `JAVA_TOOL_OPTIONS` say comes after, and so wins. numpy's threads would reserve it, too.
+    `PYTHONSAFEPATH` is not passed on: an engine that is a script finds its modules beside it, or says that
+    there is no plan.
     """
     java = f"-Xmx{memory_mb // 4}m -XX:CompressedClassSpaceSize=64m -XX:ReservedCodeCacheSize=64m"
     return {
-        **os.environ,
+        **{name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"},
         **dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(folder)),
         "PYTHONHASHSEED": "0",
         "PYTHONPATH": os.pathsep.join(str(Path(path).absolute()) for path in sys.path if path),
