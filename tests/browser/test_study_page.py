@@ -49,9 +49,7 @@ def test_a_failure_is_listed_with_its_reason_and_the_command_that_plays_it_again
     (row,) = page.locator("#failures tbody tr").all()
     assert "no <free> place" in row.inner_text()
     assert "comity study show DIR --row 2" in row.inner_text()
-    assert (
-        page.locator("#outliers tbody tr").count() == 2
-    )  # of two seeds that differ either may be the odd one
+    assert page.locator("#outliers tbody tr").count() == 2  # either of two seeds may be the odd one
 
 
 def test_every_link_within_the_page_leads_somewhere(reader, page_file):

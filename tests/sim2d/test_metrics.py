@@ -131,9 +131,13 @@ def test_shares_of_the_zones_and_the_mean_distance_go_by_the_nearest_person():
     """Gaps 4, 3, 1, 0.3 m, each for a second: a quarter in each zone, 2.075 m in the mean."""
     gaps = (4.0, 3.0, 1.0, 0.3, 0.3)
     found = measure(frames(line(*(10 - 0.45 - gap for gap in gaps)), (10, 0)))
-    shares = (found.intimate_space_share, found.personal_space_share)
-    assert (*shares, found.social_space_share, found.public_space_share) == pytest.approx((0.25,) * 4)
-    assert found.mean_nearest_distance_m == pytest.approx(8.3 / 4)
+    shares = (found.near_people.intimate_space_share, found.near_people.personal_space_share)
+    assert (
+        *shares,
+        found.near_people.social_space_share,
+        found.near_people.public_space_share,
+    ) == pytest.approx((0.25,) * 4)
+    assert found.near_people.mean_nearest_distance_m == pytest.approx(8.3 / 4)
 
 
 def test_without_people_there_is_no_distance_no_zone_and_no_speed_near_them():
@@ -148,7 +152,7 @@ def test_the_speed_near_people_is_a_percentile_of_the_steps_near_them():
     near = measure(walk, Known(own_m={"anna": 0.5, "ben": 0.5}))
     inside = [step for step in range(20) if 3.05 - (places[step] + places[step + 1]) / 2 < 1.5]
     expected = np.quantile([(step + 1) / 100 for step in inside], 0.95)
-    assert near.p95_speed_within_1_5_m_m_s == pytest.approx(expected)
+    assert near.near_people.p95_speed_within_1_5_m_m_s == pytest.approx(expected)
     assert near.p95_speed_near_by_person_m_s == pytest.approx({"anna": expected})
 
 
@@ -167,11 +171,11 @@ def test_whose_motion_led_to_a_contact():
     """The robot drives into Anna, who stands; Ben runs into the robot later."""
     robot = line(0, 0.6, 0.4, 0.4, 0.4)
     found = measure(frames(robot, (1, 0), [(0, 5), (0, 5), (0.4, 3), (0.4, 0.3), (0.4, 3)]))
-    assert (found.contacts_by_robot, found.contacts_by_people) == (1, 1)
+    assert (found.near_people.contacts_by_robot, found.near_people.contacts_by_people) == (1, 1)
 
 
 def test_a_robot_between_two_who_talk_intrudes_on_them_once_unless_it_visits_one():
-    """Anna and Ben face each other 2 m apart; the robot drives through the middle and comes back."""
+    """Anna and Ben face each other 2 m apart; the robot drives through the middle."""
     crossing = [(0, y) for y in (-3, -2, 0, 0.1, 2, 3)]
     walk = frames(crossing, (-1, 0, 0.0), (1, 0, math.pi))
     group = Known(groups=(("anna", "ben"),))
@@ -204,9 +208,11 @@ def test_metrics_near_people_stay_as_the_room_is_turned_and_moved(walk, angle, b
 
     robot, anna = [pose[:2] for pose in walk], [pose[2:] for pose in walk]
     one, other = measure(frames(robot, anna)), measure(frames(of(robot), of(anna)))
-    assert other.mean_nearest_distance_m == pytest.approx(one.mean_nearest_distance_m, abs=1e-6)
+    assert other.near_people.mean_nearest_distance_m == pytest.approx(
+        one.near_people.mean_nearest_distance_m, abs=1e-6
+    )
     zones = ("intimate", "personal", "social", "public")
-    assert sum(getattr(one, f"{zone}_space_share") for zone in zones) == pytest.approx(1.0)
+    assert sum(getattr(one.near_people, f"{zone}_space_share") for zone in zones) == pytest.approx(1.0)
 
 
 def test_time_to_collision_of_two_who_meet_head_on():

@@ -17,6 +17,7 @@ import pytest
 from downward import needs_fast_downward
 from terminal import signals_of_a_terminal
 
+ANOTHER = ("--engine", "fast-downward-opt")
 MATRIX = "matrix: {profiles: [arab_woman, german_man]}\n"
 
 
@@ -39,9 +40,6 @@ def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
     assert "PASSED" not in done.out
 
 
-ANOTHER = ("--engine", "fast-downward-opt")
-
-
 @needs_fast_downward
 def test_another_engine_of_unified_planning_plans_what_is_tested(comity, write):
     """The plan has the same steps, and a failure says how to see it again with that engine."""
@@ -61,8 +59,9 @@ def test_a_deadline_is_refused_for_an_engine_that_keeps_none(comity):
     assert "by_s: 23.0 of host" in done.out
 
 
-@needs_fast_downward
-@pytest.mark.parametrize("options", [("--engine", "nonsense"), (*ANOTHER, "--update")])
+@pytest.mark.parametrize(
+    "options", [("--engine", "nonsense"), pytest.param((*ANOTHER, "--update"), marks=needs_fast_downward)]
+)
 def test_what_no_engine_can_do_is_refused_before_any_test(options, comity, write):
     path = write("duration at most 60 s")
     done = comity(*options)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_fis import InputError, Where, closest
+from comity_sim2d.metrics import without_unit
 
 if TYPE_CHECKING:
     from comity.study.report.episodes import StudyVisits
@@ -43,8 +44,7 @@ class StudyOutcome:
 
 def label_of(name: str, unit: str) -> str:
     """A column as an axis calls it: `distance actual [m]` of `distance_actual_m`."""
-    end = {"m/s": "_m_s", "m/s^2": "_m_s2", "m/s^3": "_m_s3", "rad/m": "_rad_m"}.get(unit, f"_{unit}")
-    plain = re.sub(r"(?<=\d) (?=\d)", ".", name.removesuffix(end).replace("_", " "))  # `1_5` is 1.5
+    plain = re.sub(r"(?<=\d) (?=\d)", ".", without_unit(name, unit).replace("_", " "))  # `1_5` is 1.5
     return plain if unit in ("1", "") else f"{plain} [{unit}]"
 
 

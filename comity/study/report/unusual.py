@@ -76,11 +76,12 @@ def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[Unu
 def _usual(values: Floats, repeats: Whole) -> Floats:
     """By visit the median of its repeats; 0 where nothing was repeated, so that values stay themselves."""
     usual = np.zeros(len(values))
-    counts = np.bincount(repeats[~np.isnan(values)], minlength=len(values))
-    if counts.max(initial=0) < 2:
-        return usual
-    for one in np.flatnonzero(counts):
-        usual[repeats == one] = np.nanmedian(values[repeats == one])
+    there = np.flatnonzero(~np.isnan(values))
+    rows = there[np.argsort(repeats[there], kind="stable")]
+    groups = np.split(rows, np.flatnonzero(np.diff(repeats[rows])) + 1)
+    if max(map(len, groups)) > 1:
+        for group in groups:
+            usual[group] = np.median(values[group])
     return usual
 
 

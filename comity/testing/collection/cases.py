@@ -50,11 +50,6 @@ class Claim:
         return self.case.file.scenario.markers
 
     @property
-    def engine(self) -> str:
-        """Who plans."""
-        return self.case.engine
-
-    @property
     def must_fail(self) -> bool:
         """Whether passing is a failure: of a file that is marked so, a comparison may hold all the same."""
         return self.markers.xfail is not None and not isinstance(self.case, Across)

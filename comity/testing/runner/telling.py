@@ -68,7 +68,7 @@ def left_over_text(path: Path) -> str:
 
 def again(claim: Claim) -> str:
     """The command that runs this test alone."""
-    return command(claim.path, claim.id, claim.others, engine=claim.engine)
+    return command(claim.path, claim.id, claim.others, engine=claim.case.engine)
 
 
 def command(

@@ -4,7 +4,15 @@ from comity_sim2d.metrics.episode import Contacts, Known, Metrics, intrusion_of,
 from comity_sim2d.metrics.intrusion import own_distances_m
 from comity_sim2d.metrics.motion import Span, Spread, path_length_m, speeds_m_s
 from comity_sim2d.metrics.proximity import clearances_m, seconds_to_collision
-from comity_sim2d.metrics.registry import EPISODE, VISIT, Metric, by_short_name, of_episode, of_person
+from comity_sim2d.metrics.registry import (
+    EPISODE,
+    VISIT,
+    Metric,
+    by_short_name,
+    of_episode,
+    of_person,
+    without_unit,
+)
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
 
 __all__ = [
@@ -29,4 +37,5 @@ __all__ = [
     "seconds_to_collision",
     "speeds_m_s",
     "stopping",
+    "without_unit",
 ]

@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import chain
 
 import numpy as np
 
 from comity_fis.errors import InputError, closest
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers, require_pairs
-from comity_sim2d.metrics import motion, near_people, proximity
+from comity_sim2d.metrics import motion, proximity
 from comity_sim2d.metrics.group_intrusion import group_intrusions
 from comity_sim2d.metrics.intrusion import Intrusion, Since
 from comity_sim2d.metrics.motion import Numbers, Span, Spread
+from comity_sim2d.metrics.near_people import NearPeople, near_people, speed_near_m_s
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
 from comity_sim2d.scene_error import is_number, require_tuple, require_whole, shown
 
@@ -89,19 +91,12 @@ class Metrics:
     wall_contacts: int | None
     furniture_contacts: int | None
     touches: int | None
-    contacts_by_robot: int
-    contacts_by_people: int
     min_clearance_m: float
     min_centre_distance_m: float
     intimate_space_surface_s: float
     personal_space_surface_s: float
     social_space_surface_s: float
-    mean_nearest_distance_m: float | None
-    intimate_space_share: float | None
-    personal_space_share: float | None
-    social_space_share: float | None
-    public_space_share: float | None
-    p95_speed_within_1_5_m_m_s: float | None
+    near_people: NearPeople
     min_time_to_collision_s: float
     space_compliance_share: float
     longest_intrusion_s: float
@@ -116,7 +111,7 @@ class Metrics:
     walked_by_person_m: Mapping[str, float]
     """Likewise."""
     p95_speed_near_by_person_m_s: Mapping[str, float]
-    """Likewise, of people whom the robot came within 1.5 m of."""
+    """Likewise, where the robot was ever within 1.5 m of the person."""
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
 
@@ -129,27 +124,19 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         known: What frames do not tell; without it only what they do.
 
     Raises:
-        InputError: Of no frames at all, and where `own_m` or `later_m` names somebody else or holds no
-            distance.
+        InputError: Of no frames at all, and where `own_m`, `later_m` or `groups` names a person who is
+            not in them, or holds no distance.
         ValueError: if a visit names somebody who is not in the frames.
     """
-    require_kinds("figures", frames=(frames, Frames), known=(known, Known | None))
-    if len(frames) == 0:
-        raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
-    known = known or Known()
-    _check_groups(known.groups, frames.entities[1:])
-    _check_own("own_m", known.own_m.items(), frames.entities[1:])
-    later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
-    _check_own("later_m", later, frames.entities[1:])
+    known = _checked(frames, known)
     touched, gaps = known.contacts, proximity.clearances_m(frames)
     under_way = [way for visit in known.visits for way in visit.ways]
-    intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
+    collision_s = proximity.seconds_to_collision(frames)
+    intimate, personal, social, _ = proximity.seconds_in_zones(frames, gaps)
     intrusion = intrusion_of(frames, known, gaps)
     longest = intrusion.longest(frames)
     walked = motion.path_lengths_m(frames)
     length = float(walked[0])
-    shares = near_people.zone_shares(frames, gaps) or (None,) * 4
-    by_robot, by_people = near_people.contacts_by(frames)
     return Metrics(
         duration_s=float(frames.time_s[-1] - frames.time_s[0]),
         path_length_m=length,
@@ -166,20 +153,13 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         wall_contacts=touched.walls if touched else None,
         furniture_contacts=touched.furniture if touched else None,
         touches=touched.people + touched.walls + touched.furniture if touched else None,
-        contacts_by_robot=by_robot,
-        contacts_by_people=by_people,
         min_clearance_m=float(gaps.min(initial=math.inf)),
         min_centre_distance_m=float((gaps + _reach_m(frames)).min(initial=math.inf)),
         intimate_space_surface_s=intimate,
         personal_space_surface_s=personal,
         social_space_surface_s=social,
-        mean_nearest_distance_m=near_people.mean_nearest_m(frames, gaps),
-        intimate_space_share=shares[0],
-        personal_space_share=shares[1],
-        social_space_share=shares[2],
-        public_space_share=shares[3],
-        p95_speed_within_1_5_m_m_s=near_people.fast_near_m_s(frames, gaps),
-        min_time_to_collision_s=proximity.min_time_to_collision_s(frames),
+        near_people=near_people(frames, gaps, collision_s),
+        min_time_to_collision_s=float(collision_s.min(initial=math.inf)),
         space_compliance_share=intrusion.compliance_share(frames),
         longest_intrusion_s=longest.length_s if longest else 0.0,
         group_intrusions=group_intrusions(frames, known.groups, intrusion),
@@ -191,15 +171,29 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         walked_by_person_m={
             name: float(walked[i]) for i, name in enumerate(frames.entities) if name in intrusion.own
         },
-        p95_speed_near_by_person_m_s=_fast_by_person_m_s(frames, gaps, intrusion.own),
+        p95_speed_near_by_person_m_s=_speeds_near_m_s(frames, gaps, intrusion.own),
         stopping={visit.person: stopping(frames, visit) for visit in known.visits},
     )
 
 
-def _fast_by_person_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -> dict[str, float]:
-    """For each of some people whom the robot came near, the 95th percentile of its speed there."""
+def _checked(frames: Frames, known: Known | None) -> Known:
+    """What is known, if all of it is of people in the frames."""
+    require_kinds("figures", frames=(frames, Frames), known=(known, Known | None))
+    if len(frames) == 0:
+        raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
+    known = known or Known()
+    for member in chain.from_iterable(known.groups):
+        _require_person("groups", member, frames.entities[1:])
+    _check_own("own_m", known.own_m.items(), frames.entities[1:])
+    later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
+    _check_own("later_m", later, frames.entities[1:])
+    return known
+
+
+def _speeds_near_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -> dict[str, float]:
+    """95th percentile of the robot's speed near each of some people; without those it never came near."""
     speeds = {
-        name: near_people.fast_near_m_s(frames, gaps[:, i : i + 1])
+        name: speed_near_m_s(frames, gaps[:, i : i + 1])
         for i, name in enumerate(frames.entities[1:])
         if name in people
     }
@@ -208,10 +202,7 @@ def _fast_by_person_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -
 
 def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[str, ...]) -> None:
     for name, distance_m in distances:
-        if name not in people:
-            raise InputError(
-                expected=f"{what} by people of the frames", got=repr(name), remedy=closest(name, people)
-            )
+        _require_person(what, name, people)
         if not (is_number(distance_m) and 0.0 <= distance_m < math.inf):
             raise InputError(
                 expected=f"distances of 0 m or more in {what}",
@@ -220,12 +211,11 @@ def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[
             )
 
 
-def _check_groups(groups: Iterable[tuple[str, ...]], people: tuple[str, ...]) -> None:
-    for name in (member for group in groups for member in group):
-        if name not in people:
-            raise InputError(
-                expected="groups of people of the frames", got=repr(name), remedy=closest(name, people)
-            )
+def _require_person(what: str, name: str, people: tuple[str, ...]) -> None:
+    if name not in people:
+        raise InputError(
+            expected=f"{what} of people of the frames", got=repr(name), remedy=closest(name, people)
+        )
 
 
 def _spl(length_m: float, known: Known) -> float | None:

@@ -90,26 +90,27 @@ def heading_change_rad(frames: Frames) -> float:
 
 def turns_rad(frames: Frames) -> Numbers:
     """How far the robot turned from frame to frame, the short way, shape (n - 1,)."""
-    turns = np.diff(frames.poses[:, 0, 2])
-    return np.asarray(np.abs(np.remainder(turns + np.pi, 2 * np.pi) - np.pi))
+    return _turns(frames.poses[:, 0, 2])
 
 
 def path_irregularity_rad_m(frames: Frames) -> float:
     """Turning of the direction of travel for each metre of path [rad/m]; 0 of a straight path or none.
 
     The direction is that from place to place at least `STRETCH_M` apart: between frames of a robot that
-    hardly moves it would be noise. Turns that walls and people demand are included; Guzzi et al. 2013
-    ("Human-friendly robot navigation in dynamic environments", ICRA) take off those of the shortest path.
+    hardly moves it would be noise. Turns that walls and people demand are included.
     """
     places = [frames.poses[0, 0, :2].tolist()]
     for place in frames.poses[:, 0, :2].tolist():
         if math.dist(place, places[-1]) >= STRETCH_M:
             places.append(place)
     steps: Numbers = np.diff(np.array(places, dtype=np.float64), axis=0)
-    directions = np.arctan2(steps[:, 1], steps[:, 0])
-    turned = np.abs(np.remainder(np.diff(directions) + np.pi, 2 * np.pi) - np.pi).sum()
-    length = _size(steps).sum()
+    turned, length = _turns(np.arctan2(steps[:, 1], steps[:, 0])).sum(), _size(steps).sum()
     return float(turned / length) if length > 0.0 else 0.0
+
+
+def _turns(angles: Numbers) -> Numbers:
+    """From each angle to the next one the short way, without a sign [rad]."""
+    return np.asarray(np.abs(np.remainder(np.diff(angles) + np.pi, 2 * np.pi) - np.pi))
 
 
 def stalled_s(frames: Frames, under_way: Sequence[Span]) -> float:
@@ -136,8 +137,8 @@ def _times_stuck(frames: Frames, span: Span) -> int:
 
 
 def velocities_m_s(frames: Frames) -> Numbers:
-    """Every entity's mean velocity between frames, shape (n - 1, entities, 2)."""
-    return np.asarray(np.diff(frames.poses[..., :2], axis=0) / np.diff(frames.time_s)[:, None, None])
+    """Mean velocity of every entity between frames [m/s], shape (n - 1, entities, 2)."""
+    return _rate(frames.poses[..., :2], frames.time_s)
 
 
 def _velocities(frames: Frames, entity: int) -> Numbers:
@@ -146,7 +147,9 @@ def _velocities(frames: Frames, entity: int) -> Numbers:
 
 
 def _rate(values: Numbers, times: Numbers) -> Numbers:
-    return np.asarray(np.diff(values, axis=0) / np.diff(times)[:, None])
+    """Change over time along the first axis."""
+    steps = np.diff(times).reshape(-1, *[1] * (values.ndim - 1))
+    return np.asarray(np.diff(values, axis=0) / steps)
 
 
 def _middles(times: Numbers) -> Numbers:

@@ -1,16 +1,18 @@
-"""How the robot moved near people: mean distance, shares of Hall's zones, speed, and who came at whom.
+"""How the robot moved near people: mean distance, shares of Hall's zones, speed, and the cause of contacts.
 
 All distances are between the nearest points of two bodies (`surface`).
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.frames import Frames
 from comity_sim2d.metrics.motion import Numbers, speeds_m_s, velocities_m_s
-from comity_sim2d.metrics.proximity import seconds_to_collision, weights_s, zones
+from comity_sim2d.metrics.proximity import seconds_in_zones, weights_s
 
 NEAR_M = 1.5
 """Nearer than this the robot keeps to the speed that people near it are to meet [m]."""
@@ -18,30 +20,50 @@ FAST_SHARE = 0.95
 """The percentile of the speed: the largest one of an episode is that of a single frame."""
 
 
-def mean_nearest_m(frames: Frames, gaps: Numbers) -> float | None:
-    """Mean gap to the nearest person over time [m]; None without people or time.
+@dataclass(frozen=True, slots=True)
+class NearPeople:
+    """Metrics of one episode by the names of the registry; None without people, or never so near."""
+
+    contacts_by_robot: int
+    contacts_by_people: int
+    mean_nearest_distance_m: float | None
+    intimate_space_share: float | None
+    personal_space_share: float | None
+    social_space_share: float | None
+    public_space_share: float | None
+    p95_speed_within_1_5_m_m_s: float | None
+
+
+def near_people(frames: Frames, gaps: Numbers, collision_s: Numbers) -> NearPeople:
+    """Measure one episode.
 
     Args:
         frames: Of the episode.
-        gaps: Of `clearances_m`.
+        gaps: Of `clearances_m`, shape (n, people).
+        collision_s: Of `seconds_to_collision`, shape (n - 1, people).
     """
-    steps = weights_s(frames)
-    if gaps.shape[1] == 0 or steps.sum() == 0.0:
-        return None
-    return float(np.average(gaps.min(axis=1), weights=steps))
+    began = _contacts_begun(frames, collision_s)
+    by_robot = int((began & _robot_closes_faster(frames)).sum())
+    seconds = np.array(seconds_in_zones(frames, gaps))
+    has_zones = seconds.sum() > 0.0
+    shares: list[float | None] = (seconds / seconds.sum()).tolist() if has_zones else [None] * len(seconds)
+    return NearPeople(
+        contacts_by_robot=by_robot,
+        contacts_by_people=int(began.sum()) - by_robot,
+        mean_nearest_distance_m=_mean_nearest_m(frames, gaps) if has_zones else None,
+        intimate_space_share=shares[0],
+        personal_space_share=shares[1],
+        social_space_share=shares[2],
+        public_space_share=shares[3],
+        p95_speed_within_1_5_m_m_s=speed_near_m_s(frames, gaps),
+    )
 
 
-def zone_shares(frames: Frames, gaps: Numbers) -> tuple[float, float, float, float] | None:
-    """Shares of time with the nearest person in intimate, personal, social and public distance; sum 1."""
-    steps = weights_s(frames)
-    if gaps.shape[1] == 0 or steps.sum() == 0.0:
-        return None
-    seconds = np.bincount(zones(gaps), weights=steps, minlength=4)
-    intimate, personal, social, public = (seconds / seconds.sum()).tolist()
-    return (intimate, personal, social, public)
+def _mean_nearest_m(frames: Frames, gaps: Numbers) -> float:
+    return float(np.average(gaps.min(axis=1), weights=weights_s(frames)))
 
 
-def fast_near_m_s(frames: Frames, gaps: Numbers) -> float | None:
+def speed_near_m_s(frames: Frames, gaps: Numbers) -> float | None:
     """95th percentile of the robot's speed within `NEAR_M` of the people in the columns [m/s]; None: never.
 
     A step between two frames is within it where the mean of the gaps at its ends is.
@@ -50,19 +72,16 @@ def fast_near_m_s(frames: Frames, gaps: Numbers) -> float | None:
     return float(np.quantile(speeds_m_s(frames)[near], FAST_SHARE)) if near.any() else None
 
 
-def contacts_by(frames: Frames) -> tuple[int, int]:
-    """Contacts that began with the robot coming at the person faster than the person at it; all others.
-
-    Between two frames both are taken to move straight, so a touch between frames counts.
-    """
-    touching = seconds_to_collision(frames) <= np.diff(frames.time_s)[:, None]
-    began = touching & ~np.vstack([np.zeros((1, touching.shape[1]), dtype=np.bool_), touching])[:-1]
-    by_robot = _comes_faster(frames)
-    return int((began & by_robot).sum()), int((began & ~by_robot).sum())
+def _contacts_begun(frames: Frames, collision_s: Numbers) -> NDArray[np.bool_]:
+    """Steps between frames in which bodies begin to touch, both moving straight, shape (n - 1, people)."""
+    touching = collision_s <= np.diff(frames.time_s)[:, None]
+    began = touching.copy()
+    began[1:] &= ~touching[:-1]
+    return np.asarray(began)
 
 
-def _comes_faster(frames: Frames) -> NDArray[np.bool_]:
-    """Whether the robot closes the distance faster than the person does, shape (n - 1, people)."""
+def _robot_closes_faster(frames: Frames) -> NDArray[np.bool_]:
+    """Steps in which the robot closes the distance faster than the person does, shape (n - 1, people)."""
     apart = frames.poses[:-1, 1:, :2] - frames.poses[:-1, :1, :2]
     moved = velocities_m_s(frames)
     robot = (moved[:, :1] * apart).sum(axis=-1)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import require_kinds
@@ -27,26 +26,18 @@ def clearances_m(frames: Frames) -> Numbers:
     return np.asarray(np.hypot(apart[..., 0], apart[..., 1]) - radii[0] - radii[1:])
 
 
-def seconds_in_spaces(frames: Frames, gaps: Numbers) -> tuple[float, float, float]:
-    """How long the nearest person was in intimate, personal and social distance, each up to the next [s]."""
+def seconds_in_zones(frames: Frames, gaps: Numbers) -> tuple[float, float, float, float]:
+    """Time with the nearest person in intimate, personal, social and public distance [s]; 0 without any."""
     if gaps.shape[1] == 0:
-        return (0.0, 0.0, 0.0)
-    found, steps = zones(gaps), weights_s(frames)
+        return (0.0, 0.0, 0.0, 0.0)
+    zones = np.searchsorted((INTIMATE_M, PERSONAL_M, SOCIAL_M), gaps.min(axis=1), side="right")
+    steps = weights_s(frames)
     return (
-        float(steps[found == 0].sum()),
-        float(steps[found == 1].sum()),
-        float(steps[found == 2].sum()),
+        float(steps[zones == 0].sum()),
+        float(steps[zones == 1].sum()),
+        float(steps[zones == 2].sum()),
+        float(steps[zones == 3].sum()),
     )
-
-
-def zones(gaps: Numbers) -> NDArray[np.intp]:
-    """By frame, the zone of the nearest person: 0 intimate, 1 personal, 2 social, 3 public; shape (n,).
-
-    Args:
-        gaps: Of `clearances_m`, with at least one person.
-    """
-    ends = (INTIMATE_M, PERSONAL_M, SOCIAL_M)
-    return np.asarray(np.searchsorted(ends, gaps.min(axis=1), side="right"))
 
 
 def contacts(gaps: Numbers) -> int:
@@ -59,13 +50,11 @@ def contacts(gaps: Numbers) -> int:
     return int(overlaps[0].sum() + (overlaps[1:] & ~overlaps[:-1]).sum())
 
 
-def min_time_to_collision_s(frames: Frames) -> float:
-    """The least time after which robot and a person, both going on as they go, would touch; else infinite."""
-    return float(seconds_to_collision(frames).min(initial=math.inf))
-
-
 def seconds_to_collision(frames: Frames) -> Numbers:
-    """The same from each frame but the last, shape (n - 1, people); 0 where bodies overlap."""
+    """Time after which robot and a person would touch if both went on as they go [s].
+
+    From each frame but the last, shape (n - 1, people); 0 where bodies overlap, infinite where they miss.
+    """
     require_kinds("figures", frames=(frames, Frames))
     places = frames.poses[..., :2]
     velocities = velocities_m_s(frames)

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from types import MappingProxyType
 from typing import Literal
 
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics.episode import Metrics
 from comity_sim2d.metrics.motion import Spread
+from comity_sim2d.metrics.near_people import NearPeople
 from comity_sim2d.metrics.stopping import Stopping
 
 FRANCIS = "Francis et al. 2023, arXiv 2306.16740"
 HUNAVSIM = "Pérez-Higueras et al. 2023, HuNavSim, arXiv 2305.01303"
 ANDERSON = "Anderson et al. 2018, arXiv 1807.06757"
 OWN = "Comity's own"
-GUZZI = "Guzzi et al. 2013, ICRA"
 HALL = "Hall 1966, The Hidden Dimension"
 HALF_TURN_DEG = 180.0
 _ENDS: Mapping[str, str] = {
@@ -53,7 +53,12 @@ class Metric:
     @property
     def short_name(self) -> str:
         """The name without its unit, as sentences have it."""
-        return self.name.removesuffix(_ENDS.get(self.unit, ""))
+        return without_unit(self.name, self.unit)
+
+
+def without_unit(name: str, unit: str) -> str:
+    """The name of a value without the unit at its end: `path_length` of `path_length_m` and `m`."""
+    return name.removesuffix(_ENDS.get(unit, ""))
 
 
 def _by_name(*metrics: Metric) -> Mapping[str, Metric]:
@@ -68,14 +73,12 @@ EPISODE: Mapping[str, Metric] = _by_name(
         "1",
         "Path length by that of the shortest path through the places where it docked, around people at the "
         "safety margin; of episodes that served all.",
-        FRANCIS,
     ),
     Metric(
         "path_irregularity_rad_m",
         "rad/m",
-        "Turning of the direction of travel for each metre of path, in stretches of 0.1 m; Guzzi et al. take "
-        "off the turns of the shortest path.",
-        GUZZI,
+        "Turning of the direction of travel for each metre of path, in stretches of 0.1 m; turns that walls "
+        "and people demand are included.",
     ),
     Metric(
         "success_weighted_by_path_length",
@@ -113,9 +116,8 @@ EPISODE: Mapping[str, Metric] = _by_name(
         "1",
         "Contacts with people that began, in the frames, with the robot coming at the person faster than the "
         "person came at it.",
-        HUNAVSIM,
     ),
-    Metric("contacts_by_people", "1", "The other contacts with people that began in the frames.", HUNAVSIM),
+    Metric("contacts_by_people", "1", "The other contacts with people that began in the frames."),
     Metric("min_clearance_m", "m", "Smallest gap to any person, between surfaces.", FRANCIS, least=None),
     Metric("min_centre_distance_m", "m", "Smallest distance to any person, between centres.", FRANCIS),
     Metric("intimate_space_surface_s", "s", "Nearest person closer than 0.45 m, between surfaces.", HUNAVSIM),
@@ -124,8 +126,7 @@ EPISODE: Mapping[str, Metric] = _by_name(
     Metric(
         "mean_nearest_distance_m",
         "m",
-        "Mean gap to the nearest person over time, between surfaces; HuNavSim's is between centres, less "
-        "the robot's radius alone.",
+        "Mean gap to the nearest person over time, between surfaces.",
         HUNAVSIM,
         least=None,
     ),
@@ -138,7 +139,7 @@ EPISODE: Mapping[str, Metric] = _by_name(
             most=1.0,
         )
         for zone, where in (
-            ("intimate", "closer than 0.45 m (HuNavSim's takes off the robot's radius alone)"),
+            ("intimate", "closer than 0.45 m"),
             ("personal", "at 0.45 to 1.2 m"),
             ("social", "at 1.2 to 3.6 m"),
             ("public", "at 3.6 m or more"),
@@ -147,7 +148,7 @@ EPISODE: Mapping[str, Metric] = _by_name(
     Metric(
         "p95_speed_within_1_5_m_m_s",
         "m/s",
-        "95th percentile of its speed within 1.5 m of any person, between surfaces.",
+        "95th percentile of the robot's speed within 1.5 m of any person, between surfaces.",
     ),
     Metric(
         "group_intrusions",
@@ -315,6 +316,8 @@ def of_episode(metrics: Metrics) -> dict[str, float]:
         value = getattr(metrics, field.name)
         if isinstance(value, Spread):
             flat |= {f"{part}_{field.name}": getattr(value, part) for part in ("mean", "max")}
+        elif isinstance(value, NearPeople):
+            flat |= asdict(value)
         elif value is None or isinstance(value, int | float):
             flat[field.name] = value
     return _with_values(flat)
