@@ -38,6 +38,7 @@ from comity.commands import (
     study,
     study_power,
     study_report,
+    study_score,
     study_sessions,
     test,
     trace,
@@ -155,6 +156,8 @@ of_studies: tuple[Run, ...] = (
     study_report.show,
     study_power.power,
     study_sessions.sessions,
+    study_score.questionnaire,
+    study_score.score,
 )
 for of_study in of_studies:
     studies.command(of_study.__name__, cls=Command)(_written(of_study))

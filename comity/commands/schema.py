@@ -51,6 +51,8 @@ class Kind(StrEnum):
     STUDY_SHOW = "study-show"
     STUDY_POWER = "study-power"
     STUDY_SESSIONS = "study-sessions"
+    QUESTIONNAIRE = "questionnaire"
+    STUDY_SCORE = "study-score"
 
 
 def schema(
@@ -64,12 +66,14 @@ def schema(
     from comity.answers import study as study_answers
     from comity.answers import study_report as study_report_answers
     from comity.answers.learning import LearnAnswer
+    from comity.answers.study_scores import StudyScoreAnswer
     from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
     from comity.scenario import Scenario
     from comity.specification.binding_file import BindingFile
     from comity.study.population_file import PopulationFile
+    from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
     from comity.study.study_file import StudyFile
     from comity.testing.reporting.answers import TestsAnswer
     from comity_executor.speech.wordings_file import WordingsFile
@@ -115,5 +119,7 @@ def schema(
         Kind.STUDY_SHOW: study_report_answers.StudyShowAnswer,
         Kind.STUDY_POWER: study_answers.StudyPowerAnswer,
         Kind.STUDY_SESSIONS: study_answers.StudySessionsAnswer,
+        Kind.QUESTIONNAIRE: QuestionnaireFile,
+        Kind.STUDY_SCORE: StudyScoreAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

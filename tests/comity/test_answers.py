@@ -15,6 +15,7 @@ from comity.people.profile import Profile
 from comity.scenario import Scenario
 from comity.specification.binding_file import BindingFile
 from comity.study.population_file import PopulationFile
+from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
 from comity.study.study_file import StudyFile
 from comity.system.library import shipped
 from comity_executor.speech.wordings_file import WordingsFile
@@ -103,6 +104,7 @@ FILES = {
     Kind.WORDINGS: WordingsFile,
     Kind.STUDY: StudyFile,
     Kind.POPULATION: PopulationFile,
+    Kind.QUESTIONNAIRE: QuestionnaireFile,
 }
 
 
