@@ -12,6 +12,7 @@ from pydantic import BaseModel
 from comity.scenario import MapPlace, Scenario
 from comity.sharing.person import pseudonyms
 from comity.specification.goals import Goal
+from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, REACH, RETURN, TASKS
 from comity_sim2d.maps.file import MapFile
 
 if TYPE_CHECKING:
@@ -21,9 +22,9 @@ Told = TypeVar("Told", bound=BaseModel)
 
 # fmt: off
 PROGRAM = frozenset({
-    "Reach_user", "Return_to_user", "Greet_person", "Greet_company", "Fetch", "Say", "Offer", "Wait",
-    "Take_leave", "Skip_visit", "say", "nod", "wave", "bow", "bow_and_nod", "handshake",
-    "palms_together", "pick_up", "hand_over", "front", "left", "right", "behind", "start", "here", "none",
+    REACH, RETURN, GREET, GREET_TOGETHER, FETCH, *TASKS, *map(str.lower, TASKS), "Skip_visit",
+    "nod", "wave", "bow", "bow_and_nod", "handshake", "palms_together", "pick_up", "hand_over",
+    "front", "left", "right", "behind", "start", "here", "none",
     "verbal", "gestural", "both", "speaks", "moves", "robot",
 })
 """Words of Comity's own that stand among names."""
@@ -164,8 +165,8 @@ def _of_place(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
 
 def _of_goals(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
     carried = [scenario.robot.carrying, *(person.carrying for person in scenario.people.values())]
-    yield "thing", [name for name in (*carried, *(goal.offer for goal in scenario.goals)) if name]
-    yield "text", [goal.say for goal in scenario.goals if goal.say]
+    yield "thing", [name for name in (*carried, *(goal.named("thing") for goal in scenario.goals)) if name]
+    yield "text", [name for goal in scenario.goals if (name := goal.named("text"))]
 
 
 def goal_of(goal: Goal, names: Names) -> dict[str, Any]:

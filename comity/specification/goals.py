@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
@@ -13,7 +14,7 @@ from comity_fis.errors import WrongValueError
 from comity_sim2d.maps.file import Name
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
 
 def _speakable(text: str) -> str:
@@ -35,17 +36,34 @@ UNSPEAKABLE = ("Cc", "Cf", "Cs", "Zl", "Zp")
 JOINERS = ("\u200c", "\u200d")
 """Format characters that words are spelt with, and emoji."""
 
-KINDS = {
-    "greet": ("priority", "by_s", "skip", "after", "not_from"),
-    "say": ("to",),
-    "offer": ("to", "from"),
-    "wait_s": ("with", "until"),
-    "take_leave": (),
+
+@dataclass(frozen=True, slots=True)
+class _Kind:
+    """What belongs to a goal of one kind."""
+
+    person: str
+    """The key that names the person."""
+    task: Callable[[Goal], Task] | None = None
+    """What is to be done after the greeting; None: this is the greeting."""
+    needed: tuple[str, ...] = ()
+    """Keys that must stand beside the kind's own."""
+    others: tuple[str, ...] = ()
+    """Keys that may."""
+    names: Literal["thing", "text"] | None = None
+    """What the key of the kind names besides people, so that it gets a pseudonym where a run is shared."""
+
+
+KINDS: Mapping[str, _Kind] = {
+    "greet": _Kind("greet", others=("priority", "by_s", "skip", "after", "not_from")),
+    "say": _Kind("to", lambda goal: Say(str(goal.say)), ("to",), names="text"),
+    "offer": _Kind("to", lambda goal: Offer(str(goal.offer), str(goal.from_)), ("to", "from"), names="thing"),
+    "wait_s": _Kind("with", lambda goal: Wait(goal.wait_s or 0.0, goal.until), ("with",), ("until",)),
+    "take_leave": _Kind("take_leave", lambda _: TakeLeave()),
 }
-"""The key that says what is to be done, and those that may stand beside it."""
-NEEDED = {"say": ("to",), "offer": ("to", "from"), "wait_s": ("with",)}
-WRITTEN = {"from_": "from", "with_": "with"}
-"""Keys that Python keeps for itself."""
+"""By the key that says what is to be done."""
+FIELDS = {"from": "from_", "with": "with_"}
+"""Keys that Python keeps for itself, by what they are called there."""
+WRITTEN = {field: key for key, field in FIELDS.items()}
 Text = Annotated[str, StringConstraints(max_length=500), AfterValidator(_speakable)]
 
 
@@ -122,10 +140,11 @@ class Goal(BaseModel):
                 remedy="Write each goal as an item of its own." if kinds else "Add `greet:` and a name.",
             )
         (kind,) = kinds
-        strange = [name for name in given if name != kind and name not in KINDS[kind]]
-        missing = [name for name in NEEDED.get(kind, ()) if name not in given]
+        needed, allowed = KINDS[kind].needed, (*KINDS[kind].needed, *KINDS[kind].others)
+        strange = [name for name in given if name != kind and name not in allowed]
+        missing = [name for name in needed if name not in given]
         if strange or missing:
-            beside = " and ".join(f"`{name}`" for name in KINDS[kind]) or "nothing"
+            beside = " and ".join(f"`{name}`" for name in allowed) or "nothing"
             raise WrongValueError(
                 expected=f"{beside} beside `{kind}`",
                 got=f"`{strange[0]}`" if strange else f"no `{missing[0]}`",
@@ -141,23 +160,22 @@ class Goal(BaseModel):
     @property
     def person_key(self) -> str:
         """The key that says about whom."""
-        return {"say": "to", "offer": "to", "wait_s": "with"}.get(self.kind, self.kind)
+        return KINDS[self.kind].person
 
     @property
     def person(self) -> str:
         """About whom."""
-        return str(self.greet or self.to or self.with_ or self.take_leave)
+        return str(getattr(self, FIELDS.get(self.person_key, self.person_key)))
 
     @property
     def task(self) -> Task | None:
         """What is to be done after the greeting; None where this is the greeting."""
-        if self.say is not None:
-            return Say(self.say)
-        if self.offer is not None:
-            return Offer(self.offer, str(self.from_))
-        if self.wait_s is not None:
-            return Wait(self.wait_s, self.until)
-        return TakeLeave() if self.take_leave is not None else None
+        task = KINDS[self.kind].task
+        return None if task is None else task(self)
+
+    def named(self, what: Literal["thing", "text"]) -> str | None:
+        """The thing, or the text, that the goal names."""
+        return str(getattr(self, self.kind)) if KINDS[self.kind].names == what else None
 
 
 def greeted(goals: Sequence[Goal]) -> list[tuple[int, str]]:

@@ -6,12 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from comity_domain.choices.options import Options
-from comity_domain.explanation.agenda_reason import (
-    why_this_fetching,
-    why_this_message,
-    why_this_offer,
-    why_this_pause,
-)
+from comity_domain.explanation.agenda_reason import why_this_fetching, why_this_offer, why_this_task
 from comity_domain.explanation.company_reason import why_this_company
 from comity_domain.explanation.reason import (
     why_this_farewell,
@@ -27,17 +22,12 @@ from comity_domain.plans.actions import (
     OFFER,
     REACH,
     RETURN,
-    SAY,
     TOLD,
-    WAIT,
 )
 from comity_domain.plans.plan import PlanStep, Why
-from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import Visit, farewell_cost, greeting_parts, served
-
-SPEECH = ("voice_volume", "speech_rate")
-"""What a message binds, where the rulebook has it."""
 
 
 def steps_of(visits: Sequence[Visit], choices: Options, around: Callable[[], Options]) -> Iterator[PlanStep]:
@@ -104,19 +94,15 @@ class _Steps:
     def _task(self, task: Task, here: Spot) -> PlanStep:
         values = self.choices.people[here.place].values
         match task:
-            case Say():
-                told = {name: values[name].value for name in SPEECH if name in values.parameters}
-                return self._act(SAY, (task.text,), {"text": task.text, **told}, why_this_message(values))
+            case PlainTask():
+                shaped = {name: values[name].value for name in task.shaped_by if name in values.parameters}
+                why = why_this_task(task, here.place, values)
+                return self._act(task.action, task.arguments, {**task.parameters, **shaped}, why)
             case Offer():
                 why = self._why(lambda options: why_this_offer(task, here, options))
                 modality = "gestural" if self.choices.people[here.place].silent else "both"
                 given = {"thing": task.thing, "modality": modality}
                 return self._act(OFFER, (task.thing,), {**self._place(here), **given}, why)
-            case Wait():
-                until = {"until": task.until} if task.until else {}
-                pause = {"cap_s": task.cap_s, **until}
-                how_long = (f"{task.cap_s:g} s", *until.values())
-                return self._act(WAIT, how_long, pause, why_this_pause(task, here.place))
             case TakeLeave():
                 return self._leave()
 

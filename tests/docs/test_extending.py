@@ -1,43 +1,119 @@
-"""What "Where does X go?" says is enough: a command by one new file and two lines of another.
+"""What "Where does X go?" says is enough: a command takes two files, an action three.
 
 A parameter, a gesture and a robot need no file of Comity; the page's own blocks add them (`test_documents`).
 """
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 from shutil import copytree, ignore_patterns
+from textwrap import dedent
+
+import pytest
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs/extending.md"
+SCENARIO = """\
+schema_version: 1
+name: shows-photos
+place: {width_m: 5.0, height_m: 4.0}
+robot: {at_m: [1.0, 2.0]}
+people:
+  johanna: {profile: german_woman, at_m: [3.5, 2.0], facing_deg: 180}
+goals:
+  - greet: johanna
+  - {show: photos, to: johanna}
+  - take_leave: johanna
+"""
 
 
-def test_a_command_is_a_file_and_two_lines(tmp_path):
-    source = tmp_path / "comity"
-    copytree(ROOT / "comity", source, ignore=ignore_patterns("__pycache__"))
-    (written,) = re.findall(r"^```py\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
-    (source / "commands/sides.py").write_text(written, encoding="utf-8")
-    cli = (source / "cli.py").read_text(encoding="utf-8")
-    cli = cli.replace("    share,\n", "    share,\n    sides,\n", 1)
-    cli = cli.replace("    share.share,\n", "    share.share,\n    sides.sides,\n", 1)
-    (source / "cli.py").write_text(cli, encoding="utf-8")
-    path = os.pathsep.join((str(tmp_path), os.environ.get("PYTHONPATH", "")))
-    done = subprocess.run(
-        [sys.executable, "-m", "comity", "sides", "arab_woman"],
-        env=os.environ | {"PYTHONPATH": path},
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    sides = dict(line.split() for line in done.stdout.splitlines())
+class Copy:
+    """A copy of two packages, in which a recipe is followed."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.touched: set[str] = set()
+        for package in (ROOT / "comity", ROOT / "domain/comity_domain"):
+            copytree(package, folder / package.name, ignore=ignore_patterns("__pycache__"))
+
+    def edit(self, file: str, before: str, added: str) -> None:
+        """Put something before the first place where something stands."""
+        path = self.folder / file
+        text = path.read_text(encoding="utf-8")
+        assert before in text
+        path.write_text(text.replace(before, added + before, 1), encoding="utf-8")
+        self.touched.add(file)
+
+    def run(self, *arguments: str) -> str:
+        """What a module prints."""
+        path = os.pathsep.join((str(self.folder), os.environ.get("PYTHONPATH", "")))
+        done = subprocess.run(
+            [sys.executable, "-m", *arguments],
+            env=os.environ | {"PYTHONPATH": path},
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+
+@pytest.fixture
+def copy(tmp_path):
+    return Copy(tmp_path)
+
+
+def blocks(language: str) -> list[str]:
+    """The blocks of the page in a language, without their indentation."""
+    text = PAGE.read_text(encoding="utf-8")
+    found = re.findall(rf"^( *)```{language}\n(.*?)^\1```$", text, re.MULTILINE | re.DOTALL)
+    return [dedent(block) for _, block in found]
+
+
+def test_a_command_is_a_file_and_two_lines(copy):
+    (copy.folder / "comity/commands/sides.py").write_text(blocks("py")[0], encoding="utf-8")
+    copy.edit("comity/cli.py", "    share,\n", "    sides,\n")
+    copy.edit("comity/cli.py", "    share.share,\n", "    sides.sides,\n")
+    sides = dict(line.split() for line in copy.run("comity", "sides", "arab_woman").splitlines())
     assert list(sides) == ["front", "left", "right"]
     assert all(0.0 <= float(each) <= 1.0 for each in sides.values())
+
+
+def test_an_action_of_the_planner_is_three_files(copy):
+    """It is in the problem as in the file, in the plan with its reason, and the robot performs it."""
+    _, task, row, field = blocks("py")
+    (action,) = blocks("pddl")
+    agenda, domain = "comity_domain/problem/agenda.py", "comity_domain/visit.pddl"
+    goals = "comity/specification/goals.py"
+    copy.edit(agenda, "\n\nPLAIN:", f"\n\n{task}")
+    copy.edit(agenda, ')\n"""The kinds of tasks without', ", Show")
+    copy.edit(domain, "    (pause ?t - task)\n", "    (picture ?t - task)\n")
+    copy.edit(domain, "\n  ; Say goodbye", f"\n{action}")
+    copy.edit(goals, "from comity_fis", "from comity_domain.problem.agenda import Show\n")
+    copy.edit(goals, '    "take_leave": _Kind', f"    {row}")
+    copy.edit(goals, "    take_leave: Name", f"    {field}")
+    assert len(copy.touched) == 3
+
+    same = str(ROOT / "tests/domain/test_visit_domain.py")
+    assert "passed" in copy.run("pytest", same, "-q", "-p", "no:cacheprovider", "--rootdir", str(copy.folder))
+    (copy.folder / "shows.scenario.yaml").write_text(SCENARIO, encoding="utf-8")
+    plan = json.loads(copy.run("comity", "plan", "shows.scenario.yaml", "--json"))
+    assert [step["action"] for step in plan["steps"]] == ["Reach_user", "Greet_person", "Show", "Take_leave"]
+    shown = plan["steps"][2]
+    assert shown["arguments"] == ["robot", "johanna", "photos"]
+    assert shown["parameters"] == {"thing": "photos"}
+    assert shown["why"]["text"] == "the scenario's picture, without a choice"
+    run = ("comity", "run", "shows.scenario.yaml", "--no-pictures", "--out", "run", "--json")
+    assert json.loads(copy.run(*run))["outcome"] == "success"
+    performed = copy.run("comity", "trace", "run", "--events")
+    assert re.search(r"show\(johanna\)", performed)
+    assert re.search(r"shown\?\(johanna\)", performed)
 
 
 def test_the_files_that_it_names_are_there():

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing.amounts.course import runs
+from comity_domain.plans.actions import LEAVE, OFFER
+from comity_domain.problem.agenda import Say
 from comity_executor.memory.meeting import SAY_ACT
-from comity_executor.memory.task import LEAVE, OFFER, SAY
 from comity_executor.trees.tree import GREETINGS
 from comity_sim2d.robot.acts import VERBS
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 _OCCASIONS: Mapping[str, str] = {
     **dict.fromkeys(GREETINGS, "at the greeting"),
-    SAY: "as it tells them something",
+    Say.action: "as it tells them something",
     OFFER: "as it brings them something",
     LEAVE: "at the farewell",
 }

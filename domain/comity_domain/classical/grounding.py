@@ -16,7 +16,7 @@ from comity_domain.classical.initial_state import (
 )
 from comity_domain.classical.naming import Word
 from comity_domain.plans import actions
-from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.tour import Visit, served
 
@@ -82,10 +82,8 @@ class _Grounding:
 
     def _task(self, user: Word, task: Task, word: Word, visit: Visit) -> Ground:
         match task:
-            case Say():
-                return actions.SAY, (user, word)
-            case Wait():
-                return actions.WAIT, (user, word)
+            case PlainTask():
+                return task.action, (user, word)
             case Offer():
                 thing, self._holds = self._holds, NOTHING
                 return actions.OFFER, (user, word, thing, NOTHING)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from comity_domain.choices.companies import CompanyOptions
 from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.classical.naming import Names, Word, name_all
-from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.circumstances import FREE_OF_HANDS
 from comity_domain.problem.spot import START, THERE, Spot
 
@@ -62,12 +62,10 @@ def tasks(person: PersonOptions) -> tuple[Word, ...]:
 
 def _label(task: Task) -> str:
     match task:
-        case Say():
-            return "message"
+        case PlainTask():
+            return task.fact
         case Offer():
             return f"offer {task.thing}"
-        case Wait():
-            return "pause"
         case TakeLeave():
             return "farewell"
 
@@ -172,11 +170,10 @@ def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
 
 def _task(task: Task, word: Word, person: PersonOptions) -> Iterator[Fact]:
     match task:
-        case Say():
-            yield Fact("message", (word,))
-        case Wait():
-            yield Fact("pause", (word,))
-            yield Fact("cap_ms", (word,), _thousandths(task.cap_s))
+        case PlainTask():
+            yield Fact(task.fact, (word,))
+            for number, of in task.thousandths.items():
+                yield Fact(number, (word,), _thousandths(getattr(task, of)))
         case TakeLeave():
             yield Fact("farewell", (word,))
             for greeting, cost in person.greetings.items():

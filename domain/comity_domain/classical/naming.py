@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from comity_domain.problem.agenda import PLAIN
+
 RESERVED = frozenset(
     (
         *(
@@ -25,12 +27,13 @@ RESERVED = frozenset(
         ),
         *("at", "docked", "free", "holds", "greeted", "due", "done", "whole", "waits", "now", "begun"),
         *("reachable", "permitted", "route", "after", "way_to", "empty", "suits", "leaves_open"),
-        *("only_greeted", "opens", "follows", "last", "of", "message", "pause", "farewell"),
+        *("only_greeted", "opens", "follows", "last", "of", "farewell"),
         *("brings", "first_brought", "kept", "member", "overlooks", "welcome", "then", "then_together"),
         *("travel_cost", "fetch_cost", "greet_cost", "greet_together_cost", "leave_cost"),
-        *("distance_mm", "speed_mm_s", "direction_mdeg", "cap_ms"),
+        *("distance_mm", "speed_mm_s", "direction_mdeg"),
         *("reach_user", "greet_person", "greet_company", "fetch", "return_to_user"),
-        *("say", "offer", "wait", "take_leave", "visit"),
+        *("offer", "take_leave", "visit"),
+        *(word for kind in PLAIN for word in (kind.action.lower(), kind.fact, *kind.thousandths)),
         *("and", "or", "not", "imply", "exists", "forall", "when", "either", "object", "number"),
         *("define", "domain", "problem", "increase", "decrease", "assign", "minimize", "maximize"),
     )

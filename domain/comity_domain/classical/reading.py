@@ -23,7 +23,7 @@ from comity_domain.classical.initial_state import (
 )
 from comity_domain.classical.naming import Names, Word
 from comity_domain.classical.timing import NO_TIMING, Timing
-from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.agenda import PLAIN, Agenda, Offer, TakeLeave, Task
 from comity_domain.problem.spot import Spot
 from comity_fis.errors import InputError, Where
 from comity_fis.inference.value import Inference
@@ -181,9 +181,11 @@ class _Stated:
     def _task(self, task: str, timing: Timing) -> Task:
         if thing := self._one("brings", task):
             return Offer(thing, self._one("kept", thing))
-        if (task,) in self._by_fluent["pause"]:
-            return Wait(self._by_fluent["cap_ms"].get((task,), 0) / 1000.0)
-        return TakeLeave() if (task,) in self._by_fluent["farewell"] else Say(timing.messages.get(task, task))
+        for kind in PLAIN:
+            if (task,) in self._by_fluent[kind.fact]:
+                numbers = {name: self._by_fluent[name].get((task,), 0) for name in kind.thousandths}
+                return kind.read(timing.details.get(task, task), numbers)
+        return TakeLeave()
 
     def _company(self, name: str, people: Mapping[str, PersonOptions]) -> CompanyOptions:
         members = tuple(user for (user, company) in self._by_fluent["member"] if company == name)

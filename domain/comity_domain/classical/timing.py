@@ -9,7 +9,7 @@ from comity_domain.choices.options import Options, options
 from comity_domain.classical.initial_state import tasks, visit_names
 from comity_domain.classical.naming import Word
 from comity_domain.labelling.skipping import left_out
-from comity_domain.problem.agenda import Say
+from comity_domain.problem.agenda import PlainTask
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.spot import Way
 
@@ -23,8 +23,8 @@ class Timing:
     durations_s: Mapping[Way, float] = field(default_factory=dict)
     """From a user, a location or the start (None) to a user or a location [s], >= 0; needed for each route
     where there is a deadline."""
-    messages: Mapping[str, str] = field(default_factory=dict)
-    """By task, the text that is said, which decides how long that takes."""
+    details: Mapping[str, str] = field(default_factory=dict)
+    """By task, what decides how long it takes and no problem says: the text of a message."""
     announced: frozenset[str] = frozenset()
     """Users who are told in words that the robot comes, which takes longer."""
 
@@ -49,13 +49,13 @@ def timing_of(request: VisitRequest) -> Timing:
             for (start, end), seconds in choices.durations_s.items()
             if end in places and (start is None or start in places)
         },
-        dict(_messages(choices, names.ids)),
+        dict(_details(choices, names.ids)),
         frozenset(ids[name] for name, person in people.items() if person.is_told),
     )
 
 
-def _messages(choices: Options, ids: Mapping[Word, str]) -> Iterator[tuple[str, str]]:
+def _details(choices: Options, ids: Mapping[Word, str]) -> Iterator[tuple[str, str]]:
     for person in choices.people.values():
         for task, word in zip(person.agenda, tasks(person), strict=True):
-            if isinstance(task, Say):
-                yield ids[word], task.text
+            if isinstance(task, PlainTask) and task.detail:
+                yield ids[word], task.detail

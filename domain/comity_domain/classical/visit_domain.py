@@ -25,9 +25,8 @@ from comity_domain.plans.actions import (
     OFFER,
     REACH,
     RETURN,
-    SAY,
-    WAIT,
 )
+from comity_domain.problem.agenda import PLAIN, PlainTask
 
 TYPES: Mapping[str, str | None] = {
     **dict.fromkeys(("robot", "place", "side", "modality", "gesture", "company", "turn", "task", "thing")),
@@ -65,8 +64,7 @@ STATES: Mapping[str, str] = {
     "follows": "task task",
     "last": "task",
     "of": "task user",
-    "message": "task",
-    "pause": "task",
+    **{kind.fact: "task" for kind in PLAIN},
     "farewell": "task",
     "brings": "task thing",
     "first_brought": "task",
@@ -91,7 +89,7 @@ NUMBERS: Mapping[str, str] = {
     "distance_mm": "user",
     "speed_mm_s": "user",
     "direction_mdeg": "user side",
-    "cap_ms": "task",
+    **{number: "task" for kind in PLAIN for number in kind.thousandths},
 }
 """The same for whole numbers of 0 or more."""
 
@@ -134,9 +132,8 @@ class _Domain:
             self._greet_company(),
             self._fetch(),
             self._return_to_user(),
-            self._say(),
+            *map(self._plain, PLAIN),
             self._offer(),
-            self._wait(),
             self._take_leave(),
         )
         priced = dict(actions)
@@ -280,11 +277,11 @@ class _Domain:
         act.add_effect(holds.at(r, origin, origin_side), False)
         return act, holds.travel_cost(origin, origin_side, u, s)
 
-    def _say(self) -> Priced:
-        """Tell the person something."""
-        act, (r, u, t) = self._action(SAY, r="robot", u="user", t="task")
+    def _plain(self, kind: type[PlainTask]) -> Priced:
+        """Do a task without a choice: say something, or stay for some time."""
+        act, (r, u, t) = self._action(kind.action, r="robot", u="user", t="task")
         self._before_user(act, r, u, t)
-        act.add_precondition(self._is.message(t))
+        act.add_precondition(self.fluents[kind.fact](t))
         self._finish(act, r, t)
         return act, NOTHING
 
@@ -298,14 +295,6 @@ class _Domain:
         act.add_precondition(holds.empty(e))
         act.add_effect(holds.holds(r, h), False)
         act.add_effect(holds.holds(r, e), True)
-        self._finish(act, r, t)
-        return act, NOTHING
-
-    def _wait(self) -> Priced:
-        """Stay before the person for some time, or until they do something."""
-        act, (r, u, t) = self._action(WAIT, r="robot", u="user", t="task")
-        self._before_user(act, r, u, t)
-        act.add_precondition(self._is.pause(t))
         self._finish(act, r, t)
         return act, NOTHING
 

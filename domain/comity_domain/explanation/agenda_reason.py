@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from comity_domain.choices.options import Options
 from comity_domain.explanation.evidence import because
 from comity_domain.plans.plan import Alternative, RuledOut, Why
-from comity_domain.problem.agenda import Offer, Wait, offers
+from comity_domain.problem.agenda import Offer, PlainTask, offers
 from comity_domain.problem.circumstances import FREE_OF_HANDS
 from comity_domain.problem.spot import Spot
 from comity_domain.tours.lateness import late
@@ -15,7 +15,6 @@ from comity_domain.tours.tour import Stop, Visit, stays, tour_cost, visit_as
 from comity_fis.inference.value import Inference
 
 NO_SOURCE = "that this holds for handing over is a design choice without a source"
-UNTIL = {"speaks": "says something", "moves": "moves"}
 _HANDS_FULL = f"with full hands only {' or '.join(sorted(FREE_OF_HANDS - {'none'}))} is left of the gestures"
 BEFORE, AFTER = "before the greeting", "after the greeting"
 
@@ -71,15 +70,17 @@ def _no_greeting(offer: Offer, options: Options, name: str) -> str:
     return f"with {offer.thing} in the hands no greeting is left ({reasons})"
 
 
-def why_this_message(values: Inference) -> Why:
-    """Where the manner of speech comes from; the words are the scenario's."""
+def why_this_task(task: PlainTask, person: str, values: Inference) -> Why:
+    """Where the manner of a task without a choice comes from; the task itself is the scenario's."""
     told = [
         f"{name.replace('_', ' ')}: {because(values, name)}"
-        for name in ("voice_volume", "speech_rate")
+        for name in task.shaped_by
         if name in values.parameters
     ]
-    manner = "; ".join(told) or "the rulebook says nothing of the voice, so it is the normal one"
-    return Why(f"the scenario's words, without a choice; {manner}", ())
+    if task.shaped_by and not told:
+        unknown = " and no ".join(name.replace("_", " ") for name in task.shaped_by)
+        told = [f"the rulebook has no {unknown}, so the normal one holds"]
+    return Why("; ".join((task.reason(person), *told)), ())
 
 
 def why_this_offer(offer: Offer, spot: Spot, options: Options) -> Why:
@@ -88,10 +89,3 @@ def why_this_offer(offer: Offer, spot: Spot, options: Options) -> Why:
     distance = because(values, "conversational_distance")
     at = f"at {values['conversational_distance'].number:.2f} m ({distance}), {spot.side}"
     return Why(f"handed over where the robot stands, without a choice: {at}; {NO_SOURCE}", ())
-
-
-def why_this_pause(wait: Wait, person: str) -> Why:
-    """What ends a pause."""
-    if wait.until is None:
-        return Why(f"the scenario's {wait.cap_s:g} s, at the distance of the greeting, without a choice", ())
-    return Why(f"until {person} {UNTIL[wait.until]}, for {wait.cap_s:g} s at most, without a choice", ())

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from comity_domain.problem.agenda import PLAIN
+
 REACH, RETURN = "Reach_user", "Return_to_user"
 GREET, GREET_TOGETHER = "Greet_person", "Greet_company"
 ANNOUNCED = "announced"
@@ -12,4 +14,6 @@ ANNOUNCED = "announced"
 stopped and leaves."""
 TOLD: Mapping[str, str] = MappingProxyType({ANNOUNCED: "in words"})
 """The parameter with its value."""
-FETCH, SAY, OFFER, WAIT, LEAVE = "Fetch", "Say", "Offer", "Wait", "Take_leave"
+FETCH, OFFER, LEAVE = "Fetch", "Offer", "Take_leave"
+TASKS = (*(kind.action for kind in PLAIN), OFFER, LEAVE)
+"""What is on agendas, once the person is greeted."""

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from comity_domain.choices.side import sides
-from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN, SAY, WAIT
+from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, REACH, RETURN, TASKS
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_fis.inference.value import Inference
 
-GREETINGS, TASKS = (GREET, GREET_TOGETHER), (SAY, OFFER, WAIT, LEAVE)
+GREETINGS = (GREET, GREET_TOGETHER)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,12 +7,15 @@ from which side and how far away, how loud, with which words and gestures.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from types import MappingProxyType
+from typing import ClassVar, Literal, Self
 
 Until = Literal["speaks", "moves"]
 """What ends a pause early, as the robot reads it of the person."""
+_UNTIL: Mapping[Until, str] = {"speaks": "says something", "moves": "moves"}
 
 HANDOVER_S = 3.0
 """Picking something up, and handing it over: what each takes in the reckoning of deadlines (our choice)."""
@@ -23,9 +26,69 @@ SPEECH_S_PER_CHARACTER = 0.1
 LEAST_SPEECH_S = 2.0
 
 
+class PlainTask(ABC):
+    """A task without a choice, done before the person by one action of the plan.
+
+    What a kind says of itself is all that the planner needs: the action of the problem, the step of the plan,
+    its reason and its time. `PLAIN` lists the kinds; `visit.pddl` has the action of each with comments.
+    """
+
+    __slots__ = ()
+    action: ClassVar[str]
+    """The name of the action. The robot performs an act of this name in small letters, unless the executor
+    has a subtree for it."""
+    effect: ClassVar[str]
+    """The name of the goal condition in the tree, a participle: `waited`."""
+    fact: ClassVar[str]
+    """The predicate of the problem that holds for tasks of this kind."""
+    thousandths: ClassVar[Mapping[str, str]] = MappingProxyType({})
+    """By numeric fluent of the problem, the field that it states, in thousandths of its unit."""
+    shaped_by: ClassVar[tuple[str, ...]] = ()
+    """Behaviour parameters that the step has as well, where the rulebook has them."""
+
+    @classmethod
+    @abstractmethod
+    def read(cls, detail: str, numbers: Mapping[str, int]) -> Self:
+        """The task that a problem states.
+
+        Args:
+            detail: What no problem says (`detail` of the task), or a name that stands for it.
+            numbers: The values of `thousandths`.
+        """
+
+    @property
+    @abstractmethod
+    def seconds(self) -> float:
+        """Time that it takes, as deadlines count it."""
+
+    @property
+    @abstractmethod
+    def parameters(self) -> Mapping[str, float | str]:
+        """The parameters of the step, those of `shaped_by` aside."""
+
+    @property
+    def arguments(self) -> tuple[str, ...]:
+        """The arguments of the step after the robot and the person."""
+        return tuple(map(str, self.parameters.values()))
+
+    @property
+    def detail(self) -> str:
+        """What a problem does not say of it; empty where it says all."""
+        return ""
+
+    @abstractmethod
+    def reason(self, person: str) -> str:
+        """Why the step is as it is."""
+
+
 @dataclass(frozen=True, slots=True)
-class Say:
+class Say(PlainTask):
     """Something to tell a person."""
+
+    action = "Say"
+    effect = "said"
+    fact = "message"
+    shaped_by = ("voice_volume", "speech_rate")
 
     text: str
 
@@ -33,10 +96,29 @@ class Say:
         if not self.text.strip():
             raise ValueError("there is nothing to say")
 
+    @classmethod
+    def read(cls, detail: str, numbers: Mapping[str, int]) -> Self:
+        """A message; `detail` is its text."""
+        return cls(detail)
+
     @property
     def seconds(self) -> float:
         """What it takes, as deadlines reckon it."""
         return max(LEAST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(self.text))
+
+    @property
+    def parameters(self) -> Mapping[str, float | str]:
+        """The words."""
+        return {"text": self.text}
+
+    @property
+    def detail(self) -> str:
+        """The words: the problem has their cost alone, which is nothing."""
+        return self.text
+
+    def reason(self, person: str) -> str:
+        """The words are the scenario's."""
+        return "the scenario's words, without a choice"
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +136,13 @@ class Offer:
 
 
 @dataclass(frozen=True, slots=True)
-class Wait:
+class Wait(PlainTask):
     """A pause before the person."""
+
+    action = "Wait"
+    effect = "waited"
+    fact = "pause"
+    thousandths = MappingProxyType({"cap_ms": "cap_s"})
 
     cap_s: float
     """So long, or at most so long where something ends it."""
@@ -65,10 +152,31 @@ class Wait:
         if not 0.0 < self.cap_s < math.inf:
             raise ValueError(f"a pause takes more than no time and ends, got {self.cap_s!r} s")
 
+    @classmethod
+    def read(cls, detail: str, numbers: Mapping[str, int]) -> Self:
+        """A pause; what ends it early is no matter to the search."""
+        return cls(numbers["cap_ms"] / 1000.0)
+
     @property
     def seconds(self) -> float:
         """What it takes at most."""
         return self.cap_s
+
+    @property
+    def parameters(self) -> Mapping[str, float | str]:
+        """The longest time [s], and what ends it early."""
+        return {"cap_s": self.cap_s, **({"until": self.until} if self.until else {})}
+
+    @property
+    def arguments(self) -> tuple[str, ...]:
+        """The same with the unit."""
+        return (f"{self.cap_s:g} s", *([self.until] if self.until else ()))
+
+    def reason(self, person: str) -> str:
+        """What ends it."""
+        if self.until is None:
+            return f"the scenario's {self.cap_s:g} s, at the distance of the greeting, without a choice"
+        return f"until {person} {_UNTIL[self.until]}, for {self.cap_s:g} s at most, without a choice"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +189,9 @@ class TakeLeave:
         return FAREWELL_S
 
 
-Task = Say | Offer | Wait | TakeLeave
+PLAIN: tuple[type[PlainTask], ...] = (Say, Wait)
+"""The kinds of tasks without a choice."""
+Task = PlainTask | Offer | TakeLeave
 Agenda = tuple[Task, ...]
 
 

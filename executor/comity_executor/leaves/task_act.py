@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
+from comity_domain.plans.actions import LEAVE
+from comity_domain.problem.agenda import Say
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.memory.meeting import SAY_ACT
-from comity_executor.memory.task import SAY, Task
+from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import HAND_OVER
@@ -42,7 +44,8 @@ class TaskAct(BodyAct):
         task, words, manner = self._task, self.words(), self._task.meeting.manner
         if words is not None:
             return speech(self._act, task.person, words, manner=manner)
-        return ActGoal(self._act, task.person, None, task.thing if self._act == HAND_OVER else None, manner)
+        thing = task.step.parameters.get("thing")
+        return ActGoal(self._act, task.person, None, None if thing is None else str(thing), manner)
 
     def begin(self) -> None:
         """Start the act; what is being handed over is on its way from the robot's hands."""
@@ -61,9 +64,11 @@ class TaskAct(BodyAct):
         text = self.how_it_went()
         if self._act == HAND_OVER:
             return Account(text, parameter="conversational_distance")
-        if self._act != SAY_ACT:
+        if self._task.step.action == LEAVE and self._act != SAY_ACT:
             return Account(text, parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))
-        words = () if self._task.step.action == SAY else ABOUT_WORDS
+        if self._act != SAY_ACT:
+            return Account(text)
+        words = () if self._task.step.action == Say.action else ABOUT_WORDS
         return Account(text, others=self.told((*ABOUT_SPEECH, *words)), fault=self.trouble())
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from contextlib import suppress
 
+from comity_domain.plans.actions import OFFER
 from comity_domain.plans.rest import Progress
 from comity_executor.memory.meeting import Meeting
-from comity_executor.memory.task import OFFER
 from comity_executor.memory.visit import TaskMemory
 from comity_executor.robots.carrier import HAND_OVER, Carrier
 from comity_executor.robots.robot import Robot

@@ -8,8 +8,9 @@ from math import inf
 
 from py_trees.behaviour import Behaviour
 
-from comity_domain.plans.actions import ANNOUNCED
+from comity_domain.plans.actions import ANNOUNCED, FETCH, LEAVE, OFFER, RETURN
 from comity_domain.plans.plan import PlanStep
+from comity_domain.problem.agenda import PLAIN
 from comity_executor.memory.meeting import SAY_ACT, Meeting, acts_of
 from comity_executor.memory.visit import TaskMemory, VisitMemory
 from comity_executor.nodes.cause import Grounds
@@ -18,9 +19,7 @@ from comity_executor.robots.carrier import HAND_OVER, Carrier
 from comity_executor.robots.status import known_performance
 from comity_executor.speech.utterance import Utterance
 
-FETCH, RETURN = "Fetch", "Return_to_user"
-SAY, OFFER, WAIT, LEAVE = "Say", "Offer", "Wait", "Take_leave"
-EFFECTS = {SAY: "said", OFFER: "given", WAIT: "waited", LEAVE: "left"}
+EFFECTS = {**{kind.action: kind.effect for kind in PLAIN}, OFFER: "given", LEAVE: "left"}
 """What is so once a step is done."""
 
 
@@ -112,13 +111,11 @@ class Task:
     def acts(self) -> tuple[str, ...]:
         """What it consists of, `say` first."""
         match self.step.action:
-            case "Say":
-                return (SAY_ACT,)
             case "Offer":
                 return (SAY_ACT, HAND_OVER) if self.step.parameters["modality"] == "both" else (HAND_OVER,)
             case "Take_leave":
                 return acts_of(self.step)
-        return ()
+        return (self.step.action.lower(),)
 
     @property
     def words(self) -> Utterance | str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
+from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, OFFER, REACH, TASKS
 from comity_domain.plans.plan import Plan, PlanStep, Why
 from comity_executor.nodes.limits import Limits
 from comity_executor.nodes.node import describe
@@ -22,14 +23,12 @@ _THERE: Mapping[str, float | str] = {
     "approach_bearing": 0.0,
     "approach_speed": 0.3,
 }
-_FIRST: _Kinds = (("Fetch", (), _THING), ("Reach_user", (), _THERE), ("Greet_person", ("verbal", "none"), {}))
-_AGENDA: _Kinds = (
-    ("Say", (), {"text": "text"}),
-    ("Offer", ("thing",), {**_THING, "modality": "both"}),
-    ("Wait", (), {"cap_s": 1.0}),
-    ("Take_leave", ("verbal", "none"), {}),
-)
-_TOGETHER: _Kinds = (("Reach_user", (), _THERE), ("Greet_company", ("company", "verbal", "none"), {}))
+_ANY: Mapping[str, float | str] = {**_THING, "text": "text", "modality": "both", "cap_s": 1.0}
+"""What some task of an agenda reads."""
+_WORDS = ("verbal", "none")
+_FIRST: _Kinds = ((FETCH, (), _THING), (REACH, (), _THERE), (GREET, _WORDS, {}))
+_AGENDA: _Kinds = tuple((action, ("thing",) if action == OFFER else _WORDS, _ANY) for action in TASKS)
+_TOGETHER: _Kinds = ((REACH, (), _THERE), (GREET_TOGETHER, ("company", *_WORDS), {}))
 
 
 @cache

@@ -12,21 +12,25 @@ A farewell ends with Step_away, which no docking follows.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 
+from comity_domain.plans.actions import LEAVE
+from comity_domain.problem.agenda import Wait
 from comity_executor.leaves.custom_act import CustomAct
 from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.task_act import TaskAct, WaitBefore
 from comity_executor.leaves.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
 from comity_executor.leaves.task_motion import StepAway
 from comity_executor.memory.meeting import SAY_ACT, Meeting
-from comity_executor.memory.task import LEAVE, WAIT, Task
+from comity_executor.memory.task import Task
 from comity_executor.nodes.act_timeout import ActTimeout
 
+SUBTREES: Mapping[str, Callable[[Task], Behaviour]] = {Wait.action: WaitBefore}
+"""By action, its subtree, where it is more than acts of the robot."""
 SECONDS_PER_CHARACTER = 0.12
 """What is said may take so long at the normal rate, twice what calm speech does (our choice)."""
 
@@ -45,7 +49,7 @@ def block(task: Task, docked: Docked, taken: Taken) -> Behaviour:
 def _achieve(task: Task, docked: Docked, taken: Taken) -> Behaviour:
     before = [taken(task)] if task.fetch else []
     name = f"{task.step.action}({task.label})"
-    doing = WaitBefore(task) if task.step.action == WAIT else _perform(task)
+    doing = SUBTREES.get(task.step.action, _perform)(task)
     action = Parallel(
         name,
         policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself

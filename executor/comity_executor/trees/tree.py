@@ -47,7 +47,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 
-from comity_domain.plans.actions import ANNOUNCED
+from comity_domain.plans.actions import ANNOUNCED, FETCH, GREET, GREET_TOGETHER, REACH, RETURN
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.act import Act
 from comity_executor.leaves.announce import is_announced
@@ -64,7 +64,7 @@ from comity_executor.leaves.plan_holds import DoesPlanHold
 from comity_executor.leaves.task_conditions import IsServed
 from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
 from comity_executor.memory.memory import Memory
-from comity_executor.memory.task import EFFECTS, FETCH, RETURN, Task, agenda_of
+from comity_executor.memory.task import EFFECTS, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds, explains
@@ -82,7 +82,6 @@ from comity_executor.trees.passing import passing, way_to
 from comity_executor.trees.task_tree import block
 from comity_fis.inference.value import Inference
 
-REACH, GREET, GREET_TOGETHER = "Reach_user", "Greet_person", "Greet_company"
 GREETINGS = (GREET, GREET_TOGETHER)
 KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
 SKIP = "Skip_visit"
