@@ -160,6 +160,12 @@ def searched(
     Raises:
         TimeoutError: It was given up.
     """
+    # Dynamic programming over sets of people (Held and Karp 1962): how a set was served does not matter for
+    # what comes after it, only where the robot stands, what it cost and when. Labels are taken up by how
+    # many people they have served, because every extension serves more: when a number is taken up, all
+    # labels that lead to it are there, so that dominance is tested once and on whole arrays. The answer is
+    # proven as long as no label but dominated ones, and ones that promise more than `at_most`, was left
+    # out.
     waiting: dict[int, list[Labels]] = {first.served_count: [first]}
     kept: list[Labels] = []
     exact = True
@@ -208,6 +214,11 @@ def _undominated(labels: Labels, table: LabelTable) -> Labels:
     """Those that no label with the same people and spot beats in cost, ties included, and in time."""
     import numpy as np
 
+    # Two criteria, cost and time, have a Pareto front and not one best label (Desrochers and Soumis 1988).
+    # After sorting by people, spot and cost, a label is on the front where its time is less than all times
+    # before it in its group: one running minimum finds the fronts of all groups, instead of a comparison of
+    # all pairs. Time is set to 0 where no deadline is left, so that each front shrinks to its cheapest
+    # label.
     in_a_hurry = labels.served & table.with_deadline != table.with_deadline
     time_ms = np.where(in_a_hurry, labels.time_ms, 0)
     order = np.lexsort((time_ms, labels.turns, labels.tie, labels.cost, labels.spot, labels.served))

@@ -83,6 +83,11 @@ def _one_tree_bound(costs: Costs, rounds: int) -> float:
     """
     import numpy as np
 
+    # Subgradient ascent on the Lagrangian dual (Held and Karp 1971). A tour has two legs at every place,
+    # the cheapest tree need not: a price on places with more legs than two, and a reward on those with one,
+    # leave the order of tours as it is, since each tour pays the same, and push the tree towards a tour.
+    # Every round gives a valid bound, so the best one stands, also where the rounds do not converge; the
+    # steps shrink geometrically so that they do.
     prices, best, step = np.zeros(len(costs)), 0.0, 0.0
     for k in range(rounds):
         tree_cost, degrees = _one_tree(costs + prices[:, None] + prices)

@@ -83,6 +83,12 @@ def _cause_in(
     branch: Behaviour, seen: Mapping[Behaviour, Status], changed: Container[Behaviour]
 ) -> Behaviour:
     """The first leaf, in the order of the visit, whose change gave the branch its result."""
+    # A tick visits nodes depth first, so that the first changed leaf of the deciding branch is what moved
+    # it: whatever changed after it saw a world in which the result was settled. Going down, only children
+    # that could settle their parent count: a failure for a sequence, a success for a selector
+    # (Colledanchise and Ogren 2018, "Behavior Trees in Robotics and AI", chapter 1); a changed sibling with
+    # another result had no say. Where no child changed, the branch itself is the cause: a timeout, or a
+    # leaf.
     if isinstance(branch, SimulatedTimeout) and branch.timed_out:
         return branch
     result = seen[branch]

@@ -160,6 +160,12 @@ def _panels(
     from comity_fis.defuzzification.panels import panels_of
     from comity_fis.defuzzification.sets import Sets
 
+    # The aggregated set is a maximum, so the rules do not add up and a share cannot be read off their
+    # strengths: a strong rule below a stronger one changes nothing. Cutting the range wherever another
+    # layer becomes the highest leaves panels that belong to one layer each (or to several that tie, in
+    # equal parts). The centre of area is linear in the moments of the panels, so that their sum is the
+    # value itself, to rounding: an exact decomposition, where Shapley values (Shapley 1953) would need an
+    # inference for each set of rules.
     names = list(parameter.terms)
     ground = ground_of(tuple(parameter.terms.values()), *parameter.rules.ends, MAMDANI)
     strengths = np.array([[strength] for _, strength in layers])

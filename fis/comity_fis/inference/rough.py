@@ -75,6 +75,12 @@ def largest_of_smallest(
     Between its own extremes a function only rises or only falls, and the smallest of such functions has one
     peak.
     """
+    # The possibility of a term is sup min(term, A) (Zadeh 1978). A grid would miss the peak of a narrow
+    # set, and the error would reach the parameter, so the domain is cut where any function has a knot or
+    # turns. On each piece every function is monotone; the smallest of rising functions rises, that of
+    # falling ones falls, and so the minimum rises, then falls: it has one peak, which a search for one
+    # extreme finds to rounding. The supremum is the largest of these peaks. An undisclosed input needs no
+    # search: A is 1 everywhere, and every term holds to degree 1.
     places: Sequence[float] = sorted({low, *(x for x in knots if low < x < high), high})
     for function in functions:
         places = turning_places(function, places)

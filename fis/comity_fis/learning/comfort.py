@@ -117,6 +117,13 @@ class Comfort:
         """
         numbers = np.asarray(SIGNALS.index(signal) if isinstance(signal, str) else signal)
         at = np.asarray(offset, dtype=np.float64)
+        # Bayes' rule on a grid over middle, half width and manner: the likelihood is neither normal nor has
+        # one peak (silence is evidence of both "at ease" and "never shows anything"), so that no conjugate
+        # prior and no Kalman filter fits, and three coordinates are few enough to sum over. Manners are
+        # part of the hypothesis, because the same signal means the opposite, or nothing, with some people;
+        # summing over them keeps one odd signal from outweighing many visits. What the person allowed
+        # (`nearest`, `held`) is carried apart from the belief: a bound is a promise, which only the person
+        # moves, by an invitation or a word, and no inference.
         near, far = MIDDLES[:, None] - HALF_WIDTHS, MIDDLES[:, None] + HALF_WIDTHS
         felt = feelings(at[..., None, None] / self.spread, near, far, EDGE)
         close, far_off = (feeling[..., None] for feeling in felt)

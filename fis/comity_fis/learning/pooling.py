@@ -103,6 +103,12 @@ def pooled(answers: Iterable[Answer], *, declared_spread: float, widest: float) 
         declared_spread: Standard deviation between people that stood before, above 0.
         widest: A standard deviation that no group is beyond, in the same unit, above 0.
     """
+    # Variances are taken from the inside out: answers within a person, means of people within a group,
+    # means of groups. Each level's variance contains that of the level below divided by its count, which is
+    # taken off, so that chance in few answers does not pass for a difference between people. Each mean then
+    # moves towards the next wider one by the share of its variance that is chance (Efron and Morris 1973):
+    # a group of three stays near everybody's value, a group of three hundred at its own. The declared
+    # spread counts like a few people, so that two people who agree by chance do not make everybody alike.
     people: dict[tuple[Hashable, str | None], list[float]] = defaultdict(list)
     for answer in answers:
         people[answer.person, answer.group].append(answer.offset)

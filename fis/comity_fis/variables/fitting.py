@@ -99,6 +99,11 @@ def _nearest_pairs(places: Floats, wanted: Floats, weights: Floats, nearness: fl
     Returns:
         Shape (pairs, 6): height, centre, width, twice.
     """
+    # A sum of two bumps has many local optima, and least squares from one start ends in the nearest. The
+    # heights enter linearly, so that for fixed centres and widths the best ones solve a 2 x 2 system
+    # (variable projection; Golub and Pereyra 1973): all pairs of a grid are compared at their best in one
+    # array operation, with the inner products computed once, and only the nearest few pairs start a search.
+    # The grid, not chance, picks the starts: the same data give the same terms.
     grid = np.array([(centre, width) for width in WIDTHS for centre in CENTRES])
     units = weights * np.exp(-(((places - grid[:, :1]) / grid[:, 1:]) ** 2))
     aims, products = units @ (weights * wanted), units @ units.T

@@ -53,6 +53,12 @@ class DrawBack:
         if person is None or self._gap_m(base, person) >= KEEP_OFF_M:
             self._over = len(self._touches)
             return None
+        # Contact recovery. The direction is straight away from the person's centre: it is the one along
+        # which the gap grows fastest, and the only one without a part along the body, which would rub. It
+        # holds from the touch until `KEEP_OFF_M` is reached, before any goal; else the goal would send the
+        # robot back into the person at once. A base that cannot move sideways turns to face them first,
+        # since its only free direction is its own axis. With no room behind, nothing is commanded here: any
+        # other direction would press or rub.
         ahead = direction_to(base.xy, person.xy)
         back = (-math.cos(ahead), -math.sin(ahead))
         there = (base.xy[0] + AHEAD_M * back[0], base.xy[1] + AHEAD_M * back[1])

@@ -119,6 +119,13 @@ class Foresight:
 
     def tried(self, ways: list[XY], in_way: frozenset[str]) -> Iterator[Way]:
         """What each direction is worth."""
+        # Each direction is driven in thought with the base's own acceleration and time to turn, against
+        # people who walk on straight (dynamic window; Fox, Burgard and Thrun 1997). Directions and not
+        # velocities are sampled, since near people the speed is given by the limit there and by how far the
+        # way is free. The score adds the least gap, the mean gap and the distance from their line at the
+        # end, each at most the margin: past the margin more room is worth nothing, or the robot would flee
+        # across the room. A direction that ends on their line counts as no way at all: the person would
+        # have to stop.
         free_m = self._free_m(ways)
         scores, least = self._scores(self._driven(ways, free_m, NEAR_PEOPLE_M_S), in_way)
         ends = np.array(self._start) + free_m[:, None] * np.array(ways)

@@ -74,6 +74,12 @@ def yield_to(
     if not len(matter):
         return wanted
     gaps = gap[matter].tolist()
+    # Speed and separation monitoring (ISO/TS 15066): the speed is at most that from which the base, braking
+    # at `braking`, still stops before the margin, v = sqrt(2 a d), after what it covers before the next
+    # command takes hold. Only the length of the velocity changes and never its direction: to evade is for
+    # the layers above, and two layers that steer would oscillate. Whoever is beside the line, or is grazed
+    # by it inside the margin, does not stop the robot: else a person who stands next to it would hold it
+    # there for good (the frozen robot; Trautman and Krause 2010).
     most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
     for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
         towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)

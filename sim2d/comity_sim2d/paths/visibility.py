@@ -79,6 +79,13 @@ class VisibilityGraph:
         begin, end = len(self._at), len(self._at) + 1
         came: dict[int, int] = {}
         queue, effort = [(ahead[begin], 0.0, begin, begin)], 0
+        # A* is exact here, because the straight distance never overestimates. What is expensive is to ask
+        # whether a line is free of obstacles, so a line is queued unasked, at its optimistic length, and
+        # asked when it is taken up (lazy evaluation of edges; Dellin and Srinivasa 2016, "A unifying
+        # formalism for shortest path problems with expensive edge evaluations via lazy best-first search").
+        # A line that is not free is dropped then, and its corner stays open for others: the first line
+        # taken up to the goal that is free ends the shortest path. The head of the queue bounds all paths
+        # from below, which is what remains where the search is cut off.
         while queue:
             least_m, way_m, here, before = heappop(queue)
             if here in came:

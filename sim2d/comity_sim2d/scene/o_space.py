@@ -87,6 +87,13 @@ def o_space(members: Sequence[Person]) -> OSpace:
     if len(members) < 2:
         got, remedy = f"{len(members)}", "Add the others who stand there."
         raise WrongValueError(expected="members: at least two people", got=got, remedy=remedy)
+    # Kendon's o-space is where the transactional segments of the members overlap, the ground before each
+    # that they look at. Each member votes for a point before them (Setti et al. 2015), and the mean of the
+    # votes is the middle. A fixed stride would put the votes of a large circle short of its middle and
+    # those of a small one past it, so the stride is the mean distance of the members from their own middle:
+    # in a circle all votes then coincide, whatever its size. The nearest body bounds the disc, so that it
+    # never covers a member. The mean of the looks tells shapes apart: in a circle they cancel out, side by
+    # side they add up.
     count = len(members)
     middle = (sum(p.x_m for p in members) / count, sum(p.y_m for p in members) / count)
     stride = sum(math.dist(middle, p.xy) for p in members) / count

@@ -36,6 +36,11 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
         for (i, one), (j, other) in combinations(enumerate(people), 2)
         if math.dist(one.xy, other.xy) < NEAR_M + (reach_m := one.radius_m + other.radius_m)
     ]
+    # Overlap resolution by projection, one constraint after the other, until none moves anybody
+    # (Gauss-Seidel over positions, as in position based dynamics; Mueller et al. 2007). Walls, furniture
+    # and the robot come first in each round and do not yield, as their places are known; two people share
+    # what they overlap, as both are believed with the same noise. Only people near each other as first
+    # believed are paired, since they move by centimetres: the rest of a crowd costs nothing.
     for _ in range(ROUNDS):
         before = list(at)
         for i, person in enumerate(people):

@@ -100,6 +100,13 @@ class Gains:
         covariance = self._covariance
         if covariance is None:
             return self._exact
+        # A filter of constant velocity trades noise against lag: long memory is smooth and late at a turn.
+        # Here memory is long until the innovations say otherwise. Divided by their standard deviation they
+        # are white noise of variance 1 while the model holds; their running mean is then near 0, and a turn
+        # shows as a mean that stays off in one direction. Past five standard deviations of that mean the
+        # velocity is taken for unknown since a few ticks, by adding process noise (Bar-Shalom, Li and
+        # Kirubarajan 2001, chapter 11), and the filter takes up the new velocity within those ticks.
+        # Testing the mean and not each innovation keeps one outlier from resetting it.
         deviation_m = self._sigma_m * math.sqrt(covariance.expect())
         self._off += (1.0 - SURPRISE_KEPT) * (complex(dx, dy) / deviation_m - self._off)
         if self._off.real**2 + self._off.imag**2 > SURPRISE_SQUARE:
