@@ -36,6 +36,7 @@ from comity.commands import (
     schema,
     share,
     study,
+    study_collect,
     study_power,
     study_report,
     study_score,
@@ -156,6 +157,7 @@ of_studies: tuple[Run, ...] = (
     study_report.show,
     study_power.power,
     study_sessions.sessions,
+    study_collect.collect,
     study_score.questionnaire,
     study_score.score,
 )

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from comity.adaptation.observers_words import signal_in_words, situation_told
 from comity.adaptation.observing import Sight
 from comity.people.dated import read_day
+from comity.people.profile import Profile
+from comity.tables.measurements import OPTIONAL, REQUIRED
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.csv_table import CsvTable, Row, read_csv
@@ -19,6 +21,10 @@ if TYPE_CHECKING:
 
 NEEDED = ("signal", "distance_m")
 MOST_ROWS = 10_000
+OF_STUDIES = frozenset(
+    {*REQUIRED, *OPTIONAL, *Profile.model_fields, "group", "condition", "order", "trial", "medium", "read_by"}
+)
+"""Columns that `comity study collect` writes for other commands: passed over."""
 
 
 def read_sights(
@@ -54,6 +60,8 @@ def _check_heading(table: CsvTable, known: Iterable[str], name: str | None) -> N
                 f"the headings {', '.join(needed)}", f"none called {heading!r}", remedy, table.line
             )
     for heading in table.heading:
+        if heading in OF_STUDIES and heading not in known:
+            continue
         if heading not in known or table.heading.count(heading) > 1:
             got = f"{heading!r} twice" if heading in known else repr(heading)
             raise table.refusal(f"headings of {', '.join(known)}", got, "Rename or remove it.", table.line)

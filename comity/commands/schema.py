@@ -53,6 +53,8 @@ class Kind(StrEnum):
     STUDY_SESSIONS = "study-sessions"
     QUESTIONNAIRE = "questionnaire"
     STUDY_SCORE = "study-score"
+    COLLECTION = "collection"
+    STUDY_COLLECT = "study-collect"
 
 
 def schema(
@@ -66,12 +68,13 @@ def schema(
     from comity.answers import study as study_answers
     from comity.answers import study_report as study_report_answers
     from comity.answers.learning import LearnAnswer
-    from comity.answers.study_scores import StudyScoreAnswer
+    from comity.answers.study_with_people import StudyCollectAnswer, StudyScoreAnswer
     from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
     from comity.scenario import Scenario
     from comity.specification.binding_file import BindingFile
+    from comity.study.collecting.collection_file import CollectionFile
     from comity.study.population_file import PopulationFile
     from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
     from comity.study.study_file import StudyFile
@@ -121,5 +124,7 @@ def schema(
         Kind.STUDY_SESSIONS: study_answers.StudySessionsAnswer,
         Kind.QUESTIONNAIRE: QuestionnaireFile,
         Kind.STUDY_SCORE: StudyScoreAnswer,
+        Kind.COLLECTION: CollectionFile,
+        Kind.STUDY_COLLECT: StudyCollectAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

@@ -14,6 +14,7 @@ from comity.people.learnt_file import LearntFile
 from comity.people.profile import Profile
 from comity.scenario import Scenario
 from comity.specification.binding_file import BindingFile
+from comity.study.collecting.collection_file import CollectionFile
 from comity.study.population_file import PopulationFile
 from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
 from comity.study.study_file import StudyFile
@@ -105,6 +106,7 @@ FILES = {
     Kind.STUDY: StudyFile,
     Kind.POPULATION: PopulationFile,
     Kind.QUESTIONNAIRE: QuestionnaireFile,
+    Kind.COLLECTION: CollectionFile,
 }
 
 

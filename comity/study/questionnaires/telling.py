@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from comity.answers.study_scores import SheetScoresAnswer, StudyScoreAnswer, SubscaleAnswer
+from comity.answers.study_with_people import SheetScoresAnswer, StudyScoreAnswer, SubscaleAnswer
 from comity.report.text import number, table, unbroken
 from comity_fis.validation.complaint import counted
 

@@ -1,6 +1,8 @@
-"""What `comity study score` answers."""
+"""What `comity study collect` and `comity study score` answer."""
 
 from __future__ import annotations
+
+from typing import Literal
 
 from pydantic import Field
 
@@ -43,4 +45,19 @@ class StudyScoreAnswer(Answer):
     subscales: tuple[SubscaleAnswer, ...]
     sheets: tuple[SheetScoresAnswer, ...]
     unused: tuple[str, ...] = Field(description="Columns of the answers that were not used.")
+    files: tuple[str, ...]
+
+
+class StudyCollectAnswer(Answer):
+    """`comity study collect --json`."""
+
+    study: str
+    participant: str
+    group: str
+    conditions: tuple[str, ...] = Field(description="In the order in which the participant meets them.")
+    status: Literal["done", "stopped", "refused", "withdrawn"] = Field(
+        description="`refused`: no consent, and nothing is stored; `withdrawn`: all answers were deleted."
+    )
+    written: int = Field(description="Answers that this command wrote, or deleted.")
+    left: int = Field(description="Questions that no answer stands to.")
     files: tuple[str, ...]

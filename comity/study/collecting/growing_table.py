@@ -1,0 +1,108 @@
+"""A CSV file that grows by a row at a time, each on the disk before the next question is asked.
+
+A row that was cut off, by SIGKILL or a full disk, is taken off when the file is opened again.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+from comity.system.own_files import PRIVATE, write_whole, writing
+from comity_fis import InputError, Where
+
+
+@dataclass(frozen=True, slots=True)
+class GrowingTable:
+    """The file while it is open."""
+
+    file: BinaryIO
+    columns: tuple[str, ...]
+
+    def add(self, cells: Mapping[str, object]) -> None:
+        """Add a row; it is on the disk when this returns.
+
+        Args:
+            cells: By column; what is left out is empty. None of them has a line break.
+
+        Raises:
+            OSError: there is no room; what was written before stays.
+        """
+        self.file.write(_line([str(cells.get(name, "")) for name in self.columns]))
+        self.file.flush()
+        os.fsync(self.file.fileno())
+
+
+@contextmanager
+def opened_table(path: Path, columns: Sequence[str]) -> Iterator[GrowingTable]:
+    """The table, to be added to; one that is not there begins with its headings.
+
+    Raises:
+        InputError: the file has other headings, or the system does not let us.
+    """
+    rows_of(path, columns)
+    with writing(path):
+        handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0), PRIVATE)
+    with os.fdopen(handle, "r+b") as file:
+        content = file.read()
+        file.truncate(content.rfind(b"\n") + 1)
+        file.seek(0, os.SEEK_END)
+        table = GrowingTable(file, tuple(columns))
+        if not file.tell():
+            table.add({name: name for name in columns})
+        yield table
+
+
+def rows_of(path: Path, columns: Sequence[str]) -> list[dict[str, str]]:
+    """The whole rows of a table; none where there is no file.
+
+    Raises:
+        InputError: the file has other headings: it is another table.
+    """
+    if not path.exists():
+        return []
+    text = _whole(path).decode("utf-8", "replace")
+    if not text:
+        return []
+    heading, *rows = csv.reader(io.StringIO(text))
+    if heading != list(columns):
+        raise InputError(
+            expected=f"the columns {', '.join(columns)}",
+            got=", ".join(heading),
+            remedy="Answers of another collection stand there: name another folder with --out.",
+            where=Where(str(path), 1),
+        )
+    return [dict(zip(columns, row, strict=False)) for row in rows]
+
+
+def without_participant(path: Path, columns: Sequence[str], participant: str) -> int:
+    """Remove the rows of a participant who withdrew; how many these were.
+
+    Raises:
+        InputError: the file is another table, or the system does not let us.
+    """
+    rows = rows_of(path, columns)
+    kept = [row for row in rows if row["participant"] != participant]
+    if len(kept) < len(rows):
+        lines = [list(columns), *(list(row.values()) for row in kept)]
+        write_whole(path, b"".join(map(_line, lines)), private=True)
+    return len(rows) - len(kept)
+
+
+def _whole(path: Path) -> bytes:
+    """Up to the end of the last whole row."""
+    with writing(path):
+        content = path.read_bytes()
+    return content[: content.rfind(b"\n") + 1]
+
+
+def _line(cells: Sequence[str]) -> bytes:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerow(cells)
+    return text.getvalue().encode()
