@@ -37,9 +37,13 @@ from comity_executor.memory.meeting import NO_GESTURE, SAY_ACT
 from comity_fis.errors import InputError
 from comity_sim2d import DoorTurn, Frames, World
 from comity_sim2d.base.drive import stopping_time_s
+from comity_sim2d.people.undisturbed import undisturbed_walks
 from comity_sim2d.pose import wrap_angle
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from comity.environment import Environment
     from comity.live.operator import Operator
     from comity.preparation import Prepared
@@ -54,6 +58,9 @@ AFTERMATH_S = 0.5
 LONGEST_AFTERMATH_S, REST_M_S, REST_RAD_S = 5.0, 0.01, 0.01
 """Longer, up to the first [s], while the robot moves faster than the second [m/s] or turns faster than the
 third [rad/s]: it may go back before a person who comes. A soft base takes longer to stop."""
+
+SOONER_S = 10
+"""People may come so much sooner because of the robot, and be compared still [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -288,6 +295,19 @@ class LiveEpisode:
         people = (person.name for person in self._prepared.scene.people)
         return tuple(sorted((*self.disturbances, *walks(frames, people)), key=lambda one: one.t))
 
+    def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
+        """The walks of simulated people without the robot, but of those whom a change moved."""
+        world = self._world
+        if not isinstance(world, World):
+            return {}
+        hz = round(1.0 / world.step_s)
+        ticks = frames - 1 + SOONER_S * hz
+        alone = undisturbed_walks(
+            self._prepared.scene, self._seed, ticks, control_hz=hz, turns=world.door_turns
+        )
+        changed = {one.about for one in self._schedule.disturbances if one.kind == "change"}
+        return {name: walk for name, walk in alone.items() if name not in changed}
+
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution
@@ -309,6 +329,7 @@ class LiveEpisode:
                 execution.events,
                 revisions=execution.revisions,
                 told=told,
+                undisturbed=self._undisturbed(len(frames)),
             ),
             nodes=execution.nodes,
             values=execution.values,

@@ -8,9 +8,11 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
+from typing import Any
 
 import numpy as np
+from studying import studied
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, World, docked
 
@@ -102,9 +104,18 @@ class Figures:
     """Share of the visits."""
 
 
-def figures(case: Case, starts: int, first: int = 0) -> Figures:
-    """The figures of a case over so many starts, every tick of every visit counted."""
-    visits = [visit(case, seed) for seed in range(first, first + starts)]
+def row(case: str, seed: int) -> tuple[Any, ...]:
+    """One visit as the study's file has it."""
+    return astuple(visit(CASES[case], seed))
+
+
+def visits_of(case: str, starts: int) -> list[Errors]:
+    """The visits of a case from the starts of the seeds from 0 on."""
+    return [Errors(*each) for each in studied("docking", row, [(case, seed) for seed in range(starts)])]
+
+
+def figures(visits: list[Errors]) -> Figures:
+    """The figures of a case, every tick of every visit counted."""
 
     def spread(name: str) -> tuple[float, float, float]:
         values = np.concatenate([getattr(each, name) for each in visits])
@@ -123,8 +134,8 @@ def table(starts: int) -> Iterator[str]:
     """The table of the documentation."""
     yield "| case | distance, cm | bearing, degrees | facing, degrees | arrived |"
     yield "|---|---|---|---|---|"
-    for case in CASES.values():
-        got = figures(case, starts)
+    for name, case in CASES.items():
+        got = figures(visits_of(name, starts))
         cm = " / ".join(f"{100 * value:.2f}" for value in got.distance_m)
         bearing, facing = (
             " / ".join(f"{value:.2f}" for value in values) for values in (got.bearing_deg, got.facing_deg)

@@ -1,25 +1,23 @@
 """The study of encounters: random rooms with people who stand and people who walk, judged from the frames.
 
-`python tests/encounter_study.py FIRST LAST` runs those episodes of these seeds that are not yet in
-`encounters.jsonl`, and adds a line of JSON for each: a run that was cut short goes on where it was.
-Without seeds it prints the table of docs/reference/docking.md from that file. From seed 100,000 on, those who
-walk are passers-by who react to the robot, each room's in one of the six ways. From seed 200,000 on, rooms
-are as the first, and the robot's base takes up commands slowly.
+`python tests/encounter_study.py [EPISODES]` prints the table of docs/reference/docking.md: 10,000 rooms and a
+fifth as many of each of the other two kinds. From seed 100,000 on, those who walk are passers-by who react to
+the robot, each room's in one of the six ways. From seed 200,000 on, rooms are as the first, and the robot's
+base takes up commands slowly.
 """
 
 from __future__ import annotations
 
 import heapq
-import json
 import math
 import random
 import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from pathlib import Path
 
 from judging import Body, contacts_with_people, contacts_with_things, touches_lines
+from studying import studied
 
 from comity_sim2d import (
     DockingPose,
@@ -47,7 +45,6 @@ PASSERS_BY_FROM, SOFT_FROM = 100_000, 200_000
 """Rooms of these seeds have passers-by; and in these the robot has a low limit of jerk."""
 LIMIT_S, STANDS_S = 60.0, 10.0
 CELL_M, OUT_M = 0.05, 0.15
-RESULTS = Path("encounters.jsonl")
 XY = tuple[float, float]
 
 
@@ -295,20 +292,11 @@ def _inside(xy: XY, corners: Iterable[XY]) -> bool:
     return crossings % 2 == 1
 
 
-def kept() -> list[dict[str, object]]:
-    """The answers so far; a line that was being written when a run was killed is left out."""
-    lines = RESULTS.read_text(encoding="utf-8").splitlines(keepends=True) if RESULTS.exists() else []
-    return [json.loads(line) for line in lines if line.endswith("\n")]
-
-
-def run(seeds: Iterable[int]) -> None:
-    """Run what is missing, and write down each answer at once."""
-    answers = kept()
-    known = {answer["seed"] for answer in answers}
-    RESULTS.write_text("".join(f"{json.dumps(answer)}\n" for answer in answers), encoding="utf-8")
-    with RESULTS.open("a", encoding="utf-8") as file:
-        for seed in (seed for seed in seeds if seed not in known):
-            print(json.dumps(episode(seed)), file=file, flush=True)
+def answers_of(count: int) -> list[dict[str, object]]:
+    """The judged episodes of the seeds 0, 1, ..., and a fifth as many of the two other kinds of rooms."""
+    firsts = {0: count, PASSERS_BY_FROM: count // 5, SOFT_FROM: count // 5}
+    cases = [(seed,) for first, many in firsts.items() for seed in range(first, first + many)]
+    return studied("encounters", episode, cases)
 
 
 def table(answers: list[dict[str, object]]) -> Iterator[str]:
@@ -343,7 +331,4 @@ def _is_plain(answer: dict[str, object]) -> bool:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 2:
-        run(range(int(sys.argv[1]), int(sys.argv[2])))
-    else:
-        print(*table(kept()), sep="\n")
+    print(*table(answers_of(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000)), sep="\n")

@@ -1,7 +1,7 @@
 """The study of faults: random schedules in rooms and a flat, what came of each, and what was possible.
 
-`python tests/fault_study.py FIRST LAST` runs the schedules of these seeds and adds a line of JSON for each to
-`faults.jsonl`; without seeds it prints the table of docs/how-to/let-things-go-wrong.md from that file.
+`python tests/fault_study.py [SCHEDULES]` prints the table of docs/how-to/let-things-go-wrong.md, of
+1,000 schedules.
 
 The judge (`judging`) reads the frames. The oracle knows neither plan nor tree: with everybody and every door
 where they are after the last fault, can a disc get from the robot to where each person can be greeted?
@@ -28,6 +28,7 @@ from judging import Body, contacts_with_people, contacts_with_things, speeds
 from numpy.typing import NDArray
 from places import FLAT
 from pydantic import TypeAdapter
+from studying import studied
 
 from comity.episode import Episode
 from comity.live_episode import LiveEpisode
@@ -39,7 +40,6 @@ from comity.specification.fault import Fault
 from comity_executor import Limits, leaves_of
 from comity_sim2d import Scene
 
-RESULTS = Path("faults.jsonl")
 OUTCOMES = ("success", "partial", "failed", "stopped")
 AT_REST_M_S = 0.02
 CELL_M = 0.05
@@ -334,10 +334,10 @@ def row(kind: str, answers: list[dict[str, Any]]) -> str:
     return f"| {kind} | {len(answers)} | {len(possible)} | {share:.1%} | {ratio:.2f} x | {contacts} |"
 
 
+def answers_of(count: int) -> list[dict[str, Any]]:
+    """The judged episodes of the seeds from 0 on."""
+    return studied("faults", episode, [(seed,) for seed in range(count)])
+
+
 if __name__ == "__main__":
-    if len(sys.argv) > 2:
-        with RESULTS.open("a", encoding="utf-8") as file:
-            for number in range(int(sys.argv[1]), int(sys.argv[2])):
-                print(json.dumps(episode(number)), file=file, flush=True)
-    else:
-        print(*table([json.loads(line) for line in RESULTS.open(encoding="utf-8")]), sep="\n")
+    print(*table(answers_of(int(sys.argv[1]) if len(sys.argv) > 1 else 1000)), sep="\n")

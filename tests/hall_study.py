@@ -1,14 +1,14 @@
 """The study of visits through a hall in which passers-by walk about, and now and then stop before the robot.
 
-`python tests/hall_study.py FIRST LAST` runs whole episodes with these seeds, for each kind of robot and of
-passers-by, and prints the table of docs/reference/docking.md. The judge (`judging`) reads the frames.
+`python tests/hall_study.py [SEEDS]` prints the table of docs/reference/docking.md: 200 seeds for each
+kind of robot and of passers-by. The judge (`judging`) reads the frames.
 """
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -16,6 +16,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from fault_study import tracks_of
 from judging import contacts_with_people
+from studying import studied
 
 from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
@@ -71,12 +72,23 @@ def crossed(kind: str, seed: int) -> Crossing:
     return Crossing(by_robot, episode.outcome == "success", episode.metrics.duration_s)
 
 
-def table(seeds: range) -> Iterator[str]:
+def crossings(kind: str, seeds: int) -> list[Crossing]:
+    """The episodes of a kind with the seeds from 0 on."""
+    rows = studied("halls", row, [(kind, seed) for seed in range(seeds)])
+    return [Crossing(*each) for each in rows]
+
+
+def row(kind: str, seed: int) -> tuple[int, bool, float]:
+    """One episode as the study's file has it."""
+    return astuple(crossed(kind, seed))
+
+
+def table(seeds: int) -> Iterator[str]:
     """The rows of the docs, as they are done."""
     yield "| robot and passers-by | episodes | with contact by the robot | served | median | slowest |"
     yield "|---|---|---|---|---|---|"
     for kind in KINDS:
-        found = [crossed(kind, seed) for seed in seeds]
+        found = crossings(kind, seeds)
         took = [one.took_s for one in found]
         touched = sum(one.touches_by_robot > 0 for one in found)
         served = sum(one.served for one in found)
@@ -87,5 +99,5 @@ def table(seeds: range) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    for line in table(range(int(sys.argv[1]), int(sys.argv[2]))):
+    for line in table(int(sys.argv[1]) if len(sys.argv) > 1 else 200):
         print(line, flush=True)

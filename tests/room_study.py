@@ -1,15 +1,14 @@
 """The study of random rooms: whole episodes among people who stand, walk on errands and pass by.
 
-`python tests/room_study.py KIND FIRST LAST` plays the rooms of these seeds and prints a JSON line for each;
-`python tests/room_study.py FILE` prints the table from such lines. The kinds: `stand` (people stand), `walk`
-(some walk along routes of the scenario) and `mix` (passers-by, too). Rooms are drawn from a wide range: one
-to three parts with doorways, furniture, both drives, noise and delay of the sensors, short sight. The judge
-(`judging`) reads the frames.
+`python tests/room_study.py [ROOMS]` prints the tables of docs/reference/benchmarks.md: of 1,000 rooms of the
+kind `stand`, and 500 each of `walk` (some walk along routes of the scenario) and `mix` (passers-by, too). A
+second table compares profiles in the same rooms. Rooms are drawn from a wide range: one to three parts with
+doorways, furniture, both drives, noise and delay of the sensors, short sight. The judge (`judging`) reads the
+frames.
 """
 
 from __future__ import annotations
 
-import json
 import math
 import random
 import sys
@@ -22,6 +21,7 @@ from typing import Any
 import numpy as np
 from fault_study import tracks_of
 from judging import contacts_with_people
+from studying import studied
 
 from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
@@ -30,6 +30,9 @@ from comity_fis.errors import ComityError
 from comity_sim2d import Frames, World
 
 KINDS = ("stand", "walk", "mix")
+MANY = {"stand": 1000, "walk": 500, "mix": 500}
+ROOMS_BY_PROFILE = 60
+"""Of each kind; nine profiles meet the same rooms."""
 NAMES = ("ada", "ben", "cyd", "dot", "eli", "fay", "gus", "hal")
 PROFILES = (
     "arab_man", "arab_woman", "british_elder", "german_man", "german_woman", "indian_man", "japanese_woman",
@@ -44,8 +47,15 @@ MOVES_M_S = 0.02
 """Slower towards a person, it stands."""
 
 
-def room(kind: str, seed: int, draw: int = 0) -> str:
-    """The text of a scenario; some draws put people onto furniture, and are refused."""
+def room(kind: str, seed: int, draw: int = 0, profile: str | None = None) -> str:
+    """The text of a scenario; some draws put people onto furniture, and are refused.
+
+    Args:
+        kind: One of `KINDS`.
+        seed: Decides the room.
+        draw: Further rooms of this seed.
+        profile: Of everybody; without it each person has one by chance.
+    """
     dice = random.Random(f"{kind} {seed} {draw}")
     wide, high = dice.uniform(6.0, 10.5), dice.uniform(4.6, 7.5)
     taken: list[tuple[float, float]] = []
@@ -72,7 +82,8 @@ def room(kind: str, seed: int, draw: int = 0) -> str:
         walks = kind != "stand" and dice.random() < 0.45
         way = f", walks: {_walk(dice, spot)}" if walks else ""
         turned = f"facing_deg: {dice.uniform(-180, 180):.1f}"
-        lines.append(f"  {name}: {{profile: {dice.choice(PROFILES)}, at_m: {list(spot())}, {turned}{way}}}")
+        chosen = dice.choice(PROFILES)  # thrown in any case: the rest of the room is the same
+        lines.append(f"  {name}: {{profile: {profile or chosen}, at_m: {list(spot())}, {turned}{way}}}")
     if kind == "mix":
         lines.append(f"passers_by: {{count: {dice.randint(1, 5)}, reacts: regular}}")
     goals = dice.sample(NAMES, dice.randint(1, 3))
@@ -115,12 +126,12 @@ def _walk(dice: random.Random, spot: Any) -> str:
     )
 
 
-def prepared(kind: str, seed: int) -> Prepared:
+def prepared(kind: str, seed: int, profile: str | None = None) -> Prepared:
     """The planned episode of the first draw that is a room."""
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"{kind}{seed}.scenario.yaml"
         for draw in range(DRAWS):
-            file.write_text(room(kind, seed, draw), encoding="utf-8")
+            file.write_text(room(kind, seed, draw, profile), encoding="utf-8")
             try:
                 case = prepare(load_scenario(str(file)))
                 World(
@@ -132,9 +143,9 @@ def prepared(kind: str, seed: int) -> Prepared:
     raise AssertionError(f"no room in {DRAWS} draws")
 
 
-def episode(kind: str, seed: int) -> dict[str, Any]:
+def episode(kind: str, seed: int, profile: str | None = None) -> dict[str, Any]:
     """What came of one room, judged."""
-    case = prepared(kind, seed)
+    case = prepared(kind, seed, profile)
     start = time.process_time()
     got = execute(case, seed=seed)
     cpu_s, tracks = time.process_time() - start, tracks_of(got)
@@ -143,6 +154,7 @@ def episode(kind: str, seed: int) -> dict[str, Any]:
     return {
         "kind": kind,
         "seed": seed,
+        "profile": profile,
         "noisy": case.scene.robot.sensor.sigma_m > 0.0,
         "drive": case.scene.robot.drive,
         "outcome": got.outcome,
@@ -170,8 +182,30 @@ def intrusions(frames: Frames) -> int:
     return int(own[0].sum() + (own[1:] & ~own[:-1]).sum())
 
 
+def tables(rooms: int | None = None) -> Iterator[str]:
+    """The tables of the docs.
+
+    Args:
+        rooms: Of each kind; without it the numbers of `MANY`.
+    """
+    yield from table([line for kind in KINDS for line in rooms_of(kind, rooms or MANY[kind])])
+    yield ""
+    yield from by_profile(profile_rows(rooms or ROOMS_BY_PROFILE))
+
+
+def rooms_of(kind: str, rooms: int) -> list[dict[str, Any]]:
+    """The judged episodes of a kind of room with the seeds from 0 on."""
+    return studied("rooms", episode, [(kind, seed) for seed in range(rooms)])
+
+
+def profile_rows(rooms: int) -> list[dict[str, Any]]:
+    """So many rooms of each kind, each with everybody of one profile, for every profile."""
+    cases = [(kind, seed, profile) for kind in KINDS for seed in range(rooms) for profile in PROFILES]
+    return studied("rooms", episode, cases)
+
+
 def table(lines: list[dict[str, Any]]) -> Iterator[str]:
-    """The table of the docs."""
+    """The table by kind of room."""
     yield (
         "| rooms | episodes | contacts by the robot | by people | nearer than 0.30 m by itself "
         "| visits served | seconds, median | ms of CPU a simulated second, median / 90th percentile |"
@@ -195,9 +229,39 @@ def table(lines: list[dict[str, Any]]) -> Iterator[str]:
             )
 
 
+OUTCOMES = ("served_share", "simulated_s", "intrusions")
+"""What is compared between profiles."""
+
+
+def differences(lines: list[dict[str, Any]], profile: str, outcome: str) -> tuple[float, float]:
+    """Mean difference of a profile from `unknown` in the same rooms, and its Monte Carlo standard error."""
+    values = {(each["profile"], each["kind"], each["seed"]): _outcomes(each)[outcome] for each in lines}
+    rooms = sorted({key[1:] for key in values})
+    found = np.array([values[profile, *room] - values["unknown", *room] for room in rooms])
+    return float(found.mean()), float(found.std(ddof=1) / math.sqrt(len(found)))
+
+
+def _outcomes(line: dict[str, Any]) -> dict[str, float]:
+    return line | {"served_share": line["served"] / line["asked"]}
+
+
+def by_profile(lines: list[dict[str, Any]]) -> Iterator[str]:
+    """The table by profile: means of `unknown`, and differences from it in the same rooms."""
+    yield "| everybody is | rooms | visits served | seconds | nearer than 0.30 m by itself |"
+    yield "|---" * 5 + "|"
+    unknown = [_outcomes(line) for line in lines if line["profile"] == "unknown"]
+    means = (float(np.mean([line[outcome] for line in unknown])) for outcome in OUTCOMES)
+    served, took, near = means
+    yield f"| `unknown` | {len(unknown)} | {served:.1%} | {took:.1f} | {near:.3f} |"
+    for profile in (each for each in PROFILES if each != "unknown"):
+        found = dict(zip(OUTCOMES, (differences(lines, profile, each) for each in OUTCOMES), strict=True))
+        served, took, near = (
+            f"{100 * found['served_share'][0]:+.1f} ± {200 * found['served_share'][1]:.1f} points",
+            f"{found['simulated_s'][0]:+.1f} ± {2 * found['simulated_s'][1]:.1f}",
+            f"{found['intrusions'][0]:+.3f} ± {2 * found['intrusions'][1]:.3f}",
+        )
+        yield f"| `{profile}` | {len(unknown)} | {served} | {took} | {near} |"
+
+
 if __name__ == "__main__":
-    if len(sys.argv) > 2:
-        for number in range(int(sys.argv[2]), int(sys.argv[3])):
-            print(json.dumps(episode(sys.argv[1], number)), flush=True)
-    else:
-        print(*table([json.loads(line) for line in Path(sys.argv[1]).read_text().splitlines()]), sep="\n")
+    print(*tables(int(sys.argv[1]) if len(sys.argv) > 1 else None), sep="\n")

@@ -12,7 +12,10 @@ from comity.parameters.passing import DISTANCE
 from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Iterator, Sequence
+    from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
 
     from comity.monitoring.told import Told
     from comity.preparation import Prepared
@@ -37,6 +40,7 @@ def figures(
     *,
     revisions: Sequence[Revision],
     told: Sequence[Told],
+    undisturbed: Mapping[str, NDArray[np.float64]],
 ) -> Metrics:
     """Measure an episode.
 
@@ -48,6 +52,7 @@ def figures(
         events: The trace.
         revisions: One for every event `rebound` or `replanned`, in their order.
         told: What people said on the way, in order.
+        undisturbed: Walks without the robot, as `undisturbed_walks` has them.
     """
     plan = prepared.plan
     known = replace(
@@ -57,6 +62,7 @@ def figures(
         plan_cost_m=plan.cost / 100.0,
         plan_gap=plan.gap,
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
+        undisturbed=undisturbed,
     )
     return measure(frames, known)
 

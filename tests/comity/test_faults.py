@@ -7,7 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from fault_study import OUTCOMES, episode, is_lost, place_of, played, row, tracks_of
+from fault_study import OUTCOMES, answers_of, episode, is_lost, place_of, played, row, tracks_of
 from judging import Body, contacts_with_people
 from places import FLAT, HALL
 
@@ -431,7 +431,7 @@ def test_random_schedules_end_as_they_should():
 @pytest.mark.study
 def test_a_thousand_random_schedules_end_as_they_should():
     """The table in docs/how-to/let-things-go-wrong.md; `pytest -s` prints it."""
-    answers = [episode(seed) for seed in range(1000)]
+    answers = answers_of(1000)
     print(row("any", answers))
     hold(answers)
 

@@ -3,8 +3,8 @@
 import math
 
 import pytest
-from docking_study import CASES, figures, visit
-from encounter_study import PASSERS_BY_FROM, SOFT_FROM, episode, judged
+from docking_study import CASES, figures, visit, visits_of
+from encounter_study import PASSERS_BY_FROM, SOFT_FROM, answers_of, episode, judged
 
 from comity_sim2d import Person, RobotBody, Room, Scene, World
 from comity_sim2d.pose import Twist
@@ -76,7 +76,7 @@ def test_the_judge_does_not_blame_a_robot_that_somebody_walks_into(monkeypatch) 
 )
 def test_docking_is_as_exact_as_promised(case: str, distance_m: float, angle_deg: float) -> None:
     """95th percentile of a sample; `python tests/docking_study.py` takes 1,000 starts."""
-    got = figures(CASES[case], 6)
+    got = figures([visit(CASES[case], seed) for seed in range(6)])
     assert got.arrived == 1.0
     assert got.distance_m[1] <= distance_m
     assert max(got.bearing_deg[1], got.facing_deg[1]) <= angle_deg
@@ -99,7 +99,7 @@ def test_two_wheels_that_have_docked_stay_where_they_are_and_turned_to_the_perso
 def test_docking_is_as_exact_as_promised_over_a_thousand_starts(
     case: str, distance_m: float, angle_deg: float
 ) -> None:
-    got = figures(CASES[case], 1000)
+    got = figures(visits_of(case, 1000))
     assert got.arrived >= 0.99
     assert got.distance_m[1] <= distance_m
     assert max(got.bearing_deg[1], got.facing_deg[1]) <= angle_deg
@@ -108,7 +108,7 @@ def test_docking_is_as_exact_as_promised_over_a_thousand_starts(
 
 @pytest.mark.study
 def test_ten_thousand_encounters() -> None:
-    answers = [answer for seed in range(10_000) if "by_robot" in (answer := episode(seed))]
+    answers = [answer for answer in answers_of(10_000) if "by_robot" in answer]
     assert [answer["seed"] for answer in answers if answer["by_robot"]] == []
     assert sum(answer["outcome"] == "froze" for answer in answers) <= 0.01 * len(answers)
     still = [answer for answer in answers if not (answer["walkers"] or "passers_by" in answer)]

@@ -581,9 +581,12 @@ def test_every_figure_is_defined_and_every_definition_is_a_figure():
     walk = frames(line(0, 1, 2, 3.1, *[3.1] * 5), (5, 0, math.pi))
     visit = Wanted("anna", Span(0, 8), Span(0, 8), 1.45, 0.0)
     plan = {"plan_cost_m": 3.0, "plan_gap": 0.0}
-    found = measure(walk, Known(Contacts(), own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0, **plan))
+    alone = {"anna": np.array([(0.0, 5.0, 0.0)])}
+    known = Known(Contacts(), own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0, undisturbed=alone, **plan)
+    found = measure(walk, known)
     assert of_episode(found).keys() == EPISODE.keys()
     of_a_person = {"compliance_share", "longest_intrusion_s", "p95_speed_within_1_5_m_m_s", "walked_m"}
+    of_a_person |= {"walk_delay_s", "walk_deviation_m"}
     assert VISIT.keys() == of_a_person | {field.name for field in fields(Stopping)}
     assert of_person(found, "anna").keys() <= VISIT.keys()
 

@@ -13,6 +13,7 @@ from comity_fis.errors import InputError, closest
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers, require_pairs
 from comity_sim2d.metrics import motion, proximity
+from comity_sim2d.metrics.disturbed_walks import DisturbedWalk, disturbed_walk
 from comity_sim2d.metrics.group_intrusion import group_intrusions
 from comity_sim2d.metrics.intrusion import Intrusion, Since
 from comity_sim2d.metrics.motion import Numbers, Span, Spread
@@ -57,6 +58,8 @@ class Known:
     """What the first plan costs, in metres of path."""
     plan_gap: float | None = None
     """The share of it that a better plan could at most save, in [0, 1]."""
+    undisturbed: Mapping[str, Numbers] = field(default_factory=dict)
+    """Walks without the robot, by person or passer-by: ascending times [s], x and y [m], shape (m, 3)."""
 
     def __post_init__(self) -> None:
         contacts, success = (self.contacts, Contacts | None), (self.success, TRUTH)
@@ -102,6 +105,8 @@ class Metrics:
     longest_intrusion_s: float
     group_intrusions: int
     walked_m: float
+    mean_walker_delay_s: float | None
+    mean_walker_deviation_m: float | None
     plan_cost_m: float | None
     plan_gap: float | None
     compliance_share: Mapping[str, float]
@@ -112,6 +117,8 @@ class Metrics:
     """Likewise."""
     p95_speed_near_by_person_m_s: Mapping[str, float]
     """Likewise, where the robot was ever within 1.5 m of the person."""
+    disturbed_walks: Mapping[str, DisturbedWalk]
+    """By person or passer-by whose walk without the robot is known."""
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
 
@@ -124,8 +131,8 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         known: What frames do not tell; without it only what they do.
 
     Raises:
-        InputError: Of no frames at all, and where `own_m`, `later_m` or `groups` names a person who is
-            not in them, or holds no distance.
+        InputError: Of no frames at all, where `own_m`, `later_m`, `groups` or `undisturbed` names a person
+            who is not in them, and where it holds no distance or no walk.
         ValueError: if a visit names somebody who is not in the frames.
     """
     known = _checked(frames, known)
@@ -137,6 +144,10 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     longest = intrusion.longest(frames)
     walked = motion.path_lengths_m(frames)
     length = float(walked[0])
+    walks = {
+        name: disturbed_walk(frames.time_s, frames.of(name)[:, :2], alone)
+        for name, alone in known.undisturbed.items()
+    }
     return Metrics(
         duration_s=float(frames.time_s[-1] - frames.time_s[0]),
         path_length_m=length,
@@ -164,6 +175,8 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         longest_intrusion_s=longest.length_s if longest else 0.0,
         group_intrusions=group_intrusions(frames, known.groups, intrusion),
         walked_m=float(walked[1:].sum()),
+        mean_walker_delay_s=_mean(walk.delay_s for walk in walks.values()),
+        mean_walker_deviation_m=_mean(walk.deviation_m for walk in walks.values()),
         plan_cost_m=known.plan_cost_m,
         plan_gap=known.plan_gap,
         compliance_share=intrusion.compliance_by_person(frames),
@@ -172,8 +185,14 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
             name: float(walked[i]) for i, name in enumerate(frames.entities) if name in intrusion.own
         },
         p95_speed_near_by_person_m_s=_speeds_near_m_s(frames, gaps, intrusion.own),
+        disturbed_walks=walks,
         stopping={visit.person: stopping(frames, visit) for visit in known.visits},
     )
+
+
+def _mean(values: Iterable[float]) -> float | None:
+    known = tuple(values)
+    return sum(known) / len(known) if known else None
 
 
 def _checked(frames: Frames, known: Known | None) -> Known:
@@ -184,6 +203,12 @@ def _checked(frames: Frames, known: Known | None) -> Known:
     known = known or Known()
     for member in chain.from_iterable(known.groups):
         _require_person("groups", member, frames.entities[1:])
+    for name, walk in known.undisturbed.items():
+        _require_person("undisturbed", name, frames.entities[1:])
+        if not (np.ndim(walk) == 2 and len(walk) > 0 and np.shape(walk)[1] == 3):
+            expected = "undisturbed walks of the shape (m, 3): time, x and y"
+            got = f"{np.shape(walk)} of {name}"
+            raise InputError(expected=expected, got=got, remedy="Take those of `undisturbed_walks`.")
     _check_own("own_m", known.own_m.items(), frames.entities[1:])
     later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
     _check_own("later_m", later, frames.entities[1:])

@@ -181,6 +181,17 @@ EPISODE: Mapping[str, Metric] = _by_name(
         "m",
         "Path length of a person's centre; per run, of all people together, passers-by included.",
     ),
+    Metric(
+        "mean_walker_delay_s",
+        "s",
+        "Mean over those who walk, passers-by included, of their largest delay: how much later a person came "
+        "to a place of the path taken without the robot, with the same seed.",
+    ),
+    Metric(
+        "mean_walker_deviation_m",
+        "m",
+        "Mean over the same people of their largest distance from the path taken without the robot.",
+    ),
     Metric("plan_cost_m", "m", "What the first plan costs, in metres of path."),
     Metric(
         "plan_gap",
@@ -299,6 +310,19 @@ VISIT: Mapping[str, Metric] = _by_name(
         "Path length of a person's centre; per run, of all people together, passers-by included.",
         per="person",
     ),
+    Metric(
+        "walk_delay_s",
+        "s",
+        "Largest delay of a person who walks: how much later they came to a place of the path taken without "
+        "the robot, with the same seed.",
+        per="person",
+    ),
+    Metric(
+        "walk_deviation_m",
+        "m",
+        "Largest distance of a person who walks from the path taken without the robot, with the same seed.",
+        per="person",
+    ),
 )
 """Per visit, and per person."""
 
@@ -328,11 +352,14 @@ def of_person(metrics: Metrics, person: str) -> dict[str, float]:
     require_kinds("figures", metrics=(metrics, Metrics), person=(person, str))
     stopped = metrics.stopping.get(person)
     values = {field.name: getattr(stopped, field.name) for field in fields(Stopping)} if stopped else {}
+    walk = metrics.disturbed_walks.get(person)
     own = {
         "compliance_share": metrics.compliance_share.get(person),
         "longest_intrusion_s": metrics.longest_intrusion_by_person_s.get(person),
         "p95_speed_within_1_5_m_m_s": metrics.p95_speed_near_by_person_m_s.get(person),
         "walked_m": metrics.walked_by_person_m.get(person),
+        "walk_delay_s": walk.delay_s if walk else None,
+        "walk_deviation_m": walk.deviation_m if walk else None,
     }
     return _with_values({**values, **own})
 

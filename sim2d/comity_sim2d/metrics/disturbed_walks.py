@@ -1,0 +1,70 @@
+"""Delay and deviation of people who walk because of the robot: their walk beside the same walk without it.
+
+Both walks have the same seed, so what differs began with the robot. It need not have met each person itself:
+a person who gave way to it may have been in the way of another.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Numbers = NDArray[np.float64]
+
+NEAR_M = 0.1
+"""Places on a path nearer to each other than this count as the same: people sway where they stand [m]."""
+AHEAD_M = 0.5
+"""Length of path ahead in which the next place is looked for, besides the way walked since [m]."""
+EVERY_S = 0.1
+"""People choose how to go on this often: between two choices nothing new is to be seen [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class DisturbedWalk:
+    """What the robot's presence did to one person's walk."""
+
+    delay_s: float
+    """Longest time by which the person came later to a place of their path, at least 0."""
+    deviation_m: float
+    """Largest distance from the path that the person would have taken."""
+
+
+def disturbed_walk(time_s: Numbers, walked: Numbers, undisturbed: Numbers) -> DisturbedWalk:
+    """Compare a walk with the same walk without the robot.
+
+    The person's progress along the path without the robot is the nearest place of that path that is not
+    behind the progress so far, nor farther ahead than the person can have come since: a path that crosses
+    itself, or is walked to and fro, is followed in its order. The delay is how long ago the person would have
+    been there without the robot; of a place where the person would have rested the moment nearest to now.
+
+    Args:
+        time_s: Ascending times of the walk [s], shape (n,).
+        walked: Places with the robot [m], shape (n, 2).
+        undisturbed: Ascending times [s] and places [m] without it, shape (m, 3); somewhat longer than the
+            walk, for a person whom the robot made come sooner.
+    """
+    here, path = _thinned(np.column_stack([time_s, walked])), _thinned(undisturbed)
+    along_m, gone_m = _lengths_m(path[:, 1:]), _lengths_m(here[:, 1:])
+    at, since_m, delay_s, deviation_m = 0, 0.0, 0.0, 0.0
+    for (now_s, *place), gone in zip(here.tolist(), gone_m.tolist(), strict=True):
+        end = int(along_m.searchsorted(along_m[at] + gone - since_m + AHEAD_M, side="right"))
+        away_m = np.hypot(*(path[at:end, 1:] - place).T)
+        nearest = at + int(away_m.argmin())
+        if along_m[nearest] > along_m[at]:
+            at, since_m = nearest, gone
+        deviation_m = max(deviation_m, float(away_m.min()))
+        there_s = path[np.abs(along_m - along_m[at]) <= NEAR_M, 0]
+        delay_s = max(delay_s, now_s - float(there_s[np.abs(there_s - now_s).argmin()]))
+    return DisturbedWalk(delay_s, deviation_m)
+
+
+def _thinned(track: Numbers) -> Numbers:
+    """Rows of times and places about `EVERY_S` apart."""
+    return track[:: max(1, round(EVERY_S / float(track[1, 0] - track[0, 0])))] if len(track) > 1 else track
+
+
+def _lengths_m(places: Numbers) -> Numbers:
+    """Length of the path up to each place [m]."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))])
