@@ -56,7 +56,8 @@ def undisturbed_walks(
             traffic.decide(AWAY, Twist(0.0, 0.0, 0.0))
         traffic.step(people, put)
         rows.append(_row(people, movers, traffic))
-    times_s, tracks = np.arange(ticks + 1) * clock.step_s, np.array(rows)
+    times_s = np.arange(ticks + 1, dtype=np.float64) * clock.step_s
+    tracks = np.array(rows)
     names = (*movers, *traffic.names)
     return {name: np.column_stack([times_s, tracks[:, i]]) for i, name in enumerate(names)}
 
