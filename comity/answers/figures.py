@@ -47,4 +47,7 @@ class MetricsAnswer(Answer):
     """`comity metrics --json`."""
 
     figures: tuple[FigureAnswer, ...] = Field(description="Run by run; what has no value is left out.")
+    by_profile: Mapping[str, Mapping[str, float]] = Field(
+        description="Mean of each figure of a person over all people of a profile in these runs."
+    )
     definitions: Mapping[str, DefinitionAnswer]

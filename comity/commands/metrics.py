@@ -38,4 +38,4 @@ def metrics(
     elif out is not None:
         show(unbroken(f"{len(answer.figures)} figures  {out}"))
     else:
-        show(*metrics_text(found))
+        show(*metrics_text(found, answer))

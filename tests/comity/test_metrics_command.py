@@ -101,6 +101,17 @@ def test_the_answer_has_figures_and_their_definitions(run, comity):
     assert {figure["metric"] for figure in answer["figures"]} <= answer["definitions"].keys()
 
 
+def test_means_by_profile_are_those_of_the_people_of_a_profile(run, comity):
+    answer = comity("metrics", run.folder.path, run.folder.path, "--json").json
+    for metric, mean in answer["by_profile"][run.answer.profiles["guest"]].items():
+        people = [
+            name for name in run.answer.figures if run.answer.profiles[name] == run.answer.profiles["guest"]
+        ]
+        values = [run.answer.figures[name][metric] for name in people if metric in run.answer.figures[name]]
+        assert mean == pytest.approx(sum(values) / len(values))
+    assert "Means over the people of each profile in 2 runs" in comity("metrics", *[run.folder.path] * 2).out
+
+
 def test_a_table_of_somebody_else_is_not_overwritten(run, comity, tmp_path):
     mine = tmp_path / "mine.csv"
     mine.write_text("a,b\n1,2\n")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from statistics import fmean
 from typing import TYPE_CHECKING
 
 from comity.answers import DefinitionAnswer, FigureAnswer, MetricsAnswer, RunAnswer
@@ -42,8 +43,10 @@ def measured(folder: RunFolder) -> Measured:
 
 def metrics_answer(runs: Sequence[Measured]) -> MetricsAnswer:
     """Everything in long form, with what each figure means."""
+    figures = tuple(figure for run in runs for figure in _figures(run))
     return MetricsAnswer(
-        figures=tuple(figure for run in runs for figure in _figures(run)),
+        figures=figures,
+        by_profile=_by_profile(figures),
         definitions={
             name: DefinitionAnswer(unit=one.unit, means=one.means, source=one.source, per=one.per)
             for name, one in {**EPISODE, **VISIT}.items()
@@ -62,8 +65,8 @@ def metrics_csv(answer: MetricsAnswer) -> str:
     return text.getvalue()
 
 
-def metrics_text(runs: Sequence[Measured]) -> Iterator[RenderableType]:
-    """Run by run: the whole episode, then each person, and at last whose definitions these are."""
+def metrics_text(runs: Sequence[Measured], answer: MetricsAnswer) -> Iterator[RenderableType]:
+    """Run by run: the whole episode, then each person; of several runs means by profile; then the sources."""
     for run in runs:
         account = run.account
         ended = account.outcome or account.status
@@ -76,6 +79,10 @@ def metrics_text(runs: Sequence[Measured]) -> Iterator[RenderableType]:
         people = {name: figures for name, figures in account.figures.items() if figures}
         if people:
             yield table(_rows(VISIT, tuple(people.values())), head=("of a person", *people, "what it is"))
+    if len(runs) > 1 and answer.by_profile:
+        yield unbroken(f"\nMeans over the people of each profile in {len(runs)} runs")
+        means = tuple(answer.by_profile.values())
+        yield table(_rows(VISIT, means), head=("of a person", *answer.by_profile, "what it is"))
     yield "  Definitions after"
     yield from (f"  [{i}] {source}" for i, source in enumerate(_sources(), start=1))
 
@@ -100,6 +107,18 @@ def _number(value: float | None, unit: str) -> str:
     if unit == "1":
         return f"{value:g}" if value == int(value) else f"{value:.3f}"
     return f"{value + 0.0:.3f} {unit}"
+
+
+def _by_profile(figures: Iterable[FigureAnswer]) -> dict[str, dict[str, float]]:
+    """Mean of each metric of a person over all people of a profile, where it has a value."""
+    values: dict[str, dict[str, list[float]]] = {}
+    for figure in figures:
+        if figure.profile is not None:
+            values.setdefault(figure.profile, {}).setdefault(figure.metric, []).append(figure.value)
+    return {
+        profile: {metric: fmean(found) for metric, found in metrics.items()}
+        for profile, metrics in sorted(values.items())
+    }
 
 
 def _figures(run: Measured) -> Iterator[FigureAnswer]:
