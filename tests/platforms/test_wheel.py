@@ -9,9 +9,11 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from zipfile import ZipFile
 
 import pytest
+import yaml
 from tiny_domain import PLAN, write_tiny_domain
 
 pytestmark = pytest.mark.integration
@@ -100,6 +102,74 @@ def test_a_classical_domain_names_the_extra_that_it_needs(alone: Installed) -> N
     assert done.returncode == 1
     assert "pip install 'comity[fast-downward]'" in " ".join(done.stderr.split())
     assert "Traceback" not in done.stderr
+
+
+RULE = "if posture is standing then conversational_distance is {}"
+"""The rule that the user changes. The greeting depends on the distance, so it changes with it."""
+GREETING = (
+    "if conversational_distance is far then greeting_gesture is wave",
+    "if conversational_distance is close then greeting_gesture is nod",
+    "if posture is standing then greeting_modality is both",
+)
+
+
+@pytest.fixture(scope="module")
+def planning(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Installed:
+    """The wheel with Fast Downward, and two rulebooks that differ in one word of one rule.
+
+    What the paper has of culture weighs less in them, so that each profile still has a distance of its own.
+    """
+    place = installed(tmp_path_factory.mktemp("planning"), f"comity[fast-downward] @ {wheel.as_uri()}")
+    shipped = place.environment.glob("**/comity_fis/rulebooks/bruno2017.yaml")
+    data = yaml.safe_load(next(shipped).read_text(encoding="utf-8"))
+    others = [{**rule, "weight": 0.3} for rule in data["rules"] if "then greeting_" not in rule["rule"]]
+    for term in ("close", "far"):
+        own = [
+            {"rule": rule, "sources": ["design"], "evidence": "design"}
+            for rule in (RULE.format(term), *GREETING)
+        ]
+        text = yaml.safe_dump({**data, "name": "own", "rules": [*own, *others]}, sort_keys=False)
+        (place.folder / f"{term}.yaml").write_text(text, encoding="utf-8")
+    return place
+
+
+@pytest.mark.parametrize("engine", ["comity", "fast-downward-opt"])
+@pytest.mark.parametrize("profile", ["arab_woman", "german_woman", "arab_man", "german_man"])
+def test_a_changed_rule_is_planned_reached_and_named(planning: Installed, profile: str, engine: str) -> None:
+    """From the rule to the parameters of both actions, the distance reached and the cause in the trace."""
+
+    def answer(*words: str) -> dict[str, Any]:
+        done = planning.run("comity", *words, "--json")
+        assert done.returncode == 0, done.stderr
+        return dict(json.loads(done.stdout))
+
+    distances, gestures = {}, {}
+    for term in ("close", "far"):
+        out = f"{term}-{profile}-{engine}"
+        options = ("--as", f"johanna={profile}", "--rulebook", f"{term}.yaml", "--engine", engine)
+        run = answer("run", "johanna", *options, "--out", out, "--no-pictures")
+        plan = json.loads((planning.folder / out / "plan.json").read_text(encoding="utf-8"))
+        assert plan["engine"] == engine
+        reach, greet = plan["steps"]
+        assert (reach["action"], greet["action"]) == ("Reach_user", "Greet_person")
+        inferred = answer("infer", profile, "--rulebook", f"{term}.yaml", "--set", "posture=standing")
+        values = {name: one["value"] for name, one in inferred["parameters"].items()}
+        distances[term] = reach["parameters"]["conversational_distance"]
+        gestures[term] = greet["parameters"]["greeting_gesture"]
+        assert distances[term] == pytest.approx(values["conversational_distance"], abs=1e-9)
+        (visit,) = run["visits"]
+        assert visit["distance_actual_m"] == pytest.approx(distances[term], abs=0.01)
+        assert visit["greeting"][-1] == gestures[term]
+        causes = [
+            {cause["kind"]: cause for cause in event["because"]}
+            for event in answer("trace", out, "--events")["events"]
+            if any(cause["text"].startswith("conversational_distance") for cause in event["because"])
+        ]
+        assert {cause["parameter"]["value"] for cause in causes} == {round(distances[term], 6)}
+        assert {cause["step"]["text"] for cause in causes} == {"Reach_user(robot, johanna, front)"}
+        assert {cause["rule"]["text"] for cause in causes} == {RULE.format(term)}
+    assert distances["far"] > distances["close"] + 0.1
+    assert gestures == {"close": "nod", "far": "wave"}
 
 
 def test_the_front_door_tests_pass_there(wheel: Path, tmp_path: Path) -> None:
