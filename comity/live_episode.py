@@ -21,6 +21,7 @@ from comity.monitoring.replanning import WorldPlanner
 from comity.people.adulthood import is_under_age
 from comity.schedule import Disturbance, Schedule, Stage
 from comity.simulation.happenings import told as told_only
+from comity.simulation.passages import passages
 from comity.simulation.walks import walks
 from comity_executor import (
     NO_ACTS,
@@ -39,6 +40,7 @@ from comity_sim2d import DoorTurn, Frames, World
 from comity_sim2d.base.drive import stopping_time_s
 from comity_sim2d.people.undisturbed import undisturbed_walks
 from comity_sim2d.pose import wrap_angle
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     import numpy as np
@@ -118,6 +120,7 @@ class LiveEpisode:
             )
         else:
             _refuse_children(prepared)
+            _refuse_reduced_margin(prepared)
             self._world = RealWorld(robot, prepared.scene, operator)
             self._world.robot.learn_places(prepared.asked.places)
             self._heartbeat = stop_of(robot)
@@ -293,7 +296,8 @@ class LiveEpisode:
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
-        return tuple(sorted((*self.disturbances, *walks(frames, people)), key=lambda one: one.t))
+        passed = passages(frames, self._world.margin_decisions) if isinstance(self._world, World) else ()
+        return tuple(sorted((*self.disturbances, *walks(frames, people), *passed), key=lambda one: one.t))
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
         """The walks of simulated people without the robot, but of those whom a change moved."""
@@ -389,6 +393,19 @@ def _refuse_children(prepared: Prepared) -> None:
             got="an age below 18" if is_child else "no age",
             remedy=IN_A_STUDY if is_child else STATE_AGES,
             where=prepared.file.where("people", name),
+        )
+
+
+def _refuse_reduced_margin(prepared: Prepared) -> None:
+    """Let no real robot pass people nearer than usual: its goals carry no margin to keep to."""
+    margin_m = prepared.file.scenario.robot.margin_m
+    if margin_m < PERSON_MARGIN_M:
+        raise InputError(
+            expected=f"margin_m of {PERSON_MARGIN_M:g} before a real robot: it finds its own way to a goal, "
+            "and cannot be told of whom it may pass nearer",
+            got=f"{margin_m:g}",
+            remedy="Leave `margin_m` out; the simulated robot keeps to it.",
+            where=prepared.file.where("robot", "margin_m"),
         )
 
 

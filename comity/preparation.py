@@ -11,6 +11,7 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.parameters.cast import Cast, cast_of
+from comity.parameters.margin import margin_facts
 from comity.people.profile import Profile, ProfileGiven
 from comity.planning.circumstances import circumstances, require_gestures
 from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
@@ -116,7 +117,8 @@ def staged(
     require_gestures(file, cast.rulebook)
     values = cast.values()
     visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
-    scene = scene_of(file, values, seed)
+    facts = margin_facts(file.scenario, cast.declared, cast.day)
+    scene = scene_of(file, values, seed, margin_facts=facts)
     file.goal_check.places(places(scene))
     changes = Changes(cast, scene).happenings()
     Faults(file, scene, leaves=()).require_doors()

@@ -34,6 +34,8 @@ from comity_fis.errors import WrongValueError
 from comity_fis.learning.signals import SIGNALS, Signal
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
+from comity_sim2d.robot.reduced_margin import BODY_MARGIN_M
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_reaction import RobotReaction
 
@@ -171,6 +173,13 @@ class RobotStart(Standing):
     carrying: Name | None = Field(
         default=None, description="What it has in its hands: that rules out all gestures but a nod."
     )
+    margin_m: Number = Field(
+        default=PERSON_MARGIN_M,
+        ge=BODY_MARGIN_M,
+        le=PERSON_MARGIN_M,
+        description="Clearance from bodies. Less than the default holds for adults alone who stand, let the "
+        "robot pass and declared that they walk unaided, hear and see well, where no other way is left.",
+    )
 
 
 class Comfort(BaseModel):
@@ -212,6 +221,12 @@ class Person(Standing):
     walks: Walks | None = Field(default=None, description="Where they walk; without it they stay.")
     reacts: RobotReaction | None = Field(
         default=None, description="What they do about the robot (HuNavSim's reactions); without it nothing."
+    )
+    steps_aside: bool = Field(
+        default=False, strict=True, description="Whether they step aside for a robot that asks to pass."
+    )
+    lets_pass: bool = Field(
+        default=False, strict=True, description="Whether they say yes to a robot that asks to pass."
     )
     learnt: Mapping[Name, LearntValue] | None = Field(
         default=None,

@@ -62,9 +62,9 @@ class Happening(Protocol):
         ...
 
 
-Kind = Literal["change", "fault", "message", "walk", "operator"]
-"""Of a disturbance: a change or a fault of the scenario, what a person says, a walk of a person, a word of a
-real robot's operator."""
+Kind = Literal["change", "fault", "message", "walk", "passage", "operator"]
+"""Of a disturbance: a change or a fault of the scenario, what a person says, a walk of a person, a person who
+was passed at the reduced margin or let the robot pass in vain, a word of a real robot's operator."""
 
 
 @dataclass(frozen=True, slots=True)

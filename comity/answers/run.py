@@ -212,12 +212,13 @@ class DoorTurnAnswer(Answer):
 class DisturbanceAnswer(Answer):
     """Something that happened while the plan was under way, whether or not the robot noticed.
 
+    `passage` is the robot past a person at the reduced margin, or why not though they let it pass;
     `nearness` is the robot nearer to a person than they like, with the reason.
     """
 
     t: float = Field(description="When it began.")
     end_s: float | None = Field(description="When it was over; null where it was not by the end.")
-    kind: Literal["change", "fault", "message", "walk", "operator", "nearness"]
+    kind: Literal["change", "fault", "message", "walk", "passage", "operator", "nearness"]
     about: str = Field(description="The person, door or part of the robot.")
     text: str = Field(description="What happened, in words.")
 

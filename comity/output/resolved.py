@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from comity.output.run_folder import SCENARIO, TABLES
+from comity.parameters.margin import MARGIN_FACTS, reads_margin_facts
 from comity.parameters.speaking import wordings_files
 from comity.parameters.used import used_of
 from comity.people.profile import Declared
@@ -44,8 +45,9 @@ def resolved_yaml(prepared: Prepared) -> str:
     if prepared.day is not None:
         content["at"] = prepared.day.isoformat()
     content["rulebook"] = _withkept_tables(prepared)
+    also = MARGIN_FACTS if reads_margin_facts(scenario) else ()
     for name, profile in prepared.profiles.items():
-        used = used_of(Declared(profile, None), prepared.rulebook, prepared.day).profile
+        used = used_of(Declared(profile, None), prepared.rulebook, prepared.day, also=also).profile
         content["people"][name]["profile"] = used.model_dump(mode="json", exclude_defaults=True)
     for name, learnt in prepared.learnt.items():
         content["people"][name]["learnt"] = {

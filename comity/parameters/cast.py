@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from comity.parameters.acquaintance import learnt_with, situation_of
 from comity.parameters.consent import refuse_unguarded_contact
 from comity.parameters.in_run import infer_in_run
+from comity.parameters.margin import MARGIN_FACTS, reads_margin_facts
 from comity.parameters.speaking import require_words, speaker_of
 from comity.parameters.values import refuse_unknown
 from comity.parameters.which_rulebook import ChosenRulebook, chosen_rulebook
@@ -70,6 +71,7 @@ class Cast:
             learnt=self.learnt.get(name),
             site=self.speaker.site,
             agenda=agenda_of(self.file.scenario.goals, name),
+            also=MARGIN_FACTS if reads_margin_facts(self.file.scenario) else (),
         )
 
     def _values(self, name: str, declared: Declared) -> Inference:

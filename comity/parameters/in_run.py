@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -30,6 +30,7 @@ def infer_in_run(
     learnt: Mapping[str, Learnt] | None,
     site: str | None,
     agenda: Sequence[Task],
+    also: Collection[str] = (),
 ) -> Inference:
     """The same values as `infer_for` gives; inputs and notes tell nothing that no rule reads.
 
@@ -43,6 +44,7 @@ def infer_in_run(
         learnt: What earlier meetings taught, by parameter.
         site: The language of the site by its ISO 639-3 code.
         agenda: What is to be done at the visit; empty for a person whom no goal names.
+        also: Facts that something else than the rulebook reads.
 
     Raises:
         InputError: as `infer_for` does, also for a fact that no rule reads.
@@ -54,6 +56,7 @@ def infer_in_run(
         infer_for(used, rulebook, situation=situation, at=at, learnt=learnt, site=site), rulebook
     )
     profile = declared.profile
-    unread = notes_for_a_run({"culture": profile.culture, **profile.facts(at)}, rulebook)
+    told = {"culture": profile.culture, **profile.facts(at)}
+    unread = notes_for_a_run({name: told[name] for name in told if name not in also}, rulebook)
     unheard = notes_of_unheard(values, agenda)
     return replace(values, notes=(*values.notes, *stored, *unread, *unheard))

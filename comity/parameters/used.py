@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from datetime import date
 from typing import TYPE_CHECKING, Any
@@ -33,19 +34,22 @@ def reads_languages(rulebook: Rulebook) -> bool:
     return "language" in used_facts(rulebook) or LANGUAGE in rulebook.parameters
 
 
-def used_of(declared: Declared, rulebook: Rulebook, day: date | None) -> Declared:
+def used_of(
+    declared: Declared, rulebook: Rulebook, day: date | None, *, also: Collection[str] = ()
+) -> Declared:
     """A person with what the rulebook uses of their profile and nothing else: no prose, date or unread fact.
 
     Args:
         declared: What the person declared; every value has been checked.
         rulebook: The rules.
         day: On which the facts hold; needed where some depend on it.
+        also: Facts that something else than the rulebook reads.
     """
-    return replace(declared, profile=Profile.model_validate(_used(declared.profile, rulebook, day)))
+    used = used_facts(rulebook).union(also)
+    return replace(declared, profile=Profile.model_validate(_used(declared.profile, rulebook, day, used)))
 
 
-def _used(profile: Profile, rulebook: Rulebook, day: date | None) -> dict[str, Any]:
-    used = used_facts(rulebook)
+def _used(profile: Profile, rulebook: Rulebook, day: date | None, used: Collection[str]) -> dict[str, Any]:
     told = profile.facts(day)
     facts = {name: fact for name, fact in told.items() if name in used or is_read(name, fact)}
     if is_under_age(profile, day):  # what protects a child reads it

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.parameters.passing import asked_speed_m_s, own_distance_m
@@ -10,26 +12,35 @@ from comity.scenario import MapPlace
 from comity.simulation.place import map_of
 from comity_fis import InputError
 from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
+from comity_sim2d.robot.reduced_margin import check_margin
 from comity_sim2d.scene.comfort import FARTHEST_M, NARROWEST_M, NEAREST_M
 from comity_sim2d.scene.group_check import check_groups
+from comity_sim2d.scene.margin_facts import MarginFacts
 from comity_sim2d.scene.placing import place as place_passers_by
 from comity_sim2d.scene.walk_check import check_walks
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from comity import scenario as written
     from comity.scenario import ScenarioFile
     from comity_fis import Inference
 
+NOTHING_DECLARED: Mapping[str, MarginFacts] = MappingProxyType({})
 
-def scene_of(file: ScenarioFile, values: Mapping[str, Inference], seed: int = 0) -> Scene:
+
+def scene_of(
+    file: ScenarioFile,
+    values: Mapping[str, Inference],
+    seed: int = 0,
+    *,
+    margin_facts: Mapping[str, MarginFacts] = NOTHING_DECLARED,
+) -> Scene:
     """The scene that a scenario describes.
 
     Args:
         file: The scenario, with everybody placed.
         values: Everybody's parameters: they say how robots should move near each person.
         seed: Of the episode, which draws where passers-by start: whether there is room depends on it.
+        margin_facts: What people declared of being passed at a reduced margin, by name.
 
     Raises:
         InputError: if something cannot stand where it is put, naming its line.
@@ -47,6 +58,7 @@ def scene_of(file: ScenarioFile, values: Mapping[str, Inference], seed: int = 0)
                 max_jerk_m_s3=robot.max_jerk_m_s3,
                 emergency_deceleration_m_s2=robot.emergency_deceleration_m_s2,
                 sensor=_sensor(robot.sensor),
+                margin_m=robot.margin_m,
             ),
             tuple(
                 Person(
@@ -59,6 +71,9 @@ def scene_of(file: ScenarioFile, values: Mapping[str, Inference], seed: int = 0)
                     comfort=_comfort(name, person, file),
                     walk=_walk(name, person, file),
                     reacts=person.reacts,
+                    steps_aside=person.steps_aside,
+                    lets_pass=person.lets_pass,
+                    margin_facts=margin_facts.get(name, MarginFacts()),
                 )
                 for name, person in file.scenario.people.items()
             ),
@@ -66,6 +81,7 @@ def scene_of(file: ScenarioFile, values: Mapping[str, Inference], seed: int = 0)
             passers_by=_passers_by(file),
             keep_to=file.scenario.keep_to,
         )
+        check_margin(scene.robot)
         check_walks(scene)
         check_groups(scene)
         place_passers_by(scene, seed)
@@ -132,9 +148,12 @@ def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     if error.field == "members":
         return ("groups", entity)
     if entity in scenario.people:
-        return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
-    if entity in ("passers_by", scenario.robot.name):
-        return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by", error.field or "count")
+        key = {"walk": "walks"}.get(error.field or "", error.field or "at_m")
+        return ("people", entity, key if key in ("walks", "reacts", "steps_aside", "lets_pass") else "at_m")
+    if entity == scenario.robot.name:
+        return ("robot", "margin_m" if error.field == "margin_m" else "at_m")
+    if entity == "passers_by":
+        return ("passers_by", error.field or "count")
     return ("place", *_in_place(entity, scenario.place))
 
 

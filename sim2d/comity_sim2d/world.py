@@ -16,9 +16,12 @@ from comity_sim2d.maps.topology import topology
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.footing import Stride, is_taken
 from comity_sim2d.people.leading import Leads
+from comity_sim2d.people.said import Said
 from comity_sim2d.pose import Pose
 from comity_sim2d.robot.acts import ActEvent
 from comity_sim2d.robot.locomotion import Locomotion
+from comity_sim2d.robot.margins import MarginDecision
+from comity_sim2d.robot.reduced_margin import check_margin
 from comity_sim2d.robot.sim_robot import SimRobot
 from comity_sim2d.scene.door import Door
 from comity_sim2d.scene.group_check import check_groups
@@ -34,7 +37,9 @@ if TYPE_CHECKING:
     import networkx as nx
 
     from comity_sim2d.people.foot_traffic import FootTraffic
+    from comity_sim2d.people.making_way import MakingWay
     from comity_sim2d.people.reactions import Reactions, Shown
+    from comity_sim2d.scene.footpath import Disc
 
 
 MOST_SEED = 2**128
@@ -53,7 +58,7 @@ class World:
 
     Raises:
         SceneError: Where somebody cannot walk where they are to walk, a wall stands within a group, or there
-            is no room for the passers-by.
+            is no room for the passers-by; or the robot cannot keep the margin that it is to.
     """
 
     def __init__(
@@ -75,6 +80,7 @@ class World:
         self.scene = scene
         self._steps = physics_hz // control_hz
         self._clock = Clock(control_hz)
+        check_margin(scene.robot, self._clock.step_s)
         self._people = {person.name: person for person in scene.people}
         self._stands = {person.name: frame_row(person.pose) for person in scene.people}
         self._doorways = Doorways(scene, self._clock)
@@ -93,7 +99,10 @@ class World:
             seed=seed,
             faults=self.faults,
         )
+        self._said: list[Said] = []
+        """What people said, in order."""
         self._reactions = self._people_who_react(seed)
+        self._making_way = self._people_who_make_way()
         self._traffic = self._people_who_walk(seed)
         self.leads = Leads(self._traffic)
         """Who is sent somewhere; whoever sends somebody begins and ends it here."""
@@ -142,6 +151,11 @@ class World:
         """What people truly showed, whether or not the robot noticed."""
         return tuple(self._reactions.shown) if self._reactions else ()
 
+    @property
+    def margin_decisions(self) -> tuple[MarginDecision, ...]:
+        """Whether each person who let the robot pass is passed at the reduced margin, in order."""
+        return self.robot.margin_decisions
+
     def step(self) -> None:
         """Advance by one control tick."""
         self._physics.command(self.robot.control())
@@ -155,13 +169,25 @@ class World:
             if is_due:
                 self._physics.look_for_passers_by(self._traffic.at)
             self._physics.place_passers_by(self._traffic.at)
-            for name in self.robot.asked_now:
-                if name in self._traffic.names:
-                    self._traffic.ask_to_pass(name, self._physics.pose.xy, self.robot.find_way())
+        for name in self.robot.asked_now:
+            self._ask_to_pass(name)
+        if self._making_way:
+            self._making_way.step(
+                self._people, self._physics.pose, self.robot.find_way, self._discs_but, self._step_aside
+            )
         if self._reactions:
             speed_m_s = self._physics.twist.speed_m_s
             self._reactions.step(self._people, self._physics.pose, speed_m_s, self._step_aside)
         self._observe()
+
+    def _ask_to_pass(self, name: str) -> None:
+        here = self._physics.pose.xy
+        if self._traffic and name in self._traffic.names:
+            self._traffic.ask_to_pass(name, here, self.robot.find_way())
+        elif self._making_way:
+            self._making_way.ask(self._people[name], here)
+            if self._reactions:
+                self._reactions.break_off(name)
 
     def run(self, seconds: float) -> None:
         """Advance by so much time, to the nearest tick.
@@ -188,6 +214,8 @@ class World:
         self._displace(replace(person, x_m=x_m, y_m=y_m, heading_rad=heading_rad))
         if self._reactions:
             self._reactions.break_off(name)
+        if self._making_way:
+            self._making_way.break_off(name)
 
     def _displace(self, person: Person) -> None:
         self._put(person)
@@ -220,6 +248,10 @@ class World:
             return self._traffic.strides_but(name)
         people = (person for person in self._people.values() if person.name != name)
         return [Stride(person.xy, person.xy, person.radius_m) for person in people]
+
+    def _discs_but(self, name: str) -> list[Disc]:
+        """Everybody else, passers-by included, where they are before they may choose anew."""
+        return [(*stride.end, stride.radius_m) for stride in self.strides_but(name)]
 
     @property
     def doors(self) -> tuple[Door, ...]:
@@ -256,6 +288,8 @@ class World:
             self._traffic.use_plan(self._doorways.plan)
         if self._reactions:
             self._reactions.use_plan(self._doorways.plan)
+        if self._making_way:
+            self._making_way.use_plan(self._doorways.plan)
 
     def _put(self, person: Person) -> None:
         self._people[person.name] = person
@@ -274,12 +308,11 @@ class World:
     def _robot_in(self, ways: RouteMap, places: Mapping[str, Pose]) -> SimRobot:
         """The robot, which minds the passers-by, who are bodies to it."""
         body, physics, senses = self.scene.robot, self._physics, self._senses
-        locomotion = Locomotion(body, physics, senses, self._clock, ways, places=places)
+        locomotion = Locomotion(body, physics, senses, self._clock, ways, places=places, said=self._said)
         if self._traffic:
             physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
             locomotion.let_pass(self._traffic)
-        said = self._reactions.said if self._reactions else ()
-        return SimRobot(body, physics, senses, self._clock, locomotion, said=said, faults=self.faults)
+        return SimRobot(body, physics, senses, self._clock, locomotion, said=self._said, faults=self.faults)
 
     def _people_who_react(self, seed: int) -> Reactions | None:
         if not any(person.comfort for person in self.scene.people):
@@ -287,7 +320,14 @@ class World:
         from comity_sim2d.people.reactions import Reactions
 
         radius_m = self.scene.robot.radius_m
-        return Reactions(self.scene.people, radius_m, self._plan, self._clock, seed)
+        return Reactions(self.scene.people, radius_m, self._plan, self._clock, seed=seed, said=self._said)
+
+    def _people_who_make_way(self) -> MakingWay | None:
+        if not any(person.steps_aside or person.lets_pass for person in self.scene.people):
+            return None
+        from comity_sim2d.people.making_way import MakingWay
+
+        return MakingWay(self.scene.robot.radius_m, self._plan, self._clock, self._said)
 
     def _people_who_walk(self, seed: int) -> FootTraffic | None:
         moving = self.scene.passers_by or any(person.may_move for person in self.scene.people)

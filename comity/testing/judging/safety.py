@@ -59,11 +59,12 @@ def dangers(trial: Trial) -> Iterator[Danger]:
     coming, come = coming_m_s(frames), _they_come_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):
         gap = gaps[:, i]
-        brought = np.where(coming[:, i] > COMING_M_S, gap[1:], np.inf)
-        worst = int(np.argmin(brought)) + 1
-        if brought[worst - 1] < NEAREST_M - _SLACK:
-            t = float(frames.time_s[worst])
-            yield _danger(trial, f"{NEAREST_M:g} m from {person}", f"{gap[worst]:.3f} m at t={t:.2f} s", t)
+        least_m = _least_m(trial, person)
+        spare = np.where(coming[:, i] > COMING_M_S, gap[1:] - least_m[1:], np.inf)
+        worst = int(np.argmin(spare)) + 1
+        if spare[worst - 1] < -_SLACK:
+            t, limit = float(frames.time_s[worst]), f"{least_m[worst]:g} m from {person}"
+            yield _danger(trial, limit, f"{gap[worst]:.3f} m at t={t:.2f} s", t)
         near = np.minimum(gap[1:], gap[:-1]) < NEAR_M
         begun = near & ~np.concatenate(([False], near[:-1])) & (come[:, i] > COMING_M_S)
         most = _most_m_s(frames.time_s, speeds, begun, trial.prepared.scene.robot)
@@ -77,6 +78,18 @@ def dangers(trial: Trial) -> Iterator[Danger]:
                 f"{speeds[worst]:.2f} m/s at t={t:.2f} s",
                 t,
             )
+
+
+def _least_m(trial: Trial, person: str) -> NDArray[np.float64]:
+    """How near the robot may come to a person at each frame [m], shape (n,): less while they let it pass."""
+    time_s = trial.episode.frames.time_s
+    least_m = np.full(len(time_s), NEAREST_M)
+    for one in trial.episode.disturbances:
+        end_s = one.t if one.end_s is None else one.end_s
+        if one.kind == "passage" and one.about == person and end_s > one.t:
+            passes = (time_s >= one.t) & (time_s <= end_s)
+            least_m[passes] = trial.prepared.scene.robot.margin_m
+    return least_m
 
 
 def coming_m_s(frames: Frames) -> NDArray[np.float64]:

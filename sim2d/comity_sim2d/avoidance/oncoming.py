@@ -7,6 +7,7 @@ all of their way.
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -23,6 +24,8 @@ COMES_COS = 0.5
 they try to get by (our choice)."""
 COMES_S = 0.35
 """Who has walked for less may only lean in, or step up (our choice)."""
+MAKES_WAY_S = 5.0
+"""A person whom the robot asked to let it pass makes way for so long [s], and does not come (our choice)."""
 LATELY_S = 30.0
 """Who came so lately and stands still may have stopped because of the robot (our choice)."""
 
@@ -64,6 +67,12 @@ class Oncoming:
         self._now_s = 0.0
         self._ways: dict[str, _Way] = {}
         """Of whoever walks or has come."""
+        self._asked_s: dict[str, float] = {}
+        """When each person was asked last to let the robot pass."""
+
+    def note_asked(self, names: Collection[str]) -> None:
+        """The robot has asked some people to let it pass."""
+        self._asked_s.update(dict.fromkeys(names, self._now_s))
 
     def look(self, base: Base) -> None:
         """See who walks now, and whether at the robot; to be called in every tick."""
@@ -71,7 +80,7 @@ class Oncoming:
         walkers = self._senses.walkers
         if not walkers and not self._ways:
             return
-        moving = {walker.person.name: walker for walker in walkers}
+        moving = {walker.person.name: walker for walker in walkers if not self._makes_way(walker.person.name)}
         for name, walker in moving.items():
             way = self._ways.setdefault(name, _Way(self._now_s))
             near = self._gap_m(base.xy, walker.person) <= HELD_UP_M
@@ -108,6 +117,9 @@ class Oncoming:
     def forget(self, name: str) -> None:
         """Somebody only stands there, until they come anew."""
         self._ways.pop(name, None)
+
+    def _makes_way(self, name: str) -> bool:
+        return self._now_s - self._asked_s.get(name, -math.inf) <= MAKES_WAY_S
 
     def _gap_m(self, xy: XY, person: Person) -> float:
         return math.dist(xy, person.xy) - person.radius_m - self._radius_m

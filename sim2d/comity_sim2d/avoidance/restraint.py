@@ -18,6 +18,7 @@ from comity_sim2d.avoidance.stepping_aside import SteppingAside
 from comity_sim2d.base.base import Base, Wanted
 from comity_sim2d.base.drive import (
     KEEP_OFF_M,
+    REDUCED_M_S,
     SPEED_SHARE,
     keep_off_people,
     limit_speed,
@@ -27,7 +28,7 @@ from comity_sim2d.base.drive import (
 )
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import Senses
@@ -65,6 +66,10 @@ class Restraint:
         self._passers_by = passers_by
         self._backing_out.let_pass(passers_by)
         self._reach_m = passers_by.radius_m + self._spec.radius_m
+
+    def note_asked(self, names: Collection[str]) -> None:
+        """The robot has asked some people to let it pass: for a while they make way, however they go."""
+        self._oncoming.note_asked(names)
 
     def allowed(
         self,
@@ -124,6 +129,8 @@ class Restraint:
         walks_m_s = {each.person.name: math.hypot(*each.velocity) for each in self._senses.walkers}
 
         def most_m_s(person: Person) -> float:
+            if person.margin_m < PERSON_MARGIN_M:
+                return REDUCED_M_S
             asked = math.inf if person.approach_speed_m_s is None else person.approach_speed_m_s
             limit = min(asked, visited_m_s.get(person.name, math.inf))
             return limit + walks_m_s.get(person.name, 0.0)

@@ -18,6 +18,8 @@ SPEED_SHARE, BEND_SHARE = 0.6, 0.8
 NEAR_PEOPLE_M = 1.5
 NEAR_PEOPLE_M_S = 0.5
 """At most so fast within `NEAR_PEOPLE_M` of a person's surface (safety limits of the design, our choice)."""
+REDUCED_M_S = 0.2
+"""Maximum speed within `NEAR_PEOPLE_M` of a person who is passed at a reduced margin [m/s] (our choice)."""
 NEAR_PEOPLE_SLACK_M = 0.03
 """The limit holds from a little farther away, a tick's travel, so that it also holds between ticks."""
 KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0

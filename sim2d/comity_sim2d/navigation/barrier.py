@@ -7,7 +7,6 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.surroundings import Surroundings
 
 MOST_TRIED = 8
@@ -52,7 +51,7 @@ def barrier(place: Surroundings, first: Collection[str], visited: str) -> tuple[
 def _discs(place: Surroundings, visited: str) -> Iterator[_Disc]:
     for person in place.people:
         if person.name != visited:
-            reach = person.radius_m + place.robot_radius_m + PERSON_MARGIN_M
+            reach = person.radius_m + place.robot_radius_m + person.margin_m
             yield _Disc(person.xy, reach, (person.name,))
     for space in place.o_spaces:
         members = tuple(name for name in space.members if name != visited)

@@ -23,7 +23,7 @@ from comity_sim2d.paths.free_space import FreeSpace
 from comity_sim2d.paths.personal_space import FRONT, PersonalSpace, Points, bounding_box
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.o_space import OSpace
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene.surroundings import Surroundings
@@ -225,7 +225,7 @@ class RouteMap:
             person.heading_rad,
             contact_m=contact,
             own_m=(own if kept_m is None else kept_m) + SLACK_M,
-            floor_m=contact + PERSON_MARGIN_M + SLACK_M,
+            floor_m=contact + person.margin_m + SLACK_M,
             front=FRONT if kept_m is None else 1.0,
         )
 

@@ -69,10 +69,18 @@ class Reactions:
         plan: What a person who steps must not walk into.
         clock: The ticks.
         seed: What is shown is drawn with it, independently of the noise of the sensors.
+        said: What people say; theirs is added to it.
     """
 
     def __init__(
-        self, people: tuple[Person, ...], robot_radius_m: float, plan: FloorPlan, clock: Clock, seed: int
+        self,
+        people: tuple[Person, ...],
+        robot_radius_m: float,
+        plan: FloorPlan,
+        clock: Clock,
+        *,
+        seed: int,
+        said: list[Said],
     ) -> None:
         self._states = {person.name: _State(person.comfort) for person in people if person.comfort}
         self._robot_radius_m = robot_radius_m
@@ -80,7 +88,7 @@ class Reactions:
         self._clock = clock
         self._rng = np.random.Generator(np.random.PCG64([seed, 1]))
         self.shown: list[Shown] = []
-        self.said: list[Said] = []
+        self._said = said
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Walk into nothing of another floor plan from now on."""
@@ -136,7 +144,7 @@ class Reactions:
         signal = SIGNALS[int(drawn(probabilities, self._rng.random()))]
         self.shown.append(Shown(self._clock.now_s, person.name, signal, distance_m))
         if signal in WORDS:
-            self.said.append(Said(self._clock.now_s, person.name, WORDS[signal]))
+            self._said.append(Said(self._clock.now_s, person.name, WORDS[signal]))
             return []
         return self._way(signal, person, robot)
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+GO_AHEAD = "Yes, please go ahead."
+"""Answer of a person who lets the robot pass."""
+
 
 @dataclass(frozen=True, slots=True)
 class Said:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from comity_sim2d.people.social_force import Numbers
 from comity_sim2d.pose import XY
@@ -28,6 +29,12 @@ MOST_WAYS = 8
 """To so many of the nearest a way on foot is looked for; the shortest is taken."""
 WAITS_S = 20.0
 """They wait for the robot no longer (our choice)."""
+ASIDE_M, FINE_M = 1.0, 0.02
+"""Distance of a step against the wall at most, and to which it is found [m] (our choice)."""
+ALONG_M = 0.1
+"""Distance to either side over which the direction of the robot's way is taken [m]."""
+LEAST_ASIDE_M = 0.1
+"""Farther from the robot's way by less is no step aside [m] (our choice)."""
 BEND_M = 0.3
 """Who is so near a bend of the way takes the next."""
 REACHES_M, GONE_M = 0.9, 1.5
@@ -69,6 +76,7 @@ def way_out(
     others: Iterable[Disc],
     plan: FloorPlan,
     paths: Footpaths,
+    farthest_m: float = FARTHEST_M,
 ) -> list[XY] | None:
     """The shortest way on foot to a place where the robot gets by; None where there is none near.
 
@@ -80,8 +88,9 @@ def way_out(
         others: All other people.
         plan: What stands still.
         paths: Ways of people of that size.
+        farthest_m: Of the place, from where they stand.
     """
-    free = _free_places(at, radius_m, others, plan)
+    free = _free_places(at, radius_m, others, plan, farthest_m)
     places = _beside(free, way, robot[2] + radius_m + PERSON_MARGIN_M + SPARE_M)
     behind = [xy for xy in places if _is_farther(at, xy, robot)]
     thing = (robot[0], robot[1], robot[2] + PAST_M)
@@ -93,15 +102,53 @@ def way_out(
     return None
 
 
-def _free_places(at: XY, radius_m: float, others: Iterable[Disc], plan: FloorPlan) -> Numbers:
+def against_the_wall(
+    at: XY, way: Sequence[XY], *, radius_m: float, others: Iterable[Disc], plan: FloorPlan
+) -> list[XY] | None:
+    """A step straight away from the robot's way, as far as there is room; None where there is none.
+
+    Args:
+        at: Where the person stands.
+        way: Where the robot wants to go.
+        radius_m: Of the person.
+        others: All other bodies, the robot's included.
+        plan: What stands still.
+    """
+    from shapely import LineString, Point
+
+    line = LineString(way if len(way) > 1 else [*way, *way])
+    mark_m = line.project(Point(at))
+    before = line.interpolate(max(mark_m - ALONG_M, 0.0))
+    after = line.interpolate(min(mark_m + ALONG_M, line.length))
+    along = math.atan2(after.y - before.y, after.x - before.x)
+    away_m, bodies = np.arange(FINE_M, ASIDE_M + FINE_M / 2, FINE_M), list(others)
+    found: list[tuple[float, XY]] = []
+    for turn in (math.pi / 2.0, -math.pi / 2.0):
+        places = np.array(at) + away_m[:, None] * (math.cos(along + turn), math.sin(along + turn))
+        reached = int(np.logical_and.accumulate(_are_free(places, radius_m, bodies, plan)).sum())
+        if reached:
+            x, y = places[reached - 1].tolist()
+            found.append((float(line.distance(Point(x, y))), (x, y)))
+    farthest_m, place = max(found, default=(0.0, at))
+    return [place] if farthest_m - float(line.distance(Point(at))) >= LEAST_ASIDE_M else None
+
+
+def _free_places(
+    at: XY, radius_m: float, others: Iterable[Disc], plan: FloorPlan, farthest_m: float
+) -> Numbers:
     """Where there is room around somebody, the nearest first; shape (n, 2)."""
-    away_m = np.repeat(np.arange(STEP_M, FARTHEST_M + STEP_M / 2, STEP_M), AROUND)
+    away_m = np.repeat(np.arange(STEP_M, farthest_m + STEP_M / 2, STEP_M), AROUND)
     angles = np.tile(np.arange(AROUND) * (math.tau / AROUND), len(away_m) // AROUND)
     places = np.array(at) + away_m[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.asarray(places[_are_free(places, radius_m, others, plan)])
+
+
+def _are_free(places: Numbers, radius_m: float, others: Iterable[Disc], plan: FloorPlan) -> NDArray[np.bool_]:
+    """Whether there is room for a person at each of some places; shape (n, 2) to (n,)."""
     free = plan.are_free(places, radius_m + THINGS_M)
     for x, y, other_m in others:
         free &= np.hypot(*(places - (x, y)).T) >= other_m + radius_m + SPARE_M
-    return np.asarray(places[free])
+    return np.asarray(free)
 
 
 def _beside(places: Numbers, way: Sequence[XY], least_m: float) -> list[XY]:

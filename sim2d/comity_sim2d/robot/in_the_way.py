@@ -14,7 +14,6 @@ from comity_sim2d.navigation.route_map import COMFORT_M, WORTH_M, RouteMap
 from comity_sim2d.pose import XY
 from comity_sim2d.robot.approach import FOLLOWS_S, Approach
 from comity_sim2d.scene.o_space import OSpace
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.surroundings import Surroundings
 
@@ -236,7 +235,7 @@ def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Perso
     for step in range(math.ceil(direct.length_m / STEP_M) + 1):
         xy = direct.at(min(step * STEP_M, direct.length_m))
         among = {name for space in spaces if _is_in(space, xy) for name in space.members}
-        near = {person.name for person in others if _gap_m(person, xy, place) < PERSON_MARGIN_M}
+        near = {person.name for person in others if _gap_m(person, xy, place) < person.margin_m}
         met = tuple(person.name for person in others if person.name in {*near, *among})
         if not before.issuperset(met):
             yield step * STEP_M, met

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 
 from comity_sim2d.avoidance.drawing_back import DrawBack
 from comity_sim2d.avoidance.restraint import NO_LIMITS, Restraint
@@ -15,15 +17,17 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import DockingPose, PoseBeside, docked, spot_beside
 from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route_map import RouteMap
+from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
 from comity_sim2d.robot.in_the_way import Hindrance
 from comity_sim2d.robot.looking import DRIVES_M_S, LOOK_M, gaze_rad
+from comity_sim2d.robot.margins import Margins
 from comity_sim2d.robot.motion import Motion, blocked
 from comity_sim2d.robot.progress import Progress
 from comity_sim2d.robot.search import Search
 from comity_sim2d.robot.standing import PassersByKnown, Standing
-from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import unknown
 from comity_sim2d.senses.sensing import Senses
@@ -46,6 +50,7 @@ class Locomotion:
         clock: The ticks.
         route_map: Its ways, as long as nobody moves.
         places: Where it stands to fetch things, by name.
+        said: What people say to it, as they say it.
     """
 
     def __init__(
@@ -57,6 +62,7 @@ class Locomotion:
         route_map: RouteMap,
         *,
         places: Mapping[str, Pose],
+        said: Sequence[Said] = (),
     ) -> None:
         self._spec = spec
         self._physics = physics
@@ -65,6 +71,8 @@ class Locomotion:
         self._places = dict(places)
         self.standing = Standing(senses, clock, route_map)
         """Its routes around those who stand."""
+        self.margins = Margins(spec, senses, clock, said)
+        """What it keeps from each person."""
         self.motion = Motion("stopped")
         """How the last command goes."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
@@ -83,6 +91,11 @@ class Locomotion:
         """Mind people whom nobody plans for: those who walk go first, those who stand are gone round."""
         self._restraint.let_pass(passers_by)
         self.standing.let_pass(passers_by)
+
+    def note_asked(self, names: Collection[str]) -> None:
+        """It has asked some people to let it pass."""
+        self.margins.note_asked(names)
+        self._restraint.note_asked(names)
 
     def find_way(self) -> tuple[XY, ...]:
         """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
@@ -274,6 +287,8 @@ class Locomotion:
         )
 
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
+        keeps_all = partial(self._keeps_all, approach, base.xy)
+        self.margins.look(base.xy, approach.person, self.motion.blocked_by, keeps_all)
         waits = not approach.has_route or self._hindrance.now is not None
         waits_for = [*self._hindrance.people]
         if approach.gives_way_to:
@@ -297,6 +312,12 @@ class Locomotion:
         )
         wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
+
+    def _keeps_all(self, approach: Approach, here: XY) -> bool:
+        """Whether a route of any length keeps the full margin from everybody on the map."""
+        ways = self.standing.map
+        people = tuple(replace(one, margin_m=PERSON_MARGIN_M) for one in ways.surroundings.people)
+        return ways.with_people(people).reaches(here, self._goal_of(approach)[0].xy, keep=approach.keep)
 
     def _steer(self, approach: Approach, base: Base, goal: Goal, ways: RouteMap) -> XY:
         """The velocity along the way to the goal, or to where it waits."""

@@ -23,6 +23,7 @@ from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, PICK_UP, ActEvent, A
 from comity_sim2d.robot.carrying import carried_at
 from comity_sim2d.robot.lease import LEASE_S, Lease
 from comity_sim2d.robot.locomotion import Locomotion
+from comity_sim2d.robot.margins import MarginDecision
 from comity_sim2d.robot.motion import Capabilities, Motion, MotionGoal, Reading
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
@@ -392,6 +393,11 @@ class SimRobot:
         """Whom it has asked to let it pass in this tick: the question has come to its end."""
         return tuple(event.person for event in self._acts.ended(ASK_TO_PASS, self._clock.step_s))
 
+    @property
+    def margin_decisions(self) -> tuple[MarginDecision, ...]:
+        """Whether each person who let it pass is passed at the reduced margin, in order."""
+        return tuple(self._locomotion.margins.decisions)
+
     def find_way(self) -> tuple[XY, ...]:
         """The way that it wants to go if everybody makes way; empty where it goes nowhere."""
         return self._locomotion.find_way()
@@ -402,11 +408,12 @@ class SimRobot:
         self._senses.use_plan(plan)
 
     def feel(self) -> None:
-        """Press the emergency stop where something was touched, and fall silent where the voice fails.
+        """Take note of touches, which press the emergency stop, of ended requests and of a failing voice.
 
         Called by the world after every tick.
         """
         self._bump_stop.feel()
+        self._locomotion.note_asked(self.asked_now)
         if self._faults.of(VOICE):
             self._acts.fall_silent()
 

@@ -168,7 +168,7 @@ class Standing:
 
 
 def differ(some: tuple[Person, ...], others: tuple[Person, ...], tolerance_m: float) -> bool:
-    """Whether people are others, turned, moved farther than that or like another distance."""
+    """Whether people are others, turned, moved farther than that or are passed at another distance."""
     if len(some) != len(others):
         return True
     return any(_differs(one, other, tolerance_m) for one, other in zip(some, others, strict=True))
@@ -177,13 +177,14 @@ def differ(some: tuple[Person, ...], others: tuple[Person, ...], tolerance_m: fl
 def _differs(one: Person, other: Person, tolerance_m: float) -> bool:
     if one is other:
         return False
-    if (one.name, one.heading_rad, one.personal_distance_m) != (
-        other.name,
-        other.heading_rad,
-        other.personal_distance_m,
-    ):
+    if _kept(one) != _kept(other):
         return True
     return math.dist(one.xy, other.xy) > tolerance_m
+
+
+def _kept(person: Person) -> tuple[object, ...]:
+    """What of a person the space depends on that routes keep, but for the place."""
+    return person.name, person.heading_rad, person.personal_distance_m, person.margin_m
 
 
 class Loiterers:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from comity_sim2d.kinds import require_kinds
+from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene.comfort import Comfort
+from comity_sim2d.scene.margin_facts import MarginFacts
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.robot_reaction import SEEN_M, RobotReaction, require_reaction
 from comity_sim2d.scene.walk import Walk
 from comity_sim2d.scene_error import (
@@ -44,6 +46,14 @@ class Person:
     """Where the person walks; None: they stay where they are."""
     reacts: RobotReaction | None = None
     """What the person does about the robot as such; None: who walks takes it for another person."""
+    steps_aside: bool = False
+    """Whether the person steps out of the way of a robot that asks to pass."""
+    lets_pass: bool = False
+    """Whether the person says yes to it; both are hidden from the robot."""
+    margin_facts: MarginFacts = field(default_factory=MarginFacts)
+    """What the person declared about being passed at a reduced margin."""
+    margin_m: float = PERSON_MARGIN_M
+    """Clearance of routes past the person now, between surfaces [m]; a robot with leave to pass lowers it."""
 
     def __post_init__(self) -> None:
         require_text("people", "name", self.name)
@@ -60,12 +70,26 @@ class Person:
             require_kinds(self.name, walk=(self.walk, Walk | None))
         if self.reacts is not None:
             require_reaction(self.name, self.reacts)
-        if self.posture != "standing" and self.may_move:
+        if self.posture != "standing" and (self.may_move or self.steps_aside):
             raise SceneError(
                 entity=self.name,
-                field="walk" if self.walk else "reacts",
-                expected="somebody who stands, to walk or to go up to a robot or away from it",
+                field="walk" if self.walk else "reacts" if self.may_move else "steps_aside",
+                expected="somebody who stands, to walk, to step aside or to go up to a robot or away from it",
                 got=f"somebody {self.posture}",
+                remedy="Leave it out, or let them stand.",
+            )
+        self._check_passing()
+
+    def _check_passing(self) -> None:
+        answers = {name: (getattr(self, name), TRUTH) for name in ("steps_aside", "lets_pass")}
+        require_kinds(self.name, **answers, margin_facts=(self.margin_facts, MarginFacts))
+        require_between(self.name, "margin_m", self.margin_m, 0.0, PERSON_MARGIN_M)
+        if self.may_move and (self.steps_aside or self.lets_pass):
+            raise SceneError(
+                entity=self.name,
+                field="steps_aside" if self.steps_aside else "lets_pass",
+                expected="somebody who stays where they stand until they are asked to let the robot pass",
+                got=f"{self.name}, who {'walks' if self.walk else f'is {self.reacts}'}",
                 remedy="Leave it out, or let them stand.",
             )
 

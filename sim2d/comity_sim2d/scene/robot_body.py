@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import Pose
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene_error import (
     FARTHEST_M,
     SceneError,
@@ -71,6 +72,8 @@ class RobotBody:
     drive: str = "omnidirectional"
     """One of `DRIVES`."""
     sensor: Sensor = field(default_factory=Sensor)
+    margin_m: float = PERSON_MARGIN_M
+    """Clearance from people who stood aside or said yes, and only from those, between surfaces [m]."""
 
     def __post_init__(self) -> None:
         require_text("robot", "name", self.name)
@@ -83,6 +86,7 @@ class RobotBody:
         require_between(self.name, *hardest, 0.05, 100.0)
         require_one_of(self.name, "drive", self.drive, DRIVES)
         require_kinds(self.name, sensor=(self.sensor, Sensor))
+        require_between(self.name, "margin_m", self.margin_m, 0.0, PERSON_MARGIN_M)
         if self.sensor.range_m < self.radius_m + SIGHT_M:
             raise SceneError(
                 entity="sensor",

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Iterable
 from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Protocol
 
-from comity_sim2d.scene.obstacles import ROOM, Floor, FloorPlan, floor_plan
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, ROOM, Floor, FloorPlan, floor_plan
 from comity_sim2d.scene.passers_by import PassersBy
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene_error import SceneError
@@ -56,6 +57,7 @@ def check_scene(scene: Filled) -> None:
     """
     _check_count(scene)
     _check_names(scene)
+    _check_margins(scene.people)
     _check_outlines(scene.room, scene.furniture)
     _check_walls(scene.room, scene.walls)
     plan = floor_plan(scene)
@@ -76,6 +78,18 @@ def _check_count(scene: Filled) -> None:
             got=f"{len(scene.people)}",
             remedy="Leave some out, or have them as passers-by.",
         )
+
+
+def _check_margins(people: Iterable[Person]) -> None:
+    for person in people:
+        if person.margin_m != PERSON_MARGIN_M:
+            raise SceneError(
+                entity=person.name,
+                field="margin_m",
+                expected=f"{PERSON_MARGIN_M:g} m at the start: a robot that is let pass lowers it",
+                got=f"{person.margin_m:g}",
+                remedy="Leave it out, and set `margin_m` of the robot.",
+            )
 
 
 def check_count(obstacles: int) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.yielding import Walker, is_walking
 from comity_sim2d.pose import XY, Pose, direction_to
-from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.active_faults import SENSORS, ActiveFaults
@@ -61,6 +61,8 @@ class Senses:
         self._missing = Missing(sight, sensor.sigma_m)
         self._told: dict[str, dict[str, float | None]] = {}
         """What people said of how the robot should move near them, in place of what the map has."""
+        self._margin_m: dict[str, float] = {}
+        """Of the people from whom less than the full margin is kept."""
         self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
@@ -89,7 +91,7 @@ class Senses:
 
     @property
     def present(self) -> tuple[Person, ...]:
-        """Those of them whose places it knows: without those who are lost."""
+        """Those of them whose places it knows, each with the margin that it keeps from them now."""
         return self._present
 
     @property
@@ -140,12 +142,18 @@ class Senses:
             Walker(person, track.velocity) for person, track in moving if is_walking(track.velocity)
         )
         self._present = (
-            tuple(person for person in self._believed if person.name not in lost) if lost else self._believed
+            tuple(self._let_pass(person) for person in self._believed if person.name not in lost)
+            if lost or self._margin_m
+            else self._believed
         )
 
     def _as_told(self, person: Person) -> Person:
         told = self._told.get(person.name)
         return person if told is None else _as(person, told)
+
+    def _let_pass(self, person: Person) -> Person:
+        margin_m = self._margin_m.get(person.name)
+        return person if margin_m is None else replace(person, margin_m=margin_m)
 
     def learn(self, name: str, *, distance_m: float, speed_m_s: float | None) -> None:
         """Know from now on how a person wants the robot to move near them, wherever they are.
@@ -162,6 +170,14 @@ class Senses:
         told = {"personal_distance_m": distance_m, "approach_speed_m_s": speed_m_s}
         _as(self.person(name), told)  # refuses what is none
         self._told[name] = told
+        self._believe()
+
+    def keep(self, name: str, margin_m: float) -> None:
+        """Keep another margin from a person from now on, between the surfaces [m], wherever they are."""
+        if margin_m < PERSON_MARGIN_M:
+            self._margin_m[name] = margin_m
+        else:
+            self._margin_m.pop(name, None)
         self._believe()
 
     def sees(self, name: str) -> bool:

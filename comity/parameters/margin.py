@@ -1,0 +1,95 @@
+"""What people declared that decides whether a robot may pass them at the scenario's reduced margin.
+
+No word of culture, gender or taste is among it. What was not disclosed is a no.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from datetime import date
+from typing import TYPE_CHECKING
+
+from comity.parameters.acquaintance import situation_of
+from comity.parameters.perception import NOTHING
+from comity_fis import Interval
+from comity_sim2d.scene.margin_facts import MarginFacts
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+
+if TYPE_CHECKING:
+    from comity.people.profile import Declared, Profile
+    from comity.scenario import Scenario
+
+MARGIN_FACTS = ("age", "hearing", "sight", "mobility")
+UNIMPAIRED = frozenset({"full", "good", "normal", "unimpaired"})
+"""A person's own words for hearing, sight and mobility that nothing is wrong with; no other word counts."""
+
+
+def reads_margin_facts(scenario: Scenario) -> bool:
+    """Whether the robot may pass people at a reduced margin, which depends on what they declared."""
+    return scenario.robot.margin_m < PERSON_MARGIN_M
+
+
+def margin_facts(
+    scenario: Scenario, declared: Mapping[str, Declared], day: date | None
+) -> dict[str, MarginFacts]:
+    """By person; empty where the scenario sets no reduced margin.
+
+    What the scenario tells later of a person counts from the start: the least favourable of it.
+
+    Args:
+        scenario: With what holds around people.
+        declared: Their profiles, by name.
+        day: On which dated facts are taken.
+    """
+    if not reads_margin_facts(scenario):
+        return {}
+    told = {
+        name: [one.situation for one in scenario.changes if one.person == name and one.situation]
+        for name in scenario.people
+    }
+    return {
+        name: margin_facts_of(one.profile, day, situation_of(scenario.people[name]), told[name])
+        for name, one in declared.items()
+    }
+
+
+def margin_facts_of(
+    profile: Profile,
+    day: date | None,
+    situation: Mapping[str, object] = NOTHING,
+    later: Iterable[Mapping[str, object]] = (),
+) -> MarginFacts:
+    """What one person declared.
+
+    Args:
+        profile: The profile.
+        day: On which its dated facts are taken; None for today.
+        situation: What is told of the person here and now: it goes before the profile.
+        later: What is told of the person later, each time.
+    """
+    now = {**profile.facts(day or date.today()), **situation}
+    each = [_facts({**now, **told}) for told in (NOTHING, *later)]
+    known = [one.age_years for one in each if one.age_years is not None]
+    return MarginFacts(
+        age_years=min(known) if len(known) == len(each) else None,
+        walks_unaided=all(one.walks_unaided for one in each),
+        hears_well=all(one.hears_well for one in each),
+        sees_well=all(one.sees_well for one in each),
+    )
+
+
+def _facts(facts: Mapping[str, object]) -> MarginFacts:
+    if facts.get("posture", "standing") != "standing":
+        return MarginFacts()
+    age = facts.get("age")
+    age = age.low if isinstance(age, Interval) else age
+    return MarginFacts(
+        age_years=float(age) if isinstance(age, int | float) else None,
+        walks_unaided=_is_unimpaired(facts.get("mobility")),
+        hears_well=_is_unimpaired(facts.get("hearing")),
+        sees_well=_is_unimpaired(facts.get("sight")),
+    )
+
+
+def _is_unimpaired(word: object) -> bool:
+    return str(word).strip().casefold() in UNIMPAIRED

@@ -1,0 +1,41 @@
+"""Passages at the reduced margin, read off where bodies were, and those that people gave way for in vain."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.schedule import Disturbance
+from comity_sim2d.metrics import clearances_m
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+
+if TYPE_CHECKING:
+    from comity_sim2d import Frames
+    from comity_sim2d.robot.margins import MarginDecision
+
+SLACK_M = 1e-3
+"""Nearer than the full margin by less is the precision of its routes."""
+
+
+def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Disturbance]:
+    """Each passage nearer than the full margin, and each answer that did not lead to leave, with why.
+
+    Args:
+        frames: Where all bodies were.
+        decisions: About the people who let the robot pass, in order.
+    """
+    gaps, time_s = clearances_m(frames), frames.time_s
+    for one in decisions:
+        if one.reasons:
+            told = f"the robot keeps {one.clearance_m:.2f} m from {one.person}, who lets it pass"
+            yield Disturbance(one.t, one.t, "passage", one.person, f"{told}: {'; '.join(one.reasons)}")
+            continue
+        gap_m = gaps[:, frames.entities.index(one.person) - 1]
+        held = (time_s >= one.t) & (time_s <= (np.inf if one.end_s is None else one.end_s))
+        near = np.flatnonzero(held & (gap_m < PERSON_MARGIN_M - SLACK_M))
+        if near.size:
+            start_s, end_s = float(time_s[near[0]]), float(time_s[near[-1]])
+            text = f"the robot passes {one.person}, who lets it pass, at {gap_m[near].min():.2f} m"
+            yield Disturbance(start_s, end_s, "passage", one.person, text)

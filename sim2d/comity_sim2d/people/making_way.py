@@ -1,0 +1,127 @@
+"""People of the scene who are asked to let the robot pass: they step aside and look at it, or say yes.
+
+All times and lengths are our own choice. A person who stepped aside stays there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from comity_sim2d.clock import Clock
+from comity_sim2d.people.said import GO_AHEAD, Said
+from comity_sim2d.people.stepping_out import ASIDE_M, HEARD_M, against_the_wall, way_out
+from comity_sim2d.pose import XY, Pose, direction_to
+from comity_sim2d.scene.footpath import Disc, Footpaths
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+
+HESITATION_S = 0.7
+"""Time from the end of the question to the answer [s]."""
+STEP_M_S = 0.6
+"""Speed of a person who steps aside [m/s]."""
+
+
+class MakingWay:
+    """Answers of the people who have one.
+
+    Args:
+        robot_radius_m: Of the robot's disc.
+        plan: What a person who steps must not walk into.
+        clock: The ticks.
+        said: What people say; answers are added to it.
+    """
+
+    def __init__(self, robot_radius_m: float, plan: FloorPlan, clock: Clock, said: list[Said]) -> None:
+        self._robot_radius_m, self._plan, self._clock, self._said = robot_radius_m, plan, clock, said
+        self._answers_s: dict[str, float] = {}
+        """When each person who was asked answers [s]."""
+        self._left: dict[str, list[Pose]] = {}
+        """Poses still to be taken, one a tick, the next one last."""
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Walk into nothing of another floor plan from now on."""
+        self._plan = plan
+
+    def break_off(self, name: str) -> None:
+        """Let a person who is moved by something else stop stepping aside."""
+        self._left.pop(name, None)
+
+    def ask(self, person: Person, robot: XY) -> None:
+        """Ask a person to let the robot pass: a person near enough to hear it answers after a moment."""
+        if (person.steps_aside or person.lets_pass) and math.dist(person.xy, robot) <= HEARD_M:
+            self._answers_s[person.name] = self._clock.now_s + HESITATION_S
+
+    def step(
+        self,
+        people: Mapping[str, Person],
+        robot: Pose,
+        find_way: Callable[[], Sequence[XY]],
+        others: Callable[[str], Iterable[Disc]],
+        move: Callable[[Person], bool],
+    ) -> None:
+        """Let a tick pass.
+
+        Args:
+            people: Of the scene, where they stand.
+            robot: Where the robot stands.
+            find_way: Says where it wants to go: people see that from how it stands.
+            others: All bodies but the robot's and that of one person.
+            move: Receives a person who goes elsewhere; returns whether they could.
+        """
+        for name, at_s in list(self._answers_s.items()):
+            if at_s <= self._clock.now_s + 1e-9:
+                del self._answers_s[name]
+                self._answer(people[name], robot, find_way, others)
+        for name in list(self._left):
+            pose = self._left[name].pop()
+            there = replace(people[name], x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)
+            if not move(there) or not self._left[name]:
+                del self._left[name]
+
+    def _answer(
+        self,
+        person: Person,
+        robot: Pose,
+        find_way: Callable[[], Sequence[XY]],
+        others: Callable[[str], Iterable[Disc]],
+    ) -> None:
+        if person.lets_pass:
+            self._said.append(Said(self._clock.now_s, person.name, GO_AHEAD))
+        if not (person.steps_aside and (way := find_way())):
+            return
+        body, around = (*robot.xy, self._robot_radius_m), list(others(person.name))
+        places = self._aside(person, way, body, around)
+        if places:
+            self._left[person.name] = self._poses(person, places, robot)
+
+    def _aside(self, person: Person, way: Sequence[XY], robot: Disc, others: list[Disc]) -> list[XY] | None:
+        """Where to go, point by point: out of the way if there is room near, else against the wall."""
+        at, radius_m = person.xy, person.radius_m
+        paths = Footpaths(self._plan, radius_m)
+        out = way_out(
+            at,
+            way,
+            robot,
+            radius_m=radius_m,
+            others=others,
+            plan=self._plan,
+            paths=paths,
+            farthest_m=ASIDE_M,
+        )
+        if out is not None:
+            return out
+        return against_the_wall(at, way, radius_m=radius_m, others=[*others, robot], plan=self._plan)
+
+    def _poses(self, person: Person, places: Sequence[XY], robot: Pose) -> list[Pose]:
+        """The poses on the way, a tick apart, the last one first: there the person looks at the robot."""
+        step_m, found, start = STEP_M_S * self._clock.step_s, list[Pose](), person.xy
+        for end in places:
+            length_m, heading = math.dist(start, end), direction_to(start, end)
+            steps = max(1, math.ceil(length_m / step_m))
+            leg = Pose(*start, heading)
+            found += [Pose(*leg.ahead(length_m * k / steps), heading) for k in range(1, steps + 1)]
+            start = end
+        last = found[-1]
+        return [Pose(*last.xy, direction_to(last.xy, robot.xy)), *reversed(found)]

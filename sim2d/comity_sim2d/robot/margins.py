@@ -1,0 +1,198 @@
+"""The margin that the robot keeps from each person: full, or reduced from people who let it pass.
+
+Leave is for one person, where they stand, and for one way. It begins while the robot waits before the person,
+and ends when it has passed or the person moves, is not seen, or turns away before the robot comes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
+
+from comity_sim2d.clock import Clock
+from comity_sim2d.people.said import GO_AHEAD, Said
+from comity_sim2d.pose import XY, direction_to, wrap_angle
+from comity_sim2d.robot.reduced_margin import FACING_DEG, PassageFacts, least_margin_m, reasons_against
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.senses.sensing import Senses
+
+WAITED_S = 2.0
+"""Minimum time that the robot has stood before a person [s] (our choice: the executor asks after as long)."""
+STANDS_S = 1.0
+"""Time after which a person who moved stands again [s] (our choice)."""
+MOVED_M = 0.1
+"""Distance by which a person has moved, noise of the sensor apart [m] (our choice)."""
+PASSED_M = 1.5
+"""Gap at which the robot has passed a person [m]: where the speed near people ends, too."""
+
+
+@dataclass(frozen=True, slots=True)
+class MarginDecision:
+    """Whether a person who answered a request for passage is passed at the reduced margin."""
+
+    t: float
+    """When it was made [s]."""
+    person: str
+    clearance_m: float
+    reasons: tuple[str, ...]
+    """Why it is not less; empty where leave was given."""
+    end_s: float | None = None
+    """When leave ended [s]; None: it had not, or there was none."""
+
+
+@dataclass(slots=True)
+class _Leave:
+    """Leave to pass one person."""
+
+    decision: int
+    """Its place among the decisions."""
+    person: Person
+    """As they stood."""
+    to: str
+    came: bool = False
+    """Whether the robot has been nearer than the full margin."""
+
+
+@dataclass(slots=True)
+class _Waiting:
+    """A person before whom the robot waits."""
+
+    place: XY
+    """Where they stand."""
+    since_s: float
+    """Since when they stand there."""
+    waited_s: float = 0.0
+    asked_s: float | None = None
+    """When the last request for passage ended."""
+    asked_xy: XY = (0.0, 0.0)
+    """Where they stood then."""
+    told: tuple[str, ...] = ()
+    """The reasons of the last decision."""
+
+
+class Margins:
+    """Decides about the people in the way of one robot, and takes leave back.
+
+    Args:
+        spec: The robot's body, with the margin that the scenario sets.
+        senses: Where it believes people to be.
+        clock: The ticks.
+        said: What people say, as they say it.
+    """
+
+    def __init__(self, spec: RobotBody, senses: Senses, clock: Clock, said: Sequence[Said]) -> None:
+        self._spec, self._senses, self._clock, self._said = spec, senses, clock, said
+        self._least_m = least_margin_m(spec, clock.step_s)
+        self._noise_m = 3.0 * spec.sensor.sigma_m
+        self._to = ""
+        self._waiting: dict[str, _Waiting] = {}
+        self._leave: dict[str, _Leave] = {}
+        self.decisions: list[MarginDecision] = []
+        """All so far, in order."""
+
+    def note_asked(self, names: Collection[str]) -> None:
+        """Requests for passage have come to their end."""
+        for name in names:
+            if name in self._waiting:
+                waiting = self._waiting[name]
+                waiting.asked_s = self._clock.now_s
+                waiting.asked_xy = self._senses.person(name).xy
+
+    def look(self, robot: XY, to: str, blocked_by: Collection[str], keeps_all: Callable[[], bool]) -> None:
+        """Give leave and take it back; to be called in every tick of an approach.
+
+        Args:
+            robot: Where the robot's centre is.
+            to: What it approaches.
+            blocked_by: People before whom it waits.
+            keeps_all: Says whether a route of any length keeps the full margin from everybody.
+        """
+        if self._spec.margin_m >= PERSON_MARGIN_M:
+            return
+        if to != self._to:
+            self._to = to
+            self._waiting.clear()
+        for name, leave in list(self._leave.items()):
+            if not self._goes_on(leave, robot):
+                self._take_back(name, leave)
+        known = {person.name for person in self._senses.present}
+        for name in blocked_by:
+            if name in known and name not in self._leave and name != to:
+                self._wait_before(name, robot, keeps_all)
+
+    def _wait_before(self, name: str, robot: XY, keeps_all: Callable[[], bool]) -> None:
+        person, now_s = self._senses.person(name), self._clock.now_s
+        waiting = self._waiting.setdefault(name, _Waiting(person.xy, now_s))
+        waiting.waited_s += self._clock.step_s
+        if math.dist(person.xy, waiting.place) > MOVED_M / 2.0 + self._noise_m:
+            waiting.place, waiting.since_s = person.xy, now_s
+        if waiting.asked_s is None:
+            return
+        facts = self._facts(person, robot, waiting)
+        if facts.walks or not (facts.said_yes or facts.has_stepped_aside):
+            return  # no answer yet
+        reasons = reasons_against(facts)
+        if not reasons and keeps_all():
+            reasons = reasons_against(replace(facts, has_other_route=True))
+        self._decide(person, waiting, reasons)
+
+    def _facts(self, person: Person, robot: XY, waiting: _Waiting) -> PassageFacts:
+        now_s = self._clock.now_s
+        moved_m = math.dist(person.xy, waiting.asked_xy)
+        bearing = wrap_angle(direction_to(person.xy, robot) - person.heading_rad)
+        return PassageFacts(
+            asked_m=self._spec.margin_m,
+            least_m=self._least_m,
+            declared=person.margin_facts,
+            is_known=self._senses.sees(person.name),
+            posture=person.posture,
+            walks=self._senses.walks(person.name) or now_s - waiting.since_s < STANDS_S - 1e-9,
+            bearing_deg=math.degrees(bearing),
+            has_stepped_aside=moved_m > MOVED_M + self._noise_m,
+            said_yes=self._said_yes(person.name, waiting),
+            has_waited=waiting.waited_s >= WAITED_S - 1e-9,
+            has_other_route=False,
+        )
+
+    def _said_yes(self, name: str, waiting: _Waiting) -> bool:
+        heard_s = self._clock.now_s - self._spec.sensor.delay_s
+        return any(
+            words.person == name and words.text == GO_AHEAD and (waiting.asked_s or 0.0) <= words.t <= heard_s
+            for words in self._said
+        )
+
+    def _decide(self, person: Person, waiting: _Waiting, reasons: tuple[str, ...]) -> None:
+        if reasons and reasons == waiting.told:
+            return
+        waiting.told = reasons
+        clearance_m = PERSON_MARGIN_M if reasons else self._spec.margin_m
+        self.decisions.append(MarginDecision(self._clock.now_s, person.name, clearance_m, reasons))
+        if not reasons:
+            self._leave[person.name] = _Leave(len(self.decisions) - 1, person, self._to)
+            self._senses.keep(person.name, clearance_m)
+
+    def _goes_on(self, leave: _Leave, robot: XY) -> bool:
+        """Whether leave holds: the person stands there still, and the robot has not passed."""
+        then = leave.person
+        if leave.to != self._to or not self._senses.sees(then.name):
+            return False
+        now = self._senses.person(then.name)
+        gap_m = math.dist(now.xy, robot) - now.radius_m - self._spec.radius_m
+        leave.came = leave.came or gap_m < PERSON_MARGIN_M
+        if leave.came and gap_m > PASSED_M:
+            return False
+        walks = any(walker.person.name == then.name for walker in self._senses.walkers)
+        if walks or math.dist(now.xy, then.xy) > MOVED_M + self._noise_m:
+            return False
+        turned_deg = math.degrees(abs(wrap_angle(now.heading_rad - then.heading_rad)))
+        return leave.came or turned_deg <= FACING_DEG
+
+    def _take_back(self, name: str, leave: _Leave) -> None:
+        del self._leave[name]
+        self._waiting.pop(name, None)
+        self._senses.keep(name, PERSON_MARGIN_M)
+        decision = self.decisions[leave.decision]
+        self.decisions[leave.decision] = replace(decision, end_s=self._clock.now_s)

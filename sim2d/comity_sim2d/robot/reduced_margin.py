@@ -1,0 +1,130 @@
+"""Whether the robot may pass a person nearer than `PERSON_MARGIN_M`: one decision, all conditions in a table.
+
+The decision reads declared facts of the person, what the tracker shows now, and what the scenario allows. It
+reads no cultural variable. Every condition is necessary, and a fact that is not known fails its condition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from comity_sim2d.base.drive import REDUCED_M_S, SPEED_SHARE
+from comity_sim2d.base.smoothing import acceleration_within, window_ticks
+from comity_sim2d.scene.margin_facts import MarginFacts
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.scene_error import SceneError
+
+BODY_MARGIN_M = 0.15
+"""Distance that is left to a body after all errors of the robot [m] (our choice: half of the margin)."""
+ADULT_YEARS = 18.0
+"""Minimum declared age [years]: the Convention on the Rights of the Child (1989), Article 1."""
+FACING_DEG, BEHIND_DEG = 60.0, 90.0
+"""A robot within the first bearing of the person's heading is faced; beyond the second it comes from behind
+(our choice)."""
+CONTROL_HZ = 20
+"""Rate of commands where no world is made yet [Hz]."""
+
+
+@dataclass(frozen=True, slots=True)
+class PassageFacts:
+    """All that the decision depends on. The defaults refuse."""
+
+    asked_m: float = PERSON_MARGIN_M
+    """`margin_m` of the scenario [m]."""
+    least_m: float = PERSON_MARGIN_M
+    """Of `least_margin_m` [m]."""
+    declared: MarginFacts = field(default_factory=MarginFacts)
+    is_known: bool = False
+    """Whether the tracker sees the person now and knows which person it is."""
+    posture: str = ""
+    walks: bool = True
+    bearing_deg: float | None = None
+    """Robot as seen from the person, from the person's heading [deg], in [-180, 180]; None: not known."""
+    has_stepped_aside: bool = False
+    """Whether the person was asked, moved, and stands again."""
+    said_yes: bool = False
+    """Whether the person was asked, and agreed; silence is no."""
+    has_waited: bool = False
+    """Whether the robot has waited for the way to become free, and has asked."""
+    has_other_route: bool = True
+    """Whether a route of any length keeps the full margin."""
+
+
+Condition = tuple[str, Callable[[PassageFacts], bool]]
+"""The reason to refuse, and whether the condition holds."""
+
+
+def _within(bearing_deg: float | None, most_deg: float) -> bool:
+    return bearing_deg is not None and abs(bearing_deg) <= most_deg
+
+
+def _is_adult(declared: MarginFacts) -> bool:
+    return declared.age_years is not None and declared.age_years >= ADULT_YEARS
+
+
+CONDITIONS: tuple[Condition, ...] = (
+    ("the scenario sets no smaller margin", lambda c: c.asked_m < PERSON_MARGIN_M),
+    ("the robot cannot keep the margin that is set", lambda c: c.asked_m >= c.least_m),
+    (
+        f"no age of {ADULT_YEARS:g} or more is declared",
+        lambda c: _is_adult(c.declared),
+    ),
+    ("that they walk without an aid is not declared", lambda c: c.declared.walks_unaided),
+    ("that they hear well is not declared", lambda c: c.declared.hears_well),
+    ("that they see well is not declared", lambda c: c.declared.sees_well),
+    ("the tracker does not see them", lambda c: c.is_known),
+    ("they do not stand", lambda c: c.posture == "standing"),
+    ("they walk", lambda c: not c.walks),
+    ("the robot comes from behind", lambda c: _within(c.bearing_deg, BEHIND_DEG)),
+    ("they neither face nor answer the robot", lambda c: c.said_yes or _within(c.bearing_deg, FACING_DEG)),
+    ("they neither stepped aside nor said yes", lambda c: c.has_stepped_aside or c.said_yes),
+    ("the robot has not waited and asked", lambda c: c.has_waited),
+    ("another route keeps the margin", lambda c: not c.has_other_route),
+)
+
+
+def reasons_against(now: PassageFacts) -> tuple[str, ...]:
+    """Every reason to keep `PERSON_MARGIN_M` from a person; empty where the scenario's margin is granted."""
+    return tuple(reason for reason, holds in CONDITIONS if not holds(now))
+
+
+def least_margin_m(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> float:
+    """Smallest margin that a robot can keep: 0.15 m + v t + v^2 / (2 a) + 2 sd [m].
+
+    v is `REDUCED_M_S`; t the latency from a measurement to the motion: of the sensor, of one tick to command
+    and one to move, and of a base that takes up commands slowly; a the deceleration of usual braking; sd the
+    standard deviation of one measurement of a person's place.
+
+    Args:
+        spec: The robot's body.
+        step_s: Between two commands [s].
+    """
+    within = acceleration_within(spec.max_acceleration_m_s2, spec.max_jerk_m_s3)
+    lag_s = (window_ticks(within, spec.max_jerk_m_s3, step_s) - 1) * step_s
+    latency_s = spec.sensor.delay_s + 2.0 * step_s + lag_s
+    stopping_m = REDUCED_M_S * latency_s + REDUCED_M_S**2 / (2.0 * SPEED_SHARE * within)
+    return BODY_MARGIN_M + stopping_m + 2.0 * spec.sensor.sigma_m
+
+
+def check_margin(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> None:
+    """Refuse a margin that the robot cannot keep.
+
+    Raises:
+        SceneError: It is lower than `PERSON_MARGIN_M`, and than `least_margin_m`.
+    """
+    least_m = least_margin_m(spec, step_s)
+    if spec.margin_m >= min(least_m, PERSON_MARGIN_M):
+        return
+    raise SceneError(
+        entity=spec.name,
+        field="margin_m",
+        expected=f"at least {least_m:.3f} m, which is {BODY_MARGIN_M:g} m and what this robot's latency, "
+        f"braking and tracking add at {REDUCED_M_S:g} m/s",
+        got=f"{spec.margin_m:g}",
+        remedy=f"Set at least that, or leave it at {PERSON_MARGIN_M:g}; a sensor with less delay and noise "
+        "and more acceleration lower it."
+        if least_m < PERSON_MARGIN_M
+        else f"Leave it at {PERSON_MARGIN_M:g}: this robot cannot keep less.",
+    )

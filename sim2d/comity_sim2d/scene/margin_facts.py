@@ -1,0 +1,27 @@
+"""Declared facts of a person on which it depends whether a robot may pass them at a reduced margin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from comity_sim2d.kinds import TRUTH, require_kinds
+from comity_sim2d.scene_error import require_between
+
+OLDEST_YEARS = 150.0
+
+
+@dataclass(frozen=True, slots=True)
+class MarginFacts:
+    """What a person declared; the defaults, for a person of whom nothing is known, refuse."""
+
+    age_years: float | None = None
+    """The least where a range was declared; None: not disclosed."""
+    walks_unaided: bool = False
+    hears_well: bool = False
+    sees_well: bool = False
+
+    def __post_init__(self) -> None:
+        if self.age_years is not None:
+            require_between("margin facts", "age_years", self.age_years, 0.0, OLDEST_YEARS)
+        declared = {name: getattr(self, name) for name in ("walks_unaided", "hears_well", "sees_well")}
+        require_kinds("margin facts", **{name: (value, TRUTH) for name, value in declared.items()})

@@ -1,0 +1,199 @@
+"""A scenario may set a smaller margin: what it depends on, what it changes, and what is said of it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from gliding import Gliding
+from hypothesis import given
+from hypothesis import strategies as st
+
+import comity as front_door
+from comity.parameters.margin import MARGIN_FACTS, UNIMPAIRED, margin_facts_of
+from comity.people.profile import Profile
+from comity.preparation import prepare, staged
+from comity.recording import record
+from comity.scenario import load_scenario
+from comity_fis import InputError, countries
+from comity_sim2d.metrics import clearances_m
+from comity_sim2d.scene.margin_facts import MarginFacts
+
+FIT = "{name: Anna, age: 40, hearing: good, sight: good, mobility: full}"
+
+
+def corridor(
+    *,
+    profile: str = FIT,
+    margin_m: float | None = 0.25,
+    anna: str = "steps_aside: true",
+    width_m: float = 1.27,
+    more: str = "",
+) -> str:
+    """A corridor in which Anna stands between the robot and Bert."""
+    middle_m = width_m / 2
+    margin = "" if margin_m is None else f", margin_m: {margin_m}"
+    return f"""\
+schema_version: 1
+name: corridor
+place: {{width_m: 10, height_m: {width_m}}}
+robot: {{at_m: [0.6, {middle_m}]{margin}}}
+people:
+  anna:
+    at_m: [4, {middle_m}]
+    facing_deg: 180
+    {anna}
+    profile: {profile}
+  bert: {{at_m: [8, {middle_m}], facing_deg: 180}}
+goals: [{{greet: bert}}]
+{more}"""
+
+
+@pytest.fixture
+def written(here):
+    """Write a scenario down; its file's name."""
+
+    def write(text: str) -> str:
+        (here / "corridor.scenario.yaml").write_text(text)
+        return "corridor.scenario.yaml"
+
+    return write
+
+
+def gaps_m(ran):
+    """Between the robot and Anna, in every frame."""
+    return clearances_m(ran.frames)[:, ran.frames.entities.index("anna") - 1]
+
+
+def passages(ran) -> list[str]:
+    """What is told of passages."""
+    return [one.text for one in ran.disturbances if one.kind == "passage"]
+
+
+def test_an_adult_who_steps_aside_is_passed_slowly_told_and_counted(written):
+    ran = front_door.run(written(corridor()))
+    gap_m = gaps_m(ran)
+    speed_m_s = np.hypot(*np.diff(ran.frames.of("robot")[:, :2], axis=0).T) / np.diff(ran.frames.time_s)
+    assert ran.outcome == "success"
+    assert 0.25 <= gap_m.min() < 0.29
+    assert speed_m_s[gap_m[1:] < 0.299].max() <= 0.2 + 1e-6
+    assert passages(ran) == [f"the robot passes anna, who lets it pass, at {gap_m.min():.2f} m"]
+    assert ran.metrics.longest_intrusion_by_person_s["anna"] > 0.0
+
+
+@pytest.mark.parametrize(
+    ("profile", "reason"),
+    [
+        (
+            "{name: Anna, age: 17, hearing: good, sight: good, mobility: full}",
+            "no age of 18 or more is declared",
+        ),
+        ("{name: Anna, hearing: good, sight: good, mobility: full}", "no age of 18 or more is declared"),
+        (
+            "{name: Anna, age: 40, hearing: impaired, sight: good, mobility: full}",
+            "that they hear well is not declared",
+        ),
+        (
+            "{name: Anna, age: 40, hearing: good, sight: good, mobility: walking frame}",
+            "that they walk without an aid is not declared",
+        ),
+    ],
+    ids=["17", "no age", "impaired", "walking frame"],
+)
+def test_a_person_who_declared_too_little_keeps_the_full_margin_and_it_is_said_why(written, profile, reason):
+    ran = front_door.run(written(corridor(profile=profile, more="limits: {time_s: 30}\n")))
+    assert gaps_m(ran).min() >= 0.299
+    assert passages(ran) == [f"the robot keeps 0.30 m from anna, who lets it pass: {reason}"]
+
+
+def test_without_the_keys_nothing_is_passed_nearer_and_no_fact_is_read(written):
+    stage = staged(load_scenario(written(corridor(margin_m=None, anna="posture: standing"))))
+    assert [person.margin_facts for person in stage.scene.people] == [MarginFacts()] * 2
+    ran = front_door.run(
+        written(corridor(margin_m=None, anna="posture: standing", more="limits: {time_s: 30}\n"))
+    )
+    assert gaps_m(ran).min() >= 0.299
+    assert passages(ran) == []
+
+
+def test_a_run_keeps_the_facts_that_decided_and_runs_again_the_same(written, here):
+    one = record(prepare(load_scenario(written(corridor()))), out=here / "one")
+    again = front_door.run(str(here / "one" / "scenario.yaml"))
+    assert again.trace_sha256 == one.episode.trace_sha256
+    assert passages(again) == passages(one.episode)
+
+
+@given(
+    st.fixed_dictionaries(
+        {},
+        optional={
+            "culture": st.sampled_from([word for one in countries() for word in one.spellings]),
+            "gender": st.sampled_from(["female", "male", "other"]),
+            "education": st.integers(0, 8),
+            "latitude": st.floats(-90.0, 90.0),
+            "formality": st.sampled_from(["formal", "informal"]),
+            "familiarity": st.sampled_from(["stranger", "close"]),
+            "robot_experience": st.sampled_from(["low", "high"]),
+            "touch_consent": st.sampled_from(["given", "withheld"]),
+            "settings": st.fixed_dictionaries({"conversational_distance": st.floats(0.45, 3.0)}),
+        },
+    ),
+    st.fixed_dictionaries(
+        {},
+        optional={
+            "age": st.floats(0.0, 122.0),
+            "hearing": st.sampled_from(["good", "none", "impaired", "hearing aid"]),
+            "sight": st.sampled_from(["good", "none", "glasses"]),
+            "mobility": st.sampled_from(["full", "wheelchair", "cane"]),
+        },
+    ),
+)
+def test_no_culture_taste_or_profile_changes_what_the_margin_depends_on(culture, facts):
+    plain = margin_facts_of(Profile.model_validate({"name": "anna", **facts}), None)
+    assert margin_facts_of(Profile.model_validate({"name": "anna", **culture, **facts}), None) == plain
+
+
+@given(st.text(max_size=12).filter(lambda word: word.strip().casefold() not in UNIMPAIRED))
+def test_only_words_that_say_so_say_that_nothing_is_wrong(word):
+    fit = {"age": 40.0, **dict.fromkeys(MARGIN_FACTS[1:], "good")}
+    assert margin_facts_of(Profile(name="anna"), None, fit) == MarginFacts(40.0, True, True, True)
+    for name in MARGIN_FACTS[1:]:
+        assert margin_facts_of(Profile(name="anna"), None, {**fit, name: word}) != MarginFacts(
+            40.0, True, True, True
+        )
+
+
+def test_what_is_told_later_counts_from_the_start(written):
+    more = "changes: [{at_s: 20, person: anna, situation: {hearing: none}}]\n"
+    stage = staged(load_scenario(written(corridor(more=more))))
+    assert stage.scene.person("anna").margin_facts == MarginFacts(40.0, True, False, True)
+
+
+@pytest.mark.parametrize(
+    ("text", "said", "line"),
+    [
+        (corridor(margin_m=0.2), "at least 0.237 m", 4),
+        (corridor(margin_m=0.1), "0.15", 4),
+        (corridor(margin_m=0.4), "0.3", 4),
+        (corridor(anna="steps_aside: true\n    posture: seated"), "somebody who stands", 9),
+        (corridor(anna="lets_pass: true\n    reacts: curious"), "somebody who stays", 9),
+        (corridor(anna="lets_pass: maybe"), "lets_pass", 9),
+    ],
+    ids=["0.2", "0.1", "0.4", "seated", "curious", "maybe"],
+)
+def test_what_cannot_be_is_refused_with_its_line(written, text, said, line):
+    with pytest.raises(InputError) as refused:
+        front_door.run(written(text))
+    assert said in str(refused.value)
+    assert f"scenario.yaml:{line}" in str(refused.value)
+
+
+def test_a_real_robot_is_refused_before_anything_is_commanded(written):
+    profile = "{name: Bert, age: 40}"
+    text = corridor().replace("facing_deg: 180}", f"facing_deg: 180, profile: {profile}}}")
+    robot = Gliding({"anna": (4.0, 0.6, math.pi), "bert": (8.0, 0.6, math.pi)})
+    with pytest.raises(InputError, match=r"margin_m of 0\.3 before a real robot") as refused:
+        front_door.run(written(text), robot=robot)
+    assert "scenario.yaml:4" in str(refused.value)
+    assert robot.log == []
