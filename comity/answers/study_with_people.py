@@ -1,8 +1,8 @@
-"""What `comity study collect` and `comity study score` answer."""
+"""What `comity study clips`, `collect` and `score` answer."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import Field
 
@@ -60,4 +60,37 @@ class StudyCollectAnswer(Answer):
     )
     written: int = Field(description="Answers that this command wrote, or deleted.")
     left: int = Field(description="Questions that no answer stands to.")
+    files: tuple[str, ...]
+
+
+class ClipAnswer(Answer):
+    """One film."""
+
+    clip: str = Field(description="The opaque name of its files.")
+    value: Any = Field(description="Of the parameter.")
+    outcome: str
+    length_s: float = Field(description="Of the episode, simulated.")
+    trace_sha256: str
+
+
+class ConfoundAnswer(Answer):
+    """A quantity that differs between the films, besides the parameter."""
+
+    person: str = Field(description="Empty for the whole episode.")
+    quantity: str = Field(description="As in the columns of a study.")
+    unit: str
+    values: tuple[float | str | None, ...] = Field(description="Of each film.")
+    difference: float | None = Field(description="Largest minus smallest; null where one is no number.")
+    definition: str
+
+
+class StudyClipsAnswer(Answer):
+    """`comity study clips --json`."""
+
+    scenario: str
+    parameter: str = Field(description="Its path in the scenario.")
+    speed: float = Field(description="Simulated seconds per second, the same for all films.")
+    clips: tuple[ClipAnswer, ...] = Field(description="In the order of their names, which says nothing.")
+    confounds: tuple[ConfoundAnswer, ...] = Field(description="Duration, path, speed and gaze first.")
+    folder: str
     files: tuple[str, ...]

@@ -55,6 +55,7 @@ class Kind(StrEnum):
     STUDY_SCORE = "study-score"
     COLLECTION = "collection"
     STUDY_COLLECT = "study-collect"
+    STUDY_CLIPS = "study-clips"
 
 
 def schema(
@@ -68,7 +69,7 @@ def schema(
     from comity.answers import study as study_answers
     from comity.answers import study_report as study_report_answers
     from comity.answers.learning import LearnAnswer
-    from comity.answers.study_with_people import StudyCollectAnswer, StudyScoreAnswer
+    from comity.answers.study_with_people import StudyClipsAnswer, StudyCollectAnswer, StudyScoreAnswer
     from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
@@ -126,5 +127,6 @@ def schema(
         Kind.STUDY_SCORE: StudyScoreAnswer,
         Kind.COLLECTION: CollectionFile,
         Kind.STUDY_COLLECT: StudyCollectAnswer,
+        Kind.STUDY_CLIPS: StudyClipsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypedDict
 
 from comity.replay.planned_routes import planned_routes
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
 
-__all__ = ["GIF_MARK", "check_picture", "draw_run", "film_run", "rings_of", "write_picture"]
+__all__ = ["GIF_MARK", "check_picture", "draw_run", "film_run", "film_stimulus", "rings_of", "write_picture"]
 
 
 def draw_run(run: SavedRun, path: Path) -> None:
@@ -49,6 +50,19 @@ def write_picture(folder: RunFolder, path: Path) -> None:
 def film_run(run: SavedRun, path: Path) -> None:
     """Write a GIF of the whole episode."""
     write_gif(path, run.scene, run.frames, title=run.account.scenario, ending=_title(run), **_shown(run))
+
+
+def film_stimulus(run: SavedRun, path: Path, speed: float) -> None:
+    """Write a GIF that shows what happens and tells no value: no distances, no route, no title.
+
+    Args:
+        run: What is filmed.
+        path: Of the GIF.
+        speed: Simulated seconds per second of playing.
+    """
+    people = tuple(replace(person, personal_distance_m=None) for person in run.scene.people)
+    scene = replace(run.scene, people=people)
+    write_gif(path, scene, run.frames, events=_acts(run), door_turns=_door_turns(run), speed=speed)
 
 
 class _Shown(TypedDict):

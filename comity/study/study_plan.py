@@ -99,7 +99,15 @@ def load_study(path: Path) -> StudyPlan:
     Raises:
         InputError: with file and line, for whatever cannot be used.
     """
-    file = read_yaml(path)
+    return study_of(read_yaml(path))
+
+
+def study_of(file: YamlFile) -> StudyPlan:
+    """The same of a study that is read already.
+
+    Raises:
+        InputError: with file and line, for whatever cannot be used.
+    """
     written = file.check(StudyFile)
     conditions = conditions_of(file, written)
     _refuse_same_scenarios(file, written)

@@ -1,0 +1,1 @@
+"""Films of the same visit with one parameter changed: stimuli for people, their key, possible confounds."""

@@ -1,0 +1,100 @@
+"""What besides the parameter differs between clips: whatever participants answer may be due to it as well."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.study.columns import FACT, OWN, PROVENANCE, WISH, ColumnDefinition, columns_of
+from comity.study.episode_rows import episode_rows
+
+if TYPE_CHECKING:
+    from comity.episode import Episode
+    from comity_sim2d import Frames
+
+GAZE_DEG = 15.0
+"""The robot looks at the person where its front points no farther past them (our choice)."""
+FIRST = (
+    "episode_duration_s",
+    "episode_path_length_m",
+    "episode_mean_speed_m_s",
+    "episode_max_speed_m_s",
+    "gaze_share",
+)
+"""Listed before all others."""
+LEFT_OUT = frozenset({"person", *PROVENANCE} - {"episode_outcome"})
+OF_CLIPS: Mapping[str, ColumnDefinition] = {
+    "gaze_share": ColumnDefinition(
+        "1", f"Share of the time in which the robot's front is within {GAZE_DEG:g} deg of the person.", OWN
+    ),
+    "said": ColumnDefinition("", "All that the robot said to the person.", OWN),
+}
+"""Beside the columns of a study."""
+
+ClipFacts = Mapping[tuple[str, str], float | str]
+"""What was measured in a clip, by person and column."""
+
+
+@dataclass(frozen=True, slots=True)
+class Confound:
+    """A quantity that differs between clips."""
+
+    person: str
+    """Empty for the whole episode."""
+    column: str
+    definition: ColumnDefinition
+    values: tuple[float | str | None, ...]
+    """Of each clip; None where it has none."""
+
+    @property
+    def difference(self) -> float | None:
+        """Between the largest and the smallest number; None where one is no number."""
+        numbers = [one for one in self.values if isinstance(one, int | float)]
+        return max(numbers) - min(numbers) if len(numbers) == len(self.values) else None
+
+
+def clip_facts(episode: Episode, frames: Frames) -> ClipFacts:
+    """What a study would measure of an episode, where the robot looked, and what it said."""
+    found: dict[tuple[str, str], float | str] = {}
+    for row in episode_rows(episode, None, filtered=None):
+        person = str(row["person"])
+        for column, value in row.items():
+            if column not in LEFT_OUT and not column.startswith((FACT, WISH)):
+                found["" if column.startswith("episode_") else person, column] = value
+        found[person, "gaze_share"] = gaze_share(frames, episode.prepared.file.scenario.robot.name, person)
+        said = [act.text for act in episode.acts if act.person == person and act.text]
+        found[person, "said"] = " / ".join(said)
+    return found
+
+
+def gaze_share(frames: Frames, robot: str, person: str) -> float:
+    """The share of frames in which the robot's front points at the person, to 15 deg."""
+    here, there = frames.of(robot), frames.of(person)
+    towards = np.arctan2(there[:, 1] - here[:, 1], there[:, 0] - here[:, 0])
+    past = np.abs((here[:, 2] - towards + np.pi) % (2 * np.pi) - np.pi)
+    return round(float(np.mean(past <= np.radians(GAZE_DEG))), 4)
+
+
+def confounds_of(facts: Sequence[ClipFacts]) -> tuple[Confound, ...]:
+    """All that differs between clips: duration, path, speed and gaze first, then in the order of a study.
+
+    Args:
+        facts: Of each clip.
+    """
+    places = dict.fromkeys(place for one in facts for place in one)
+    columns = {**columns_of((), (column for _, column in places)), **OF_CLIPS}
+    order = {column: i for i, column in enumerate(dict.fromkeys((*FIRST, *columns)))}
+    found = [
+        Confound(person, column, columns[column], tuple(one.get((person, column)) for one in facts))
+        for person, column in places
+    ]
+    differing = [one for one in found if len(set(map(_rounded, one.values))) > 1]
+    return tuple(sorted(differing, key=lambda one: (order[one.column], one.person)))
+
+
+def _rounded(value: float | str | None) -> float | str | None:
+    """Differences below a thousandth of the unit cannot be seen."""
+    return round(value, 3) if isinstance(value, float) else value

@@ -1,0 +1,162 @@
+"""Clips made: each value's episode is played, filmed without a word on its values, and compared."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+from comity.output.run_folder import open_run
+from comity.recording import record
+from comity.replay import replay_page
+from comity.replay.pictures import film_stimulus
+from comity.replay.saved_run import read_run
+from comity.study.clips.confounds import ClipFacts, Confound, clip_facts, confounds_of
+from comity.study.clips.film import has_ffmpeg, write_mp4
+from comity.study.clips.variation import opaque_name
+from comity.study.tasks import task_of
+from comity.study.worker import installation, prepared_of
+from comity.system.own_files import make_folder, write_whole, writing, written_whole
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity.study.study_plan import StudyCell, StudyPlan
+
+KEY, CONFOUNDS, PAGES = "key.csv", "confounds.csv", "pages"
+LONGEST_S = 60.0
+"""A film takes no longer; all of a set play at one speed, the longest decides (our choice)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Clip:
+    """One film."""
+
+    name: str
+    value: Any
+    """Of the parameter."""
+    seed: int
+    rulebook: str
+    outcome: str
+    trace_sha256: str
+    length_s: float
+    """Of the episode, simulated."""
+    facts: ClipFacts
+
+
+@dataclass(frozen=True, slots=True)
+class ClipSet:
+    """Films of one scenario that differ in one parameter."""
+
+    scenario: str
+    parameter: str
+    clips: tuple[Clip, ...]
+    """In the order of their opaque names."""
+    confounds: tuple[Confound, ...]
+    speed: float
+    """Simulated seconds per second of every film."""
+    files: tuple[str, ...]
+
+
+def make_clips(plan: StudyPlan, out: Path) -> ClipSet:
+    """Play, film and compare the conditions of a study with one factor.
+
+    Args:
+        plan: One scenario, one factor, one seed, no individuals.
+        out: A new or an empty folder.
+
+    Raises:
+        InputError: the folder holds something, or cannot be written.
+        PlanningFailed: no plan is found under some value.
+    """
+    _require_empty(out)
+    with TemporaryDirectory(prefix="comity-clips-") as runs:
+        clips = sorted((_played(plan, cell, Path(runs)) for cell in plan.cells()), key=lambda one: one.name)
+        speed = float(max(1, ceil(max(one.length_s for one in clips) / LONGEST_S)))
+        make_folder(out / PAGES)
+        films = [file for one in clips for file in _filmed(Path(runs) / one.name, out, speed)]
+    confounds = confounds_of([one.facts for one in clips])
+    (scenario,), (parameter,) = plan.written.scenarios, plan.written.factors
+    write_whole(out / KEY, key_csv(scenario, parameter, clips).encode())
+    write_whole(out / CONFOUNDS, confounds_csv(clips, confounds).encode())
+    return ClipSet(scenario, parameter, tuple(clips), confounds, speed, (*films, KEY, CONFOUNDS))
+
+
+def _require_empty(out: Path) -> None:
+    with writing(out):
+        if out.exists() and (not out.is_dir() or any(out.iterdir())):
+            raise InputError(
+                expected="a new or an empty folder for the clips",
+                got="a folder with other things in it" if out.is_dir() else "a file",
+                remedy="Name another: nothing is overwritten.",
+                where=Where(str(out)),
+            )
+
+
+def _played(plan: StudyPlan, cell: StudyCell, runs: Path) -> Clip:
+    (parameter,) = plan.written.factors
+    value = cell.condition.values[parameter]
+    name = opaque_name(cell.scenario, parameter, value, cell.seed)
+    prepared = prepared_of(task_of(plan, cell, installation()))
+    recorded = record(prepared, seed=cell.seed, out=runs / name, views=())
+    frames = read_run(recorded.folder).frames
+    return Clip(
+        name=name,
+        value=value,
+        seed=cell.seed,
+        rulebook=cell.base.rulebook_name,
+        outcome=recorded.episode.outcome,
+        trace_sha256=recorded.episode.trace_sha256,
+        length_s=float(frames.time_s[-1]),
+        facts=clip_facts(recorded.episode, frames),
+    )
+
+
+def _filmed(run: Path, out: Path, speed: float) -> Sequence[str]:
+    """The names of a clip's files in the folder."""
+    folder = open_run(run)
+    gif, mp4, page = f"{run.name}.gif", f"{run.name}.mp4", f"{PAGES}/{run.name}.html"
+    with writing(out / gif), written_whole(out / gif) as part:
+        film_stimulus(read_run(folder), part, speed)
+    write_whole(out / page, replay_page(folder).encode())
+    if not has_ffmpeg():
+        return (gif, page)
+    with writing(out / mp4), written_whole(out / mp4) as part:
+        write_mp4(out / gif, part)
+    return (gif, mp4, page)
+
+
+def key_csv(scenario: str, parameter: str, clips: Sequence[Clip]) -> str:
+    """Which clip shows which value."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(
+        ["clip", "parameter", "value", "scenario", "seed", "rulebook", "outcome", "length_s", "trace_sha256"]
+    )
+    for one in clips:
+        told = (scenario, one.seed, one.rulebook, one.outcome, f"{one.length_s:g}", one.trace_sha256)
+        writer.writerow([one.name, parameter, plain(one.value), *told])
+    return text.getvalue()
+
+
+def plain(value: Any) -> str:
+    """A value of the parameter as people read it."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def confounds_csv(clips: Sequence[Clip], confounds: Sequence[Confound]) -> str:
+    """What differs, a row for each quantity, a column for each clip."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["person", "quantity", "unit", *(one.name for one in clips), "difference", "definition"])
+    for one in confounds:
+        values = ["" if value is None else value for value in one.values]
+        difference = "" if one.difference is None else f"{one.difference:.6g}"
+        unit, means = one.definition.unit, one.definition.means
+        writer.writerow([one.person, one.column, unit, *values, difference, means])
+    return text.getvalue()

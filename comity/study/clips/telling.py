@@ -1,0 +1,76 @@
+"""What is said of clips."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.answers.study_with_people import ClipAnswer, ConfoundAnswer, StudyClipsAnswer
+from comity.report.text import number, table, unbroken, words
+from comity.study.clips.making import CONFOUNDS, KEY, PAGES, ClipSet
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+SHOWN = 12
+"""Confounds on the terminal; the file has all."""
+
+
+def clips_answer(made: ClipSet, out: Path) -> StudyClipsAnswer:
+    """All clips of a set, and what differs between them.
+
+    Args:
+        made: The clips.
+        out: Their folder.
+    """
+    return StudyClipsAnswer(
+        scenario=made.scenario,
+        parameter=made.parameter,
+        speed=made.speed,
+        clips=tuple(
+            ClipAnswer(
+                clip=one.name,
+                value=one.value,
+                outcome=one.outcome,
+                length_s=one.length_s,
+                trace_sha256=one.trace_sha256,
+            )
+            for one in made.clips
+        ),
+        confounds=tuple(
+            ConfoundAnswer(
+                person=one.person,
+                quantity=one.column,
+                unit=one.definition.unit,
+                values=one.values,
+                difference=one.difference,
+                definition=one.definition.means,
+            )
+            for one in made.confounds
+        ),
+        folder=str(out),
+        files=made.files,
+    )
+
+
+def clips_text(answer: StudyClipsAnswer) -> Iterator[RenderableType]:
+    """The same for a reader; the values stay in the key."""
+    fast = "" if answer.speed == 1 else f", played {answer.speed:g} times as fast"
+    yield f"{answer.scenario} with {answer.parameter} changed: {len(answer.clips)} clips{fast}"
+    yield table([(one.clip, one.outcome, f"{one.length_s:.1f} s") for one in answer.clips])
+    if not answer.confounds:
+        yield "  Nothing that was measured differs: the clips may look the same"
+    else:
+        yield "  What differs as well, and may be why people answer as they do:"
+        rows = [
+            (words(one.quantity), one.person, *(number(value, one.unit or None) for value in one.values))
+            for one in answer.confounds[:SHOWN]
+        ]
+        yield table(rows, head=("quantity", "person", *(one.clip for one in answer.clips)))
+    if (more := len(answer.confounds) - SHOWN) > 0:
+        yield f"  {more} more in {CONFOUNDS}"
+    if not any(file.endswith(".mp4") for file in answer.files):
+        yield "  No MP4: ffmpeg was not found"
+    yield unbroken(f"Clips  {answer.folder}")
+    yield f"  {KEY} says which is which, and {PAGES} show all values: keep both from participants"

@@ -1,0 +1,151 @@
+"""Films of one visit with one parameter changed: opaque names, one speed, and what else differs."""
+
+from __future__ import annotations
+
+import csv
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PIL import Image
+
+from comity.study.clips.confounds import confounds_of, gaze_share
+from comity_sim2d import Frames
+
+PROFILES = "people.visited.profile=german_woman,arab_woman"
+
+
+def rows(path):
+    with path.open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def clips(comity, vary=PROFILES, scenario="johanna", out="clips", more=()):
+    return comity("study", "clips", scenario, "--vary", vary, "--out", out, *more)
+
+
+def test_each_clip_is_the_episode_that_a_run_gives(comity, here):
+    answer = clips(comity, more=["--json"]).json
+    key = {row["value"]: row for row in rows(here / "clips/key.csv")}
+    assert set(key) == {"german_woman", "arab_woman"}
+    for value, row in key.items():
+        run = comity(
+            "run", "johanna", "--as", f"johanna={value}", "--no-pictures", "--out", value, "--json"
+        ).json
+        assert row["trace_sha256"] == run["trace_sha256"]
+        assert (here / f"clips/{row['clip']}.gif").read_bytes().startswith(b"GIF8")
+        assert "Comity replay" in (here / f"clips/pages/{row['clip']}.html").read_text(encoding="utf-8")
+    found = {(one["person"], one["quantity"]): one for one in answer["confounds"]}
+    targets = found["johanna", "distance_target_m"]
+    assert targets["difference"] == pytest.approx(abs(targets["values"][0] - targets["values"][1]))
+    assert ("", "episode_duration_s") in found
+    assert len(rows(here / "clips/confounds.csv")) == len(answer["confounds"])
+
+
+def test_names_and_films_tell_no_value(comity, here):
+    said = clips(comity)
+    assert said.code == 0
+    names = [path.name for path in (here / "clips").rglob("*")]
+    for word in ("german", "arab", "woman"):
+        assert word not in said.out.splitlines()[1] + said.out.splitlines()[2]
+        assert not any(word in name for name in names)
+        for film in (here / "clips").glob("*.gif"):
+            assert word.encode() not in film.read_bytes()
+
+
+def test_what_is_not_seen_gives_the_same_film_and_no_confound(comity, here):
+    answer = clips(comity, "robot.sensor.range_m=20,25", more=["--json"]).json
+    assert answer["confounds"] == []
+    first, second = sorted((here / "clips").glob("*.gif"))
+    assert first.read_bytes() == second.read_bytes()
+
+
+def test_the_distance_that_a_person_wants_is_not_drawn(comity, here):
+    """Before anything has happened, films of two wanted distances show the same."""
+    clips(comity)
+    one, other = (
+        np.asarray(Image.open(film).convert("RGB")).astype(int) for film in (here / "clips").glob("*.gif")
+    )
+    assert (abs(one - other).max(axis=2) > 40).mean() < 1e-3  # each film has a palette of its own
+
+
+def test_the_same_command_gives_the_same_bytes(comity, here):
+    for out in ("once", "twice"):
+        assert clips(comity, out=out).code == 0
+    once = {path.relative_to(here / "once"): path.read_bytes() for path in (here / "once").rglob("*.*")}
+    twice = {path.relative_to(here / "twice"): path.read_bytes() for path in (here / "twice").rglob("*.*")}
+    assert once == twice
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        {"vary": "people.visited.profile=german_woman"},
+        {"vary": "people.visited.profile=german_woman,german_woman"},
+        {"vary": "people.visited.profil=german_woman,arab_woman"},
+        {"vary": "people.visited.profile=german_woman,nobody_known"},
+        {"vary": "rulebook"},
+        {"vary": "rulebook=[a"},
+        {"scenario": "johana"},
+        {"out": "full"},
+        {"out": "file"},
+    ],
+)
+def test_what_cannot_be_filmed_is_refused_and_nothing_is_written(comity, here, words):
+    (here / "full").mkdir()
+    (here / "full/mine.txt").write_text("mine")
+    (here / "file").write_text("mine")
+    said = clips(comity, **words)
+    assert said.code == 2
+    assert "expected" in said.err
+    assert not (here / "clips").exists()
+    assert [path.name for path in (here / "full").iterdir()] == ["mine.txt"]
+
+
+@given(st.lists(st.floats(-3.1, 3.1), min_size=2, max_size=20))
+def test_the_share_of_gaze_counts_frames_whose_heading_is_within_15_degrees(headings):
+    count = len(headings)
+    poses = np.zeros((count, 2, 3))
+    poses[:, 0, 2] = headings
+    poses[:, 1, 0] = 2.0
+    frames = Frames(("robot", "anna"), (0.25, 0.2), np.arange(count) * 0.05, poses)
+    expected = sum(abs(heading) <= np.radians(15) for heading in headings) / count
+    assert gaze_share(frames, "robot", "anna") == pytest.approx(expected, abs=1e-4)
+
+
+NUMBERS = st.dictionaries(
+    st.sampled_from([("", "episode_duration_s"), ("anna", "docked_s"), ("anna", "gaze_share")]),
+    st.floats(0, 100),
+)
+
+
+@given(NUMBERS, NUMBERS)
+def test_a_confound_is_whatever_differs_and_nothing_else(one, other):
+    found = {(each.person, each.column) for each in confounds_of([one, other])}
+    for place in {*one, *other}:
+        values = [None if facts.get(place) is None else round(facts[place], 3) for facts in (one, other)]
+        assert (place in found) == (values[0] != values[1])
+    assert confounds_of([one, one]) == ()
+
+
+@pytest.mark.integration
+def test_films_are_mp4_as_well_where_ffmpeg_is_found(comity, here, monkeypatch):
+    for words in (["venv", "-q", "env"], ["pip", "install", "-q", "--python", "env", "imageio-ffmpeg"]):
+        subprocess.run([sys.executable, "-m", "uv", *words], check=True)
+    python = here / "env/bin/python"
+    told = "import imageio_ffmpeg; print(imageio_ffmpeg.get_ffmpeg_exe())"
+    program = subprocess.run([python, "-c", told], check=True, capture_output=True, text=True).stdout.strip()
+    (here / "bin").mkdir()
+    (here / "bin/ffmpeg").symlink_to(program)
+    monkeypatch.setenv("PATH", f"{here / 'bin'}{os.pathsep}{os.environ['PATH']}")
+    answer = clips(comity, more=["--json"]).json
+    for one in answer["clips"]:
+        film = here / f"clips/{one['clip']}.mp4"
+        assert film.read_bytes()[4:8] == b"ftyp"
+        told = subprocess.run([program, "-i", film], check=False, capture_output=True, text=True).stderr
+        assert "yuv420p" in told
+    assert len(answer["files"]) == 8
