@@ -43,6 +43,23 @@ def test_omar_is_greeted_before_anna_in_plan_and_run(comity, planned):
     assert [visit["person"] for visit in run["visits"]] == people
 
 
+@needs_fast_downward
+@pytest.mark.parametrize("side", ["front", "left", "right"])
+def test_another_engine_keeps_a_side_ruled_out_at_our_cost(planned, side):
+    """Of somebody alone, and beside an order."""
+    for goals in (
+        f"  - {{greet: anna, not_from: [{side}]}}\n",
+        f"  - {{greet: anna, not_from: [{side}], after: omar}}\n  - greet: omar\n",
+    ):
+        ours = planned(goals, "--json").json
+        theirs = planned(goals, "--engine", "fast-downward-opt", "--validate", "--json").json
+        assert theirs["engine"] == "fast-downward-opt"
+        assert reached(theirs) == reached(ours)
+        assert side not in [taken for person, taken in reached(theirs) if person == "anna"]
+        assert theirs["cost"] == ours["cost"]
+        assert theirs["validation"]["valid"]
+
+
 def test_who_walks_off_does_not_change_the_order(comity, here):
     goals = "  - {greet: anna, after: omar}\n  - greet: omar\n"
     changes = "changes:\n  - {at_s: 3, person: cy, moves_to_m: [4.0, 3.0]}\n"

@@ -94,6 +94,16 @@ def test_an_engine_that_there_is_not_is_refused(comity, command):
     assert "fast-upward" in said.err
 
 
+def test_an_engine_that_breaks_off_says_what_it_does_not_take(comity):
+    """And which installed one to name instead."""
+    pytest.importorskip("up_aries")
+    said = comity("plan", "johanna", "--engine", "aries")
+    assert said.code == 1
+    told = " ".join(said.err.split())
+    assert "aries broke off: it does not take conditional effects and forall effects" in told
+    assert "Leave --engine out" in told
+
+
 def test_a_scenario_with_deadlines_is_never_planned_without_them(comity):
     said = comity("plan", "in-a-hurry", *OTHER)
     assert said.code == 2

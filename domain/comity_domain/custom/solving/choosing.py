@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from comity_domain.custom.costs.classical import MAXIMIZED, beyond_classical
-from comity_domain.errors import NoEngine
+from comity_domain.errors import NoEngine, PlanningFailed
 from comity_fis.errors import InputError, Where, closest
 
 if TYPE_CHECKING:
@@ -128,6 +128,40 @@ def require_installed(engine: str, factory: Factory | None = None) -> None:
         )
 
 
+def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
+    """Why an engine broke off, as far as it says what it does not take, and which one to name instead.
+
+    Args:
+        name: Of the engine.
+        problem: What it was given.
+        text: What it broke off with.
+    """
+    factory = problem.environment.factory
+    lacks = _lacking(problem, name)
+    able = [one for one in installed(factory) if _plans(factory, one) and not _lacking(problem, one)]
+    instead = f"one of: {', '.join(able)}" if able else "another engine"
+    if not lacks:
+        return PlanningFailed(f"{name} broke off ({text})", remedy=f"Plan with {instead}.")
+    words = " and ".join(sorted(one.lower().replace("_", " ") for one in lacks))
+    return PlanningFailed(
+        f"{name} broke off: it does not take {words}, which the problem has",
+        remedy=f"Leave --engine out, or plan with {instead}.",
+    )
+
+
+def _lacking(problem: Problem, name: str) -> frozenset[str]:
+    """What a problem has and an engine says that it does not take; numbers that nothing reads aside."""
+    supported = problem.environment.factory.engine(name).supported_kind().features
+    return frozenset(problem.kind.features - supported - {"UNDEFINED_INITIAL_NUMERIC"})
+
+
+def _plans(factory: Factory, name: str) -> bool:
+    try:
+        return bool(factory.engine(name).is_oneshot_planner())
+    except Exception:  # an engine that does not even load, whatever its reason, is none
+        return False
+
+
 def installed(factory: Factory) -> list[str]:
     """The engines that unified-planning finds, without those that are made of others."""
     return sorted(name for name in factory.engines if "[" not in name)
@@ -168,11 +202,8 @@ def _sees_metric(problem: Problem, name: str) -> bool:
 
 
 def _can(problem: Problem, name: str) -> bool:
-    try:
-        engine = problem.environment.factory.engine(name)
-    except Exception:  # an engine that does not even load, whatever its reason, is none
-        return False
-    return bool(engine.is_oneshot_planner() and engine.supports(problem.kind))
+    factory = problem.environment.factory
+    return _plans(factory, name) and bool(factory.engine(name).supports(problem.kind))
 
 
 def _refuse(problem: Problem) -> NoReturn:

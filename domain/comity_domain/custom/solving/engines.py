@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from comity_domain.custom.reading.reading import as_global
 from comity_domain.custom.solving.choosing import (
     FAST_DOWNWARD,
+    broken_off,
     engine_for,
     improves,
     installed,
@@ -70,7 +71,7 @@ def solve(
                     best = last.plan
         except Exception as broke:  # whatever an engine breaks with
             text = " ".join(f"{type(broke).__name__}: {broke}".split())[:200]
-            raise PlanningFailed(f"{name} broke off ({text})", remedy="Plan with another engine.") from None
+            raise broken_off(name, problem, text) from None
     if best is None:
         raise _none_found(name, last, time_limit_s)
     best = best.replace_action_instances(back) if back else best
