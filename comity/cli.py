@@ -38,6 +38,7 @@ from comity.commands import (
     study,
     study_clips,
     study_collect,
+    study_fields,
     study_power,
     study_report,
     study_score,
@@ -162,6 +163,7 @@ of_studies: tuple[Run, ...] = (
     study_collect.collect,
     study_score.questionnaire,
     study_score.score,
+    study_fields.fields,
 )
 for of_study in of_studies:
     studies.command(of_study.__name__, cls=Command)(_written(of_study))

@@ -1,4 +1,4 @@
-"""What `comity study clips`, `collect` and `score` answer."""
+"""What `comity study clips`, `collect`, `score` and `fields` answer."""
 
 from __future__ import annotations
 
@@ -94,3 +94,22 @@ class StudyClipsAnswer(Answer):
     confounds: tuple[ConfoundAnswer, ...] = Field(description="Duration, path, speed and gaze first.")
     folder: str
     files: tuple[str, ...]
+
+
+class ReportedFieldAnswer(Answer):
+    """One field of a report."""
+
+    section: str
+    field: str
+    value: str | None = Field(description="As Markdown; null where the lab has to fill it in.")
+    asks: str | None = Field(description="What the lab is to write.")
+
+
+class StudyFieldsAnswer(Answer):
+    """`comity study fields --json`."""
+
+    study: str
+    filled: int
+    blank: int
+    fields: tuple[ReportedFieldAnswer, ...]
+    file: str | None

@@ -56,6 +56,7 @@ class Kind(StrEnum):
     COLLECTION = "collection"
     STUDY_COLLECT = "study-collect"
     STUDY_CLIPS = "study-clips"
+    STUDY_FIELDS = "study-fields"
 
 
 def schema(
@@ -69,7 +70,12 @@ def schema(
     from comity.answers import study as study_answers
     from comity.answers import study_report as study_report_answers
     from comity.answers.learning import LearnAnswer
-    from comity.answers.study_with_people import StudyClipsAnswer, StudyCollectAnswer, StudyScoreAnswer
+    from comity.answers.study_with_people import (
+        StudyClipsAnswer,
+        StudyCollectAnswer,
+        StudyFieldsAnswer,
+        StudyScoreAnswer,
+    )
     from comity.people.consents import ConsentFile
     from comity.people.learnt_file import LearntFile
     from comity.people.profile import Profile
@@ -128,5 +134,6 @@ def schema(
         Kind.COLLECTION: CollectionFile,
         Kind.STUDY_COLLECT: StudyCollectAnswer,
         Kind.STUDY_CLIPS: StudyClipsAnswer,
+        Kind.STUDY_FIELDS: StudyFieldsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from datetime import date
-from hashlib import sha256
 from pathlib import Path
 from typing import Any, Literal
 
@@ -14,8 +13,16 @@ from comity.adaptation.observers_words import distance as distance_in_words
 from comity.people.profile import declared_by
 from comity.study.allocation import Session
 from comity.study.collecting.asking import OPEN, AnswersEndedError, Asker, agreed
+from comity.study.collecting.collected import (
+    ANSWER_COLUMNS,
+    ANSWERS,
+    DISTANCES,
+    Collected,
+    distance_columns,
+    text_digest,
+)
 from comity.study.collecting.collection_file import CONSENT, DISTANCE, FACT, Collection
-from comity.study.collecting.growing_table import GrowingTable, opened_table, rows_of, without_participant
+from comity.study.collecting.growing_table import GrowingTable, opened_table, without_participant
 from comity.study.collecting.steps import Step, steps_of
 from comity.study.individual import DISTANCE as PARAMETER
 from comity.study.individual import plain_fact
@@ -27,10 +34,6 @@ from comity_fis import InputError, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.csv_table import NUMBER
 
-ANSWERS, DISTANCES = "answers.csv", "distances.csv"
-ANSWER_COLUMNS = ("participant", "condition", "questionnaire", "item", "answer", "date", "experimenter")
-BEFORE_FACTS = ("study", "participant", "name", "group", "condition", "order", "trial", "medium")
-AFTER_FACTS = ("parameter", "value", "unit", "measured", "partner", "signal", "distance_m", "date", "read_by")
 Status = Literal["done", "stopped", "refused"]
 
 
@@ -56,20 +59,10 @@ class Collector:
     asker: Asker
     robot_m: Callable[[], float] | None = None
 
-    @property
-    def distance_columns(self) -> tuple[str, ...]:
-        """Of the table of stop distances."""
-        return (*BEFORE_FACTS, *self.collection.written.facts, *AFTER_FACTS)
-
-    @property
-    def text_digest(self) -> str:
-        """Of the text that is agreed to."""
-        return sha256(self.collection.written.consent.encode()).hexdigest()[:12]
-
     def left(self) -> tuple[Step, ...]:
         """The questions that no answer stands to, in their order."""
-        done = self._done()
-        steps = steps_of(self.collection, self.session, self.text_digest)
+        done = self._collected().answered[self.session.participant]
+        steps = steps_of(self.collection, self.session, text_digest(self.collection.written))
         return tuple(step for step in steps if step not in done)
 
     def carry_out(self) -> tuple[Status, int]:
@@ -105,28 +98,18 @@ class Collector:
         if not self.folder.is_dir():
             return 0
         with _alone(self.folder):
-            files = ((ANSWERS, ANSWER_COLUMNS), (DISTANCES, self.distance_columns))
+            files = ((ANSWERS, ANSWER_COLUMNS), (DISTANCES, distance_columns(self.collection.written)))
             return sum(
                 without_participant(self.folder / name, columns, self.session.participant)
                 for name, columns in files
             )
 
-    def _done(self) -> set[Step]:
-        mine = self.session.participant
-        answers = rows_of(self.folder / ANSWERS, ANSWER_COLUMNS)
-        distances = rows_of(self.folder / DISTANCES, self.distance_columns)
-        return {
-            Step(row["condition"], row["questionnaire"], row["item"])
-            for row in answers
-            if row["participant"] == mine
-        } | {
-            Step(row["condition"], DISTANCE, row["trial"]) for row in distances if row["participant"] == mine
-        }
+    def _collected(self) -> Collected:
+        return Collected.read(self.folder, self.collection.written)
 
     def _facts(self) -> dict[str, str]:
-        rows = rows_of(self.folder / ANSWERS, ANSWER_COLUMNS)
-        mine = (row for row in rows if row["participant"] == self.session.participant)
-        return {row["item"]: row["answer"] for row in mine if row["questionnaire"] == FACT}
+        mine = (row for row in self._collected().to(FACT) if row["participant"] == self.session.participant)
+        return {row["item"]: row["answer"] for row in mine}
 
     def _consents(self) -> bool:
         self.asker.say(self.collection.written.consent.rstrip())
@@ -138,7 +121,7 @@ class Collector:
         with (
             _alone(self.folder),
             opened_table(self.folder / ANSWERS, ANSWER_COLUMNS) as answers,
-            opened_table(self.folder / DISTANCES, self.distance_columns) as distances,
+            opened_table(self.folder / DISTANCES, distance_columns(self.collection.written)) as distances,
         ):
             yield answers, distances
 

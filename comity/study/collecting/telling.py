@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.answers.study_with_people import StudyCollectAnswer
 from comity.report.text import unbroken
-from comity.study.collecting.session import ANSWERS, DISTANCES, Collector
+from comity.study.collecting.collected import ANSWERS, DISTANCES
+from comity.study.collecting.session import Collector
 from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
