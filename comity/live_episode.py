@@ -25,6 +25,7 @@ from comity.simulation.passages import passages
 from comity.simulation.walks import walks
 from comity_executor import (
     NO_ACTS,
+    PROPER_OUTCOMES,
     Execution,
     ExecutionStatus,
     MakeAct,
@@ -452,7 +453,7 @@ def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
         return execution.status
     fared = {visit.person: visit.outcome for visit in execution.visits}
     wanted = fared.keys() | prepared.asked.unreachable.keys()
-    if sum(outcome in ("greeted", "skipped") for outcome in fared.values()) == len(wanted):
+    if sum(outcome in PROPER_OUTCOMES for outcome in fared.values()) == len(wanted):
         return "partial" if any(late_s(prepared, visit) for visit in execution.visits) else "success"
     if execution.status == "stopped":
         return "stopped"

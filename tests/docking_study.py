@@ -36,11 +36,14 @@ class Case:
 CASES: Mapping[str, Case] = {
     "static": Case("nobody moves, perfect sensors"),
     "noisy": Case("nobody moves, 3 cm and 100 ms", NOISY),
-    "drifting": Case("the person drifts at 0.2 m/s, 3 cm and 100 ms", NOISY, 0.2),
+    "drifting": Case("the person drifts aside or back at 0.2 m/s, 3 cm and 100 ms", NOISY, 0.2),
     "differential": Case("nobody moves, perfect sensors, differential", drive="differential"),
     "differential, noisy": Case("nobody moves, 3 cm and 100 ms, differential", NOISY, drive="differential"),
     "differential, drifting": Case(
-        "the person drifts at 0.2 m/s, 3 cm and 100 ms, differential", NOISY, 0.2, "differential"
+        "the person drifts aside or back at 0.2 m/s, 3 cm and 100 ms, differential",
+        NOISY,
+        0.2,
+        "differential",
     ),
 }
 
@@ -69,7 +72,7 @@ def visit(case: Case, seed: int) -> Errors:
         drive=case.drive,
     )
     pose = DockingPose(rng.uniform(0.45, 1.2), float(rng.choice([0.0, 50.0, -50.0])))
-    course = rng.uniform(-math.pi, math.pi)
+    course = person.heading_rad + rng.uniform(0.5, 1.5) * math.pi  # aside or back: who goes ahead walks
     step = (case.drift_m_s / 20 * math.cos(course), case.drift_m_s / 20 * math.sin(course))
     world = World(Scene(Room.rectangle(SIZE_M, SIZE_M), robot, (person,)), seed)
     world.robot.dock("p0", pose, speed_m_s=0.7)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.monitoring.told import later_distances_m, values_at
 from comity.parameters.passing import DISTANCE
+from comity_executor import PROPER_OUTCOMES
 from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def figures(
         shortest_m=_shortest_m(prepared, frames, visits),
         plan_cost_m=plan.cost / 100.0,
         plan_gap=plan.gap,
-        success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
+        success=all(visit.outcome in PROPER_OUTCOMES for visit in visits),
         undisturbed=undisturbed,
     )
     return measure(frames, known)

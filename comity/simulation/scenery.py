@@ -128,7 +128,9 @@ def _walk(name: str, person: written.Person, file: ScenarioFile) -> Walk | None:
         return None
     pauses_s = walks.pause_s if isinstance(walks.pause_s, tuple) else (walks.pause_s,) * len(walks.route)
     try:
-        return Walk(walks.route, walks.loop, walks.speed_m_s, pauses_s, walks.stops)
+        return Walk(
+            walks.route, walks.loop, walks.speed_m_s, pauses_s, walks.stops, accompanied=walks.accompanied
+        )
     except SceneError as error:
         raise error.at(file.where("people", name, "walks")) from None
 

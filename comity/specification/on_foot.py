@@ -33,6 +33,10 @@ class Walks(BaseModel):
     stops: bool = Field(
         default=False, description="Whether they stop for a robot that comes up to them, and look at it."
     )
+    accompanied: bool = Field(
+        default=False,
+        description="Whether they agreed that the robot goes along with them, up to 0.5 m/s.",
+    )
 
 
 class PassersBy(BaseModel):

@@ -6,7 +6,7 @@ from comity_executor.live.loop import Loop, LoopReport, Overrun
 from comity_executor.live.watchdog import Watchdog, WatchdogError
 from comity_executor.memory.board import Shared
 from comity_executor.memory.meeting import NO_ACTS, MakeAct
-from comity_executor.memory.visit import Deed, Visit
+from comity_executor.memory.visit import PROPER_OUTCOMES, Deed, Visit
 from comity_executor.memory.write import Write
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import Diagnosed, FaultError
@@ -59,6 +59,7 @@ __all__ = [
     "DEFAULT_LIMITS",
     "LOST",
     "NO_ACTS",
+    "PROPER_OUTCOMES",
     "STATES",
     "ActGoal",
     "ActStatus",

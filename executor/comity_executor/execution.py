@@ -19,7 +19,7 @@ from comity_executor.memory.board import Shared
 from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.progress import progress_of
-from comity_executor.memory.visit import Visit, skipped_visit
+from comity_executor.memory.visit import PROPER_OUTCOMES, Visit, skipped_visit
 from comity_executor.memory.write import Write
 from comity_executor.nodes import node as _node
 from comity_executor.nodes.cause import Cause
@@ -127,9 +127,10 @@ class Execution:
         self.tree.add_pre_tick_handler(self._faults.arm)
         self.tree.add_post_tick_handler(self._faults.disarm)
         self.status: ExecutionStatus = "running"
-        """`success`: everyone was greeted. `failure`: the visits say who was not. `stopped`: by `stop`, or
-        something raised that no leaf fails with. `stop_unconfirmed`: the base was told to stop, by a press or
-        at the end, and has not said in time that it rests; it is told so with every further `tick`."""
+        """`success`: everyone was greeted, or declined. `failure`: the visits say who was not. `stopped`: by
+        `stop`, or something raised that no leaf fails with. `stop_unconfirmed`: the base was told to stop, by
+        a press or at the end, and has not said in time that it rests; it is told so with every further
+        `tick`."""
 
     def go_on_from(self, halted: Execution) -> None:
         """Do nothing again that a halted execution has said or shown; to be called before the first tick.
@@ -434,7 +435,7 @@ class Execution:
 
     def _is_everybody_served(self) -> bool:
         """Whether the tree failed although there is nothing left to do: one of its leaves broke down."""
-        served = all(visit.outcome in ("greeted", "skipped") for visit in self.visits)
+        served = all(visit.outcome in PROPER_OUTCOMES for visit in self.visits)
         return served and not self._unserved
 
     def _renew(self, t: float, revision: Revision) -> None:
@@ -485,7 +486,7 @@ class Execution:
 
     def _course(self, t: float) -> Course:
         visits = self.visits
-        done = tuple(visit.person for visit in visits if visit.outcome == "greeted")
+        done = tuple(visit.person for visit in visits if visit.outcome in ("greeted", "declined"))
         deeds = len(done) + sum(deed.done_s is not None for visit in visits for deed in visit.agenda)
         if self._recovery and deeds > self._deeds:
             self._recovery.begin_again()
@@ -495,7 +496,11 @@ class Execution:
             plan=self.plan,
             values=self._values,
             done=done,
-            failures={visit.person: visit.failure for visit in visits if visit.failure},
+            failures={
+                visit.person: visit.failure
+                for visit in visits
+                if visit.failure and visit.outcome not in PROPER_OUTCOMES
+            },
             may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
             unserved=self._unserved,

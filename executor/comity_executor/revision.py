@@ -23,7 +23,7 @@ class Course:
     values: Mapping[str, Inference]
     """Everyone's parameters, as the tree has them."""
     done: tuple[str, ...]
-    """Who was served: not to be served again."""
+    """Who was served, or declined: not to be approached again."""
     failures: Mapping[str, str]
     """Whose visit was given up, and why."""
     may_replan: bool

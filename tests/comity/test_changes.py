@@ -309,7 +309,7 @@ def test_who_stays_in_the_only_gap_ends_the_visit_with_the_reason_when_patience_
 def test_a_run_with_changes_is_written_read_asked_and_run_again(comity, here):
     """The folder reads back; text, JSON and page know what became of the plan; the scenario runs again."""
     (here / "lounge.scenario.yaml").write_text(
-        LOUNGE + ANNA_GOES + "  - {at_s: 9, person: bob, says: {conversational_distance: 1.4}}\n"
+        LOUNGE + ANNA_GOES + "  - {at_s: 9, person: anna, says: {conversational_distance: 1.4}}\n"
     )
     said = comity("run", "lounge.scenario.yaml", "--out", "one")
     assert said.code == 0

@@ -11,6 +11,7 @@ from comity.testing.amounts.amount import told
 from comity.testing.amounts.holding import of_time
 from comity.testing.amounts.planned import last_for
 from comity.testing.amounts.shaping import told_of
+from comity_executor import PROPER_OUTCOMES
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -154,7 +155,7 @@ def of_absence(trial: Trial, node: str) -> Iterator[str]:
 def of_unserved(trial: Trial) -> Iterator[str]:
     """Why those were not greeted who were not: nodes of their visits never ran."""
     for person in trial.wanted:
-        if trial.outcome_of(person) != "greeted":
+        if trial.outcome_of(person) not in PROPER_OUTCOMES:
             yield from of_visit(trial, person)
 
 

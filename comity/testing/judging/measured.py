@@ -35,6 +35,7 @@ class Measured:
     outcome: str
     served: int
     wanted: int
+    """Without people who declined."""
     time_s: float
     """Until the last node ended."""
     phases_s: Mapping[str, float]
@@ -65,7 +66,8 @@ class Measured:
 def measured(trial: Trial) -> Measured:
     """Sum a trial up."""
     stops = {person: standing(trial, person) for person in trial.approached}
-    outcomes = [trial.outcome_of(person) for person in trial.prepared.file.scenario.visited()]
+    fared = [trial.outcome_of(person) for person in trial.prepared.file.scenario.visited()]
+    outcomes = [outcome for outcome in fared if outcome != "declined"]
     person = trial.case.people[0]
     values = {name: trial.values(person, name)[name] for name in trial.prepared.values[person].parameters}
     return Measured(

@@ -12,6 +12,7 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.course import of_lateness, of_plan
 from comity.testing.amounts.quantity import is_figure, require_parameter
 from comity.testing.expectation import Expectation, Finding
+from comity_executor import PROPER_OUTCOMES
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from comity_fis.inference.value import ParameterValue
 
 OUTCOME, PLAN = "outcome", "plan"
-FARES = ("greeted", "unfinished", "unreached", "not_greeted", "skipped", "unreachable")
+FARES = ("greeted", "unfinished", "declined", "unreached", "not_greeted", "skipped", "unreachable")
 """What may come of a person's visit."""
 PROOFS = ("proven", "unproven")
 """What may be said of the first plan: that none costs less, or that nobody knows."""
@@ -128,7 +129,7 @@ def _of_visit(trial: Trial, name: str) -> tuple[str, ...]:
 def _served_in_time(trial: Trial, name: str) -> bool:
     visit = trial.visit(name)
     late = visit is not None and late_s(trial.prepared, visit)
-    return trial.outcome_of(name) in ("greeted", "skipped") and not late
+    return trial.outcome_of(name) in PROPER_OUTCOMES and not late
 
 
 def _judge_plan(trial: Trial, wanted: str) -> Iterator[Finding]:

@@ -110,12 +110,12 @@ class IsActDone(Condition):
 
 
 class IsGivenUp(Condition):
-    """`given_up?`: did the visit fail for good?"""
+    """`given_up?`: did the visit fail for good, or did the person decline it?"""
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"given_up?({meeting.person})")
         self._person = meeting.person
-        self._memory = meeting.memory.seen_by(self, reads=("given_up", "failure"))
+        self._memory = meeting.memory.seen_by(self, reads=("given_up", "declined", "failure"))
 
     @property
     def ports(self) -> Ports:
@@ -124,11 +124,11 @@ class IsGivenUp(Condition):
 
     def check(self) -> bool:
         """A visit that was given up stays so; a new plan may try again."""
-        return self._memory.given_up
+        return self._memory.is_over
 
     def explain(self) -> Account | None:
         """Why it was given up."""
-        return Account(self._memory.failure) if self._memory.failure else None
+        return Account(self._memory.why) if self._memory.why else None
 
 
 class AreAllGreeted(Condition):
@@ -136,7 +136,7 @@ class AreAllGreeted(Condition):
 
     def __init__(self, meetings: Sequence[Meeting], unserved: Mapping[str, str]) -> None:
         super().__init__("all_greeted?")
-        self._meetings = [each.seen_by(self, reads=("given_up", "failure")) for each in meetings]
+        self._meetings = [each.seen_by(self, reads=("given_up", "declined", "failure")) for each in meetings]
         self._unserved = unserved
 
     @property
@@ -145,7 +145,7 @@ class AreAllGreeted(Condition):
         return {"people": ";".join([*(meeting.person for meeting in self._meetings), *self._unserved])}
 
     def check(self) -> bool:
-        """Nobody was given up, and the plan could serve everybody."""
+        """Nobody was given up but those who declined, and the plan could serve everybody."""
         return not self._given_up() and not self._unserved
 
     def explain(self) -> Account | None:
@@ -155,4 +155,5 @@ class AreAllGreeted(Condition):
         return Account("; ".join(texts)) if texts else None
 
     def _given_up(self) -> list[Meeting]:
-        return [meeting for meeting in self._meetings if meeting.memory.given_up]
+        visits = ((meeting, meeting.memory) for meeting in self._meetings)
+        return [meeting for meeting, memory in visits if memory.given_up and memory.declined is None]

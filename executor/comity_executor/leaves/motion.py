@@ -9,7 +9,7 @@ from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
 from comity_executor.nodes.leaf import Action
-from comity_executor.robots.goals import LOST, GoalId, Motion, MotionGoal, MotionStatus
+from comity_executor.robots.goals import DECLINED, LOST, GoalId, Motion, MotionGoal, MotionStatus
 from comity_executor.robots.status import GoalLostError, known_motion
 from comity_executor.speech.other_parameters import other_parameters
 
@@ -21,7 +21,7 @@ class MotionAction(Action):
         verb: Names the node, together with the person.
         meeting: Whose branch it belongs to.
         reads: What it reads on the blackboard.
-        writes: What it writes there, besides that it has the base.
+        writes: What it writes there, besides that it has the base, and that the person declined.
     """
 
     def __init__(
@@ -33,7 +33,9 @@ class MotionAction(Action):
         writes: Collection[str] = (),
     ) -> None:
         super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
-        self.meeting = meeting.seen_by(self, reads=("bindings", "values", *reads), writes=("base", *writes))
+        self.meeting = meeting.seen_by(
+            self, reads=("bindings", "values", *reads), writes=("base", "declined", *writes)
+        )
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
         self._blocked_by: str | None = None
@@ -94,7 +96,7 @@ class MotionAction(Action):
         return before != self._bindings
 
     def is_stuck(self, *, unasked: bool = False) -> bool:
-        """Whether something has blocked the motion for longer than the limits' patience.
+        """Whether something has blocked the motion for longer than the limits' patience, or it is declined.
 
         Args:
             unasked: Whether somebody who blocks it counts, as nobody asks them to let the robot pass; else
@@ -104,6 +106,10 @@ class MotionAction(Action):
             GoalLostError: As `motion` does.
         """
         motion = self.motion()
+        if motion.state == DECLINED:
+            self.meeting.memory.declined = motion.text  # `given_up?` shuts the branch in the next tick
+            self.say(Account(motion.text))
+            return True
         if not motion.is_blocked or (motion.blocked_by and not unasked):
             self._blocked_since_s = None
             return False

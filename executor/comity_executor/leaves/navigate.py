@@ -39,7 +39,7 @@ class NavigateToUser(MotionAction):
             text = f"no free and reachable place to stand near {self.meeting.person}"
             self.say(Account(text, fault=self.trouble(WAY)))
             return Status.FAILURE
-        if self.is_stuck() and not self._goes_elsewhere():
+        if self.is_stuck() and (self.meeting.memory.declined or not self._goes_elsewhere()):
             return Status.FAILURE
         if self.motion().state != "succeeded":
             return Status.RUNNING

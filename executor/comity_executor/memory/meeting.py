@@ -243,7 +243,7 @@ class Meeting:
             docked_at=memory.docked_at,
             docked_s=memory.docked_s,
             greeting=tuple(act for act in self.acts if act in memory.performed),
-            failure=memory.failure,
+            failure=memory.why,
             noticed=memory.noticed,
             wanted=self.wanted,
             agenda=tuple(task.deed() for task in memory.agenda),
@@ -254,6 +254,8 @@ class Meeting:
         memory, greeted = self.memory, self.is_greeted
         if greeted and all(task.done_s is not None for task in memory.agenda):
             return "greeted"
+        if memory.declined is not None:
+            return "declined"
         if not memory.given_up:
             return "pending"
         if greeted:

@@ -12,7 +12,9 @@ from comity_executor.robots.noticed import Noticed
 from comity_executor.robots.robot import Reading, is_seen
 from comity_fis.inference.value import Inference
 
-Outcome = Literal["pending", "greeted", "unfinished", "unreached", "not_greeted", "skipped"]
+Outcome = Literal["pending", "greeted", "unfinished", "declined", "unreached", "not_greeted", "skipped"]
+PROPER_OUTCOMES: tuple[Outcome, ...] = ("greeted", "declined", "skipped")
+"""Outcomes of a visit that ended as it should: nothing is left to do for the person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +35,8 @@ class Visit:
     person: str
     outcome: Outcome
     """`unreached`: given up before the robot ever docked; `not_greeted`: given up later; `unfinished`:
-    greeted, and given up before all of the agenda was done; `skipped`: the plan leaves them out on purpose;
+    greeted, and given up before all of the agenda was done; `declined`: the person walked by, turned away or
+    sped up before the robot, which goes to them no more; `skipped`: the plan leaves them out on purpose;
     `pending`: none of these, while the execution goes on.
     """
     pose: DockingPose | None
@@ -165,10 +168,22 @@ class VisitMemory(Board):
     shown = Entry[ShownWish | None](None)
     """What the person showed of their distance last; it holds, too, where the robot comes back to them."""
     given_up = Entry(False)
+    declined = Entry[str | None](None)
+    """How the person declined the visit; None where they did not. No other plan tries again."""
     failure = Entry[str | None](None)
     """Why the visit was given up."""
 
     agenda: tuple[TaskMemory, ...] = ()
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the robot goes to the person no more, with this plan or with any."""
+        return self.given_up or self.declined is not None
+
+    @property
+    def why(self) -> str | None:
+        """Why the visit is over; None where it is not."""
+        return self.declined or self.failure
 
     def give_up(self, reason: str) -> None:
         """No plan can serve them; another one may."""

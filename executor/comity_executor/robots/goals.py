@@ -18,14 +18,18 @@ from comity_executor.speech.utterance import Utterance
 
 GoalId = int | str
 """What a robot calls a goal or an act: a number, or the text of a UUID. It is never given twice."""
-GoalState = Literal["accepted", "running", "succeeded", "rejected", "aborted", "preempted", "stopped"]
+GoalState = Literal[
+    "accepted", "running", "succeeded", "declined", "rejected", "aborted", "preempted", "stopped"
+]
 STATES: tuple[str, ...] = get_args(GoalState)
 """What a robot may say of a goal or an act.
 
 `accepted`: it will begin. `running`. `succeeded`: it is reached; a docked robot goes on holding its pose, and
-runs again where it has to follow the person. `rejected`: it never began. `aborted`: the robot gave it up.
+runs again where it has to follow the person. `declined`: the person whom it was to reach does not want it.
+`rejected`: it never began. `aborted`: the robot gave it up.
 `preempted`: another goal took its place. `stopped`: it was told to stop, and has.
 """
+DECLINED: GoalState = "declined"
 LOST = ("rejected", "aborted", "preempted", "stopped")
 """States of a goal that will not be reached."""
 

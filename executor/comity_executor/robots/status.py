@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from comity_executor.robots.goals import LOST, STATES, GoalId, GoalStatus, Motion
+from comity_executor.robots.goals import DECLINED, LOST, STATES, GoalId, GoalStatus, Motion
 from comity_executor.robots.robot import Robot
 
 
@@ -49,7 +49,7 @@ def has_stopped(robot: Robot, told_s: float = -inf) -> bool:
     try:
         motion = robot.motion()
         heard_s = told_s + robot.capabilities.latency_s
-        stands = bool(motion.is_at_rest) and (motion.goal is None or motion.state in LOST)
+        stands = bool(motion.is_at_rest) and (motion.goal is None or motion.state in (*LOST, DECLINED))
         return stands and motion.stamp_s >= heard_s - 1e-9
     except Exception:
         return False

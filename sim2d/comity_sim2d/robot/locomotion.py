@@ -27,6 +27,7 @@ from comity_sim2d.robot.motion import Motion, blocked
 from comity_sim2d.robot.progress import Progress
 from comity_sim2d.robot.search import Search
 from comity_sim2d.robot.standing import PassersByKnown, Standing
+from comity_sim2d.robot.walkers_met import WalkersMet
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import unknown
@@ -38,6 +39,9 @@ DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
 }
 HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
 """A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
+
+WAITS_M = 0.05
+"""So near the place to wait at the robot stands, and looks at the person [m] (our choice)."""
 
 
 class Locomotion:
@@ -79,6 +83,7 @@ class Locomotion:
         self._restraint = Restraint(spec, senses)
         self._hindrance = Hindrance(math.inf)
         self._search = Search(spec.sensor, senses, clock)
+        self._walkers = WalkersMet(spec, senses, clock)
         self._progress = Progress(spec, physics, senses, clock)
         self._draw_back = DrawBack(physics.touches, spec.radius_m)
         self._approach: Approach | None = None
@@ -161,6 +166,11 @@ class Locomotion:
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
         self._approach, self._faced, self.motion = None, person, Motion("running", f"turning to {person}")
+
+    def _decline(self, person: str) -> None:
+        """Stand from now on: the person whom it was told to go to has declined."""
+        self.stop()
+        self.motion = Motion("declined", self._walkers.declined[person])
 
     def stop(self) -> None:
         """Forget what it was told, and stand."""
@@ -263,6 +273,9 @@ class Locomotion:
             self._hindrance = Hindrance(detour_m, to)
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
+        if person in self._walkers.declined:
+            self._decline(person)
+            return
         speed = min(speed_m_s, self._spec.max_speed_m_s)
         going, goal = self._approach, DockingPose(pose.distance_m, pose.bearing_deg)
         if going is not None and going.person == person and docks == self._docks:
@@ -287,6 +300,14 @@ class Locomotion:
         )
 
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
+        person, distance_m = approach.person, approach.pose.distance_m
+        if approach.pose is not AT_PLACE:
+            waits_at = self._walkers.look(person, distance_m, base.pose, self.standing.map)
+            if person in self._walkers.declined:
+                self._decline(person)
+                return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
+            if waits_at is not None:
+                return self._wait_command(approach, base, waits_at)
         keeps_all = partial(self._keeps_all, approach, base.xy)
         self.margins.look(base.xy, approach.person, self.motion.blocked_by, keeps_all)
         waits = not approach.has_route or self._hindrance.now is not None
@@ -319,6 +340,20 @@ class Locomotion:
         people = tuple(replace(one, margin_m=PERSON_MARGIN_M) for one in ways.surroundings.people)
         return ways.with_people(people).reaches(here, self._goal_of(approach)[0].xy, keep=approach.keep)
 
+    def _wait_command(self, approach: Approach, base: Base, place: XY) -> Twist:
+        """The velocity to where the robot waits for a person who walks; there it looks at them."""
+        person = self._senses.person(approach.person)
+        ways = self.standing.look("", (), lets_by=self._restraint.held_up_by, waits=False)
+        heading, velocity = direction_to(base.xy, person.xy), (0.0, 0.0)
+        if self._restraint.backs_out_before is None and math.dist(base.xy, place) > WAITS_M:
+            velocity = approach.steer(base, Goal(place, (0.0, 0.0)), ways, self.standing.movers(""))
+            heading = gaze_rad(approach, base, person.xy, (), self._senses)
+        else:
+            approach.forget_route()
+        approach.restart_watch(self._clock.now_s)
+        self.motion = Motion("running", f"waiting for {person.name}, who walks, beside their path")
+        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse), waits=True)
+
     def _steer(self, approach: Approach, base: Base, goal: Goal, ways: RouteMap) -> XY:
         """The velocity along the way to the goal, or to where it waits."""
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
@@ -341,14 +376,20 @@ class Locomotion:
         return self.standing.map.surroundings.plan
 
     def _command(
-        self, base: Base, wanted: Wanted, *, visited: str | None = None, looks: bool = True
+        self,
+        base: Base,
+        wanted: Wanted,
+        *,
+        visited: str | None = None,
+        looks: bool = True,
+        waits: bool = False,
     ) -> Twist:
         plan = self._plan
         body = self._body(base)
         if self._restraint.is_late(base, body, plan):
             return self._base.brake_before_things(body)
         going = self._approach
-        approached = going.person if going is not None and going.has_route else None
+        approached = going.person if going is not None and going.has_route and not waits else None
         under_way_to = None if self.motion.state == "succeeded" else visited
         allowed, most_m_s = self._restraint.allowed(
             base,

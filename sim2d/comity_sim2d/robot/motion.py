@@ -26,7 +26,7 @@ class Motion(NamedTuple):
     """How the newest motion goal goes."""
 
     state: str
-    """`running`, `succeeded`, `aborted` after a bump, or `stopped`."""
+    """`running`, `succeeded`, `declined` by the person, `aborted` after a bump, or `stopped`."""
     text: str = ""
     blocked_by: tuple[str, ...] = ()
     """The people in the way."""

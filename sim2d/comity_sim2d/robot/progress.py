@@ -69,7 +69,8 @@ class Progress:
             waits = not approach.has_route or left_m <= ARRIVED_M
             return self._held_up(held_up_by, approach.person, waits=waits)
         if not approach.has_route:
-            return blocked(self._without_route(approach))
+            text = self._without_route(approach)
+            return Motion("running", text) if self._walks(approach) else blocked(text)
         if self._is_there(approach, goal, turn_rad, docks=docks, was=was):
             approach.restart_watch(now_s)
             return Motion("succeeded", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
@@ -84,6 +85,10 @@ class Progress:
         if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
             return Motion("succeeded", f"facing {person}")
         return was
+
+    def _walks(self, approach: Approach) -> bool:
+        """Whether it leads to a person who walks: where there is no route now, they may go on."""
+        return approach.pose is not AT_PLACE and self._senses.walks(approach.person)
 
     def _without_route(self, approach: Approach) -> str:
         if approach.pose is AT_PLACE:

@@ -25,6 +25,7 @@ from comity_sim2d.robot.lease import LEASE_S, Lease
 from comity_sim2d.robot.locomotion import Locomotion
 from comity_sim2d.robot.margins import MarginDecision
 from comity_sim2d.robot.motion import Capabilities, Motion, MotionGoal, Reading
+from comity_sim2d.robot.walkers_met import agreed, pose_at_side
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import RobotBody
@@ -189,8 +190,9 @@ class SimRobot:
     ) -> DockingPose | None:
         """The wanted pose if free and reachable, else the most desirable one that is, or None.
 
-        Before somebody who walks, one that would be if they were not in the way themselves will do: where
-        their front is turned to a wall now, they turn round.
+        Before a person who walks, one that would be if they were not in the way themselves will do, and the
+        wanted one in the end: where their front is turned to a wall now, they turn round. Beside a person who
+        agreed that the robot goes along, it is at their side.
 
         Raises:
             ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
@@ -203,10 +205,13 @@ class SimRobot:
             )
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
+        walks = self._senses.walks(person)
+        if walks and agreed(someone := self._senses.person(person)):
+            return pose_at_side(docked(self._physics.pose, self._spec.radius_m, someone), wish)
         past = PastPeople(ways.surroundings)
         pose = choose_pose(ways, here, wish) or choose_pose(past.to(person), here, wish)
-        if pose is None and self._senses.walks(person):
-            pose = choose_pose(past, here, wish)
+        if pose is None and walks:
+            pose = choose_pose(past, here, wish) or DockingPose(distance_m, bearing_deg)
         if pose is None:
             return None
         return replace(pose, unverified=self._senses.too_short_for(self._spec.radius_m + pose.distance_m))

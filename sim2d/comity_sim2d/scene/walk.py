@@ -26,11 +26,14 @@ class Walk:
     """How long the person stands at each point; none where this is empty."""
     stops: bool = False
     """Whether the person stops for a robot that comes up to them, and looks at it."""
+    accompanied: bool = False
+    """Whether the person agreed that the robot goes along with them."""
 
     def __post_init__(self) -> None:
         require_points("walk", "route", self.route)
         require_between("walk", "speed_m_s", self.speed_m_s, 0.1, 3.0)
-        require_kinds("walk", loop=(self.loop, TRUTH), stops=(self.stops, TRUTH))
+        truths = {name: (getattr(self, name), TRUTH) for name in ("loop", "stops", "accompanied")}
+        require_kinds("walk", **truths)
         require_tuple("walk", "pauses_s", self.pauses_s, NUMBERS, "numbers")
         for pause in self.pauses_s:
             require_between("walk", "pauses_s", pause, 0.0, 36_000.0)

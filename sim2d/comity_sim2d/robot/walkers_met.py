@@ -1,0 +1,234 @@
+"""Meeting a person who walks: the robot waits ahead of them, in view and beside their path, and asks once.
+
+A person who stops is approached like any other. One who passes by, turns away or speeds up has declined. The
+robot goes along only with a person who agreed to that, and never at their back. That robots are to come into
+view from the front is from Satake et al. 2009, "How to approach humans? Strategies for social robots to
+initiate interaction", HRI; the rest is our choice.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from comity_sim2d.clock import Clock
+from comity_sim2d.navigation.docking import Docked, DockingPose, docked
+from comity_sim2d.navigation.pose_choice import Wish
+from comity_sim2d.navigation.route_map import COMFORT_M, RouteMap
+from comity_sim2d.navigation.yielding import Walker
+from comity_sim2d.paths.personal_space import Points
+from comity_sim2d.pose import XY, Pose, wrap_angle
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.scene.surroundings import Surroundings
+from comity_sim2d.senses.seen_floor import Numbers
+from comity_sim2d.senses.sensing import Senses
+
+WALK_M = 0.3
+"""A person who has moved by less has made a step, and does not walk [m] (our choice)."""
+OFFER_M = 1.5
+"""A robot so near before a walker offers to talk, and stands [m]: within the close phase of social distance
+(1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
+FAR_M = 3.6
+"""At a greater distance the robot is at nobody's back [m]: the end of social distance (Hall 1966)."""
+LEAVES_M = 0.5
+"""A walker who gets so much farther away than that again has turned away [m] (our choice)."""
+IN_VIEW_DEG, BEHIND_DEG, LOST_DEG = 60.0, 90.0, 120.0
+"""Bearings from where a walker faces: up to the first they see the robot; beyond the second it is no longer
+ahead of them; beyond the third a robot that goes along has fallen behind (our choice)."""
+SETTLES_S, FASTER, FASTER_M_S = 1.0, 1.5, 0.3
+"""A walker speeds up who walks faster by that factor and that speed, on the mean of so long, than in the
+first such time (our choice)."""
+TURNED_COS = math.cos(math.radians(45.0))
+"""A walker who faces elsewhere by more has turned (our choice)."""
+ALONG_M_S, SIDE_DEG = 0.5, 90.0
+"""The robot goes along with nobody who walks faster [m/s], and at their side, at so great a bearing."""
+AHEAD_S, LONGEST_M, STEP_M = 10.0, 8.0, 0.5
+"""Places beside a path are looked at so far ahead in time and way, at such steps (our choice)."""
+EARLY_S, SLOWED = 1.0, 1.3
+"""The robot is there so much before the walker sees it; its way takes so many times the straight line's time
+at full speed (our choice)."""
+RENEWS_S = 0.5
+"""So often a place to wait at is chosen [s]."""
+MOST_TRIED = 4
+"""So many places are asked for a route at most."""
+OFF_M = 0.25
+"""A place is kept while the walker's path stays beside it to within so much [m] (our choice)."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Offer:
+    """A walker has seen the robot before them."""
+
+    heading_rad: float
+    """How they faced when it began."""
+    mark: XY
+    """Where they were at the end of the last whole `SETTLES_S`."""
+    mark_s: float
+    pace_m_s: float | None = None
+    """How fast they walked at first; None before that is known."""
+
+
+class WalkersMet:
+    """What one robot does about a person who walks, to whom it was told to go.
+
+    Args:
+        spec: The robot's body.
+        senses: Where it believes people to be.
+        clock: The ticks.
+    """
+
+    def __init__(self, spec: RobotBody, senses: Senses, clock: Clock) -> None:
+        self._spec, self._senses, self._clock = spec, senses, clock
+        self.declined: dict[str, str] = {}
+        """People who declined, and how: the robot goes to none of them again."""
+        self._person = ""
+        self._stood: XY | None = None
+        """Where the person stood last, or was seen first."""
+        self._walks = self._along = False
+        self._offer: _Offer | None = None
+        self._place: XY | None = None
+        self._chosen_s = -math.inf
+
+    def look(self, name: str, distance_m: float, robot: Pose, ways: RouteMap) -> XY | None:
+        """Where to wait for a person now; None where the robot may go up to them. Called in every tick.
+
+        Args:
+            name: The person that the robot is to go to.
+            distance_m: At which it is to stop before them, between the surfaces.
+            robot: Where it is.
+            ways: Its routes around those who stand.
+        """
+        if name != self._person:
+            self._person, self._stood, self._along = name, None, False
+        walker = self._walker(name)
+        if walker is None:
+            self._offer = self._place = None
+            return None
+        stands = docked(robot, self._spec.radius_m, walker.person)
+        gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
+        if agrees_to_company(walker):
+            near = bearing_deg <= IN_VIEW_DEG and gap_m <= OFFER_M
+            self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= FAR_M)
+        else:
+            self._along = False
+            if not agreed(walker.person):
+                self._note_offer(walker, gap_m, bearing_deg)
+        if self._along:
+            return None
+        if self._offer is not None or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
+            self._place = None
+        elif self._clock.now_s - self._chosen_s >= RENEWS_S:
+            self._chosen_s = self._clock.now_s
+            beside_m = max(distance_m, walker.person.personal_distance_m or COMFORT_M)
+            aside_m = walker.person.radius_m + beside_m + self._spec.radius_m
+            if self._place is None or not _is_beside(self._place, walker, aside_m):
+                self._place = self._choose(walker, aside_m, robot.xy, ways)
+        return self._place or (robot.xy if gap_m <= FAR_M else None)
+
+    def _walker(self, name: str) -> Walker | None:
+        """The person where they walk and have left the place where they stood, not aside or backwards."""
+        walker = next((each for each in self._senses.walkers if each.person.name == name), None)
+        if walker is None or self._stood is None:
+            self._walks, self._stood = False, self._senses.person(name).xy
+            return None
+        if math.dist(self._stood, walker.person.xy) > WALK_M and _goes_where_they_face(walker):
+            self._walks = True
+        return walker if self._walks else None
+
+    def _note_offer(self, walker: Walker, gap_m: float, bearing_deg: float) -> None:
+        """Take note of a walker who sees the robot before them, and of how they decline."""
+        person, now_s = walker.person, self._clock.now_s
+        if self._offer is None:
+            if gap_m <= OFFER_M and bearing_deg <= IN_VIEW_DEG and self._senses.sees(person.name):
+                self._offer = _Offer(person.heading_rad, person.xy, now_s)
+            return
+        offer = self._offer
+        if now_s - offer.mark_s >= SETTLES_S - 1e-9:
+            pace_m_s = math.dist(offer.mark, person.xy) / (now_s - offer.mark_s)
+            first_m_s = pace_m_s if offer.pace_m_s is None else offer.pace_m_s
+            self._offer = _Offer(offer.heading_rad, person.xy, now_s, first_m_s)
+            if pace_m_s > max(FASTER * first_m_s, first_m_s + FASTER_M_S):
+                self._decline(person, f"sped up before the robot, to {pace_m_s:.1f} m/s")
+        if bearing_deg > BEHIND_DEG or gap_m > OFFER_M + LEAVES_M:
+            turned = math.cos(person.heading_rad - offer.heading_rad) < TURNED_COS
+            how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
+            self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
+
+    def _decline(self, person: Person, how: str) -> None:
+        self.declined[person.name] = f"declined: {how}"
+
+    def _choose(self, walker: Walker, aside_m: float, xy: XY, ways: RouteMap) -> XY | None:
+        """The place to wait at that the robot is at first; None where there is none.
+
+        It is beside the walker's path ahead of them, where the robot is in time. Else it is beside the line
+        on which they walk, at a distance: a person who walks to and fro comes by there.
+        """
+        ahead_m, spots = self._beside(walker, aside_m, ways.surroundings)
+        way_s = SLOWED * np.hypot(*(spots - np.array(xy)).T) / self._spec.max_speed_m_s
+        seen_s = np.maximum(ahead_m - OFFER_M, 0.0) / math.hypot(*walker.velocity)
+        in_time = (ahead_m > 0.0) & (way_s + EARLY_S <= seen_s)
+        far = np.hypot(*(spots - np.array(walker.person.xy)).T) >= FAR_M
+        order = np.lexsort((way_s, ~in_time))
+        for best in order[(in_time | far)[order]][:MOST_TRIED].tolist():
+            spot = (float(spots[best, 0]), float(spots[best, 1]))
+            if ways.reaches(xy, spot):
+                return spot
+        return None
+
+    def _beside(self, walker: Walker, aside_m: float, place: Surroundings) -> tuple[Numbers, Points]:
+        """Free places beside the line on which a person walks, and how far ahead; shapes (n,) and (n, 2) [m].
+
+        People are taken to walk on straight, and to have come straight, from thing to thing.
+        """
+        person, (vx, vy) = walker.person, walker.velocity
+        speed_m_s = math.hypot(vx, vy)
+        along, aside = np.array((vx, vy)) / speed_m_s, np.array((-vy, vx)) / speed_m_s
+        steps_m = np.arange(STEP_M, min(AHEAD_S * speed_m_s + OFFER_M, LONGEST_M), STEP_M)
+        marks_m, lines = [], []
+        for sign in (1.0, -1.0):
+            line = np.array(person.xy) + sign * steps_m[:, None] * along
+            is_open = place.plan.are_free(line, person.radius_m) & place.plan.are_in_view(person.xy, line)
+            count = int(np.logical_and.accumulate(is_open).sum())
+            marks_m.append(sign * steps_m[:count])
+            lines.append(line[:count])
+        line, ahead_m = np.concatenate(lines), np.concatenate(marks_m)
+        spots = np.concatenate([line + aside_m * aside, line - aside_m * aside])
+        others = (each for each in place.people if each.name != person.name)
+        around = place.with_people((*others, person))
+        free = around.are_free([(x, y) for x, y in spots.tolist()], visited=person.name)
+        return np.tile(ahead_m, 2)[free], spots[free]
+
+
+def _is_beside(place: XY, walker: Walker, aside_m: float) -> bool:
+    """Whether a walker who walks on straight comes by a place, as far from it as the robot is to wait."""
+    x, y = place[0] - walker.person.x_m, place[1] - walker.person.y_m
+    vx, vy = walker.velocity
+    speed_m_s = math.hypot(vx, vy)
+    comes, off_m = (x * vx + y * vy) / speed_m_s > 0.0, abs(x * vy - y * vx) / speed_m_s
+    return comes and abs(off_m - aside_m) <= OFF_M
+
+
+def _goes_where_they_face(walker: Walker) -> bool:
+    vx, vy = walker.velocity
+    return abs(wrap_angle(math.atan2(vy, vx) - walker.person.heading_rad)) <= math.radians(IN_VIEW_DEG)
+
+
+def pose_at_side(stands: Docked, wish: Wish) -> DockingPose:
+    """The pose in which the robot goes along: as far away as was wished, on the side where it is."""
+    side, widest_deg = math.copysign(1.0, stands.bearing_deg or wish.bearing_deg), wish.widest_deg
+    bearing_deg = side * min(SIDE_DEG, widest_deg)
+    reason = f"{wish.person} walks: the robot goes along at their side"
+    return DockingPose(wish.distance_m, bearing_deg, pose_free=False, deviation_reason=reason)
+
+
+def agrees_to_company(walker: Walker) -> bool:
+    """Whether the robot may go along with a walker: they agreed to it, and do not walk too fast."""
+    return agreed(walker.person) and math.hypot(*walker.velocity) <= ALONG_M_S
+
+
+def agreed(person: Person) -> bool:
+    """Whether a person agreed that the robot goes along with them while they walk."""
+    return person.walk is not None and person.walk.accompanied

@@ -1,0 +1,183 @@
+"""The robot waits beside the path of a person who walks; it follows nobody, and asks nobody twice."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from walkers_study import BEHIND_DEG, NEAR_M, approached_again_m, episode, longest_behind_s
+
+from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Walk, World, docked
+from comity_sim2d.pose import Twist
+
+FOLLOWS_S = 1.5
+"""The robot drives after a person who walks away for at most so long: it has to see it, and to brake [s]."""
+POSE = DockingPose(0.8, 0.0)
+HALL = Room.rectangle(14.0, 8.0)
+
+
+def hall(walk: Walk | None = None, *, at: tuple[float, float] = (2.0, 4.0), facing: float = 0.0) -> World:
+    """Ada in a hall, with a robot in its middle that is told to go to her."""
+    ada = Person("p0", *at, facing, personal_distance_m=0.8, walk=walk)
+    world = World(Scene(HALL, RobotBody(7.0, 2.0), (ada,)))
+    world.robot.navigate("p0", POSE, speed_m_s=0.7)
+    return world
+
+
+def walk_on(world: World, velocity: Callable[[float], tuple[float, float]], for_s: float) -> None:
+    """Let her walk with a velocity in polar form, speed and course, that depends on the time."""
+    end_s = world.time_s + for_s
+    while world.time_s < end_s and world.robot.motion().state != "declined":
+        ada = world.people[0]
+        speed, course = velocity(world.time_s)
+        x, y = ada.pose._replace(heading_rad=course).ahead(speed * world.step_s)
+        world.move_person("p0", x, y, course)
+        world.step()
+
+
+def stands(world: World) -> tuple[float, float]:
+    """How the robot stands to her: the distance between the bodies, and the bearing without its sign."""
+    found = docked(world.robot.pose, world.scene.robot.radius_m, world.people[0])
+    return found.distance_m, abs(found.bearing_deg)
+
+
+@settings(max_examples=10, deadline=None)
+@given(
+    speed=st.floats(0.3, 1.5),
+    start=st.tuples(st.floats(1.0, 13.0), st.floats(1.0, 7.0)),
+    end=st.tuples(st.floats(1.0, 13.0), st.floats(1.0, 7.0)),
+    stops=st.booleans(),
+)
+def test_the_robot_follows_no_walker_from_behind(speed, start, end, stops) -> None:
+    if math.dist(start, end) < 0.5 or math.dist(start, (7.0, 2.0)) < 0.6:
+        return
+    world = hall(Walk((end, start), loop=True, speed_m_s=speed, stops=stops), at=start)
+    world.run(20.0)
+    assert longest_behind_s(world.frames) <= FOLLOWS_S
+
+
+@settings(max_examples=10, deadline=None)
+@given(speed=st.floats(0.4, 1.5), y=st.floats(1.5, 5.0))
+def test_a_person_who_walks_by_has_declined_and_is_not_approached_again(speed, y) -> None:
+    world = hall(at=(2.0, y))
+    walk_on(world, lambda _: (speed, 0.0), 11.0 / speed)
+    assert world.robot.motion().state == "declined"
+    assert world.robot.motion().text.startswith("declined: ")
+    assert approached_again_m(world, 0.8) < 0.1
+    world.robot.dock("p0", POSE, speed_m_s=0.4)
+    assert world.robot.motion().state == "declined"
+
+
+@settings(max_examples=6, deadline=None)
+@given(speed=st.floats(0.4, 0.9))
+def test_the_robot_waits_ahead_in_view_outside_her_path_and_her_space(speed) -> None:
+    world = hall()
+    walk_on(world, lambda _: (speed, 0.0), 0.6 * 5.0 / speed)
+    distance_m, bearing_deg = stands(world)
+    before = world.robot.pose.xy
+    walk_on(world, lambda _: (speed, 0.0), 0.5)
+    assert math.dist(world.robot.pose.xy, before) < 0.05
+    assert bearing_deg < 60.0
+    reach_m = world.scene.robot.radius_m + world.people[0].radius_m
+    assert abs(world.robot.pose.y_m - world.people[0].y_m) - reach_m >= 0.8 - 0.05
+    assert distance_m > 0.8
+
+
+def test_a_person_who_stops_is_approached_like_any_other() -> None:
+    world = hall()
+    walk_on(world, lambda _: (0.8, 0.0), 5.0)
+    assert "waiting for p0" in world.robot.motion().text
+    while world.robot.motion().state != "succeeded":
+        world.step()
+    world.robot.dock("p0", POSE, speed_m_s=0.5)
+    while world.robot.motion().state != "succeeded":
+        world.step()
+    assert stands(world)[0] == pytest.approx(0.8, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("does", "velocity"),
+    [
+        ("turned away from", lambda near: (0.6, math.radians(100.0) if near else 0.0)),
+        ("sped up before", lambda near: (1.2 if near else 0.4, 0.0)),
+        ("walked by", lambda near: (0.6, 0.0)),
+    ],
+)
+def test_turning_away_speeding_up_and_walking_by_are_told_apart(does, velocity) -> None:
+    world = hall()
+    began_s: list[float] = []
+
+    def now(t: float) -> tuple[float, float]:
+        if stands(world)[0] < 1.5 and not began_s:
+            began_s.append(t)
+        return velocity(bool(began_s) and t > began_s[0] + 1.2)
+
+    walk_on(world, now, 30.0)
+    assert does in world.robot.motion().text
+
+
+def test_a_step_is_no_walk_and_declines_nothing() -> None:
+    world = hall(at=(5.5, 2.0))
+    world.run(1.0)
+    walk_on(world, lambda _: (0.4, math.pi), 0.5)
+    world.run(1.0)
+    assert world.robot.motion().state in ("running", "succeeded")
+    assert "waiting" not in world.robot.motion().text
+
+
+def test_a_person_who_gives_ground_does_not_walk_and_is_followed() -> None:
+    world = hall(at=(8.5, 2.0), facing=math.pi)
+    world.run(1.0)
+    world.robot.dock("p0", POSE, speed_m_s=0.5)
+    for _ in range(200):
+        world.move_person("p0", world.people[0].x_m + 0.2 * world.step_s, 2.0, math.pi)
+        world.step()
+    assert stands(world)[0] == pytest.approx(0.8, abs=0.05)
+
+
+def test_beside_a_person_who_agreed_the_robot_goes_along_and_not_behind() -> None:
+    world = hall(Walk(((12.0, 4.0),), speed_m_s=0.4, accompanied=True))
+    world.run(2.0)
+    world.robot.dock("p0", DockingPose(0.8, -90.0), speed_m_s=0.4)
+    beside_s = 0.0
+    while world.people[0].x_m < 11.5:
+        world.step()
+        distance_m, bearing_deg = stands(world)
+        beside_s += world.step_s * (distance_m < 0.9 and 60.0 < bearing_deg < 120.0)
+    assert beside_s > 5.0
+    assert longest_behind_s(world.frames) == 0.0
+
+
+@pytest.mark.parametrize("walk", [{"speed_m_s": 0.4}, {"speed_m_s": 0.7, "accompanied": True}])
+def test_beside_a_person_who_did_not_agree_or_walks_fast_the_robot_does_not_go(walk) -> None:
+    world = hall(Walk(((12.0, 4.0),), **walk))
+    world.run(2.0)
+    world.robot.dock("p0", DockingPose(0.8, -90.0), speed_m_s=0.4)
+    beside = 0
+    while world.people[0].x_m < 11.5:
+        before = world.robot.pose.x_m
+        world.step()
+        moves = world.robot.pose.x_m - before > 0.2 * world.step_s
+        beside += moves and stands(world)[0] < 1.2
+    assert beside * world.step_s < 0.5
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_rooms_hold_what_the_study_promises(seed: int) -> None:
+    answer = episode(seed)
+    assert answer["outcome"] in ("met", "declined", "missed")
+    assert float(str(answer["behind_s"])) <= FOLLOWS_S
+    assert answer["by_robot"] == 0
+    assert float(str(answer.get("approached_m", 0.0))) < 0.1
+
+
+def test_the_judge_sees_a_robot_that_follows(monkeypatch) -> None:
+    world = hall(at=(9.0, 2.0))
+    monkeypatch.setattr(world.robot, "control", lambda: Twist(0.5, 0.0, 0.0))
+    walk_on(world, lambda _: (0.5, 0.0), 3.0)
+    assert stands(world)[1] > BEHIND_DEG
+    assert stands(world)[0] < NEAR_M
+    assert longest_behind_s(world.frames) > 2.0
