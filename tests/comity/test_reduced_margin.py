@@ -197,3 +197,14 @@ def test_a_real_robot_is_refused_before_anything_is_commanded(written):
         front_door.run(written(text), robot=robot)
     assert "scenario.yaml:4" in str(refused.value)
     assert robot.log == []
+
+
+@pytest.mark.parametrize("culture", ["DEU", "SAU", "JPN"])
+def test_no_culture_is_passed_nearer_without_the_declared_facts_nor_farther_with_them(written, culture):
+    of = f"culture: {culture}, gender: female"
+    silent = front_door.run(written(corridor(profile=f"{{name: Anna, {of}}}", more="limits: {time_s: 30}\n")))
+    assert gaps_m(silent).min() >= 0.299
+    ran = front_door.run(written(corridor(profile=FIT.replace("}", f", {of}}}"))))
+    assert ran.outcome == "success"
+    assert gaps_m(ran).min() >= 0.25
+    assert len(passages(ran)) == 1
