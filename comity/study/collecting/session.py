@@ -161,7 +161,7 @@ class Collector:
         if words == OPEN:
             return ""
         value: Any = float(words) if fact in NUMBERS and NUMBER.fullmatch(words) else words
-        declared_by({"name": self.session.participant, fact: plain_fact(fact, value)}, called=fact)
+        declared_by({fact: plain_fact(fact, value)}, called=self.session.participant)
         return words
 
     def _stop_distance(self, step: Step) -> Mapping[str, object] | None:

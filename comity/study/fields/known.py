@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
+from statistics import mean, stdev
 
 from comity.study.allocation import Session
 from comity.study.clips.making import CONFOUNDS
@@ -101,10 +102,10 @@ def _groups(study: KnownStudy, participants: SizedCollection[str]) -> str:
 def _spread(fact: str, cells: Sequence[str]) -> str:
     """How the answers to a fact are distributed; `undisclosed` counts those who left it open."""
     numbers = [float(cell) for cell in cells if fact in NUMBERS and NUMBER.fullmatch(cell)]
-    if len(numbers) > 1:
-        mean = sum(numbers) / len(numbers)
-        sd = (sum((one - mean) ** 2 for one in numbers) / (len(numbers) - 1)) ** 0.5
-        told = f"{len(numbers)} from {min(numbers):g} to {max(numbers):g}, mean {mean:.1f}, SD {sd:.1f}"
+    if numbers:
+        told = f"{len(numbers)} from {min(numbers):g} to {max(numbers):g}, mean {mean(numbers):.1f}"
+        if len(numbers) > 1:
+            told += f", SD {stdev(numbers):.1f}"
         undisclosed = len(cells) - len(numbers)
         return f"{told}, undisclosed {undisclosed}" if undisclosed else told
     counts = Counter(cell or "undisclosed" for cell in cells)
