@@ -22,7 +22,7 @@ LOUNGE = {
     "robot": {"at_m": [1, 3], "carrying": "a tray"},
     "people": {
         "anna": {"profile": "german_woman", "at_m": [5, 5], "facing_deg": -90},
-        "bob": {"profile": "arab_man", "at_m": [8, 1.5], "facing_deg": 180},
+        "bob": {"profile": "arab_man", "at_m": [8, 1.5], "facing_deg": 165},
     },
     "goals": [{"greet": "anna"}, {"greet": "bob"}],
     "changes": [

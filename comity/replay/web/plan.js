@@ -5,13 +5,14 @@ import { Disturbances } from "./disturbances.js";
 import { Revisions } from "./revisions.js";
 import { measured, plain } from "./words.js";
 
-const SIGNS = { done: "✓", current: "▶", failed: "✕", halted: "■", skipped: "–", pending: "○" };
+const SIGNS = { done: "✓", current: "▶", failed: "✕", halted: "■", skipped: "–", declined: "–", pending: "○" };
 const STATES = {
   done: "done",
   current: "under way",
   failed: "failed",
   halted: "stopped",
   skipped: "left out",
+  declined: "declined",
   pending: "to come",
 };
 
@@ -80,14 +81,20 @@ export class Plan {
     this.strip.scrollTop = element.offsetTop - (this.strip.clientHeight - element.offsetHeight) / 2;
   }
 
-  state({ nodes, action }, t) {
+  state({ nodes, action, people }, t) {
     if (action === "Skip_visit") return "skipped";
     const events = nodes.map((node) => this.episode.stateOf(node, t)).filter(Boolean);
     if (events.length === 0) return "pending";
     if (events.some(({ status }) => status === "running")) return "current";
     const last = events.reduce((one, other) => (other.index > one.index ? other : one));
     if (last.status === "success" || last.halt === "achieved_early") return "done";
-    return last.status === "halted" ? "halted" : "failed";
+    if (last.status === "halted") return "halted";
+    return this.declined(people) ? "declined" : "failed";
+  }
+
+  /** Whether a step failed because the person declined. */
+  declined(people) {
+    return this.episode.visits.some(({ person, outcome }) => people.includes(person) && outcome === "declined");
   }
 }
 
