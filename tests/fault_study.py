@@ -37,7 +37,7 @@ from comity.scenario import load_scenario
 from comity.schedule import Happening
 from comity.simulation.faults import Faults
 from comity.specification.fault import Fault
-from comity_executor import Limits, leaves_of
+from comity_executor import Limits, NodeId, leaves_of
 from comity_sim2d import Scene
 
 OUTCOMES = ("success", "partial", "failed", "stopped")
@@ -103,7 +103,7 @@ class Place:
     """Where schedules are tried, and how long the visits take there while nothing goes wrong."""
 
     prepared: Prepared
-    leaves: tuple[str, ...]
+    leaves: tuple[NodeId, ...]
     faultless_s: float
 
 
@@ -150,7 +150,7 @@ def schedule(seed: int, there: Place) -> list[dict[str, Any]]:
         if kind == "planner fails":
             found["calls"] = dice.randint(1, 3)
         if kind == "leaf raises":
-            found |= {"leaf": dice.choice(there.leaves), "times": dice.randint(1, 3)}
+            found |= {"leaf": dice.choice(there.leaves).name, "times": dice.randint(1, 3)}
         return found
 
     return [fault() for _ in range(dice.randint(1, 3))]

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 DOCKING = "Reach_user"
 """The action of the plan whose parameters say where the robot is to stop."""
-_VISITED = "visited("
-"""How the node of the tree is called that a visit is done by."""
+_VISITED, _DOCKED = "visited", "docked?"
+"""What the nodes of the tree do by which a visit is done, and which ask whether the robot has docked."""
 TAKES_OVER = ("rebound", "replanned")
 """Events from which on another plan, or the same with other numbers, holds."""
 
@@ -125,14 +125,14 @@ def _wanted(
     asked = _asked(prepared.plan, events, revisions)
     ever = _distances_m(prepared.plan, events, revisions)
     for visit in visits:
-        times = [event.t for event in events if event.node == f"{_VISITED}{visit.person})"]
+        times = [event.t for event in events if is_of(event, _VISITED, visit.person)]
         if not times or visit.pose is None or visit.wanted is None:
             continue
         distance_m, bearing_deg = asked.get(visit.person, (visit.wanted.distance_m, visit.wanted.bearing_deg))
         span = Span(times[0], times[-1])
         breaks = _breaks(visit.person, span, events)
-        docked = _docked_node(visit.person)
-        ends = (event.t for event in events if event.node == docked and event.status == "success")
+        docked = (event for event in events if is_of(event, _DOCKED, visit.person))
+        ends = (event.t for event in docked if event.status == "success")
         docked_s = next(ends, None)
         yield Wanted(
             person=visit.person,
@@ -159,13 +159,12 @@ def _own_m(prepared: Prepared, told: Sequence[Told], visit: Visit) -> float | No
 
 
 def stretches(events: Sequence[TraceEvent]) -> tuple[tuple[str, Span], ...]:
-    """Whom the robot was about when, in order: from turning to them until it has done or turns away."""
+    """The person that the robot was about, in order: from turning to them until it has done or turns away."""
     found: list[tuple[str, Span]] = []
     about: tuple[str, float] | None = None
     for event in events:
-        if not event.node.startswith(_VISITED):
+        if event.action != _VISITED or (person := event.person) is None:
             continue
-        person = event.node[len(_VISITED) : -1]
         if about and (event.status == "running" or person == about[0]):
             found.append((about[0], Span(about[1], event.t)))
             about = None
@@ -199,9 +198,9 @@ def _asked(
     for event in events:
         if event.status in TAKES_OVER:
             stops = _stops(next(following).plan)
-            asked |= {person: stop for person, stop in stops.items() if _docked_node(person) not in docked}
-        elif event.status == "success":
-            docked.add(event.node)
+            asked |= {person: stop for person, stop in stops.items() if person not in docked}
+        elif event.status == "success" and event.action == _DOCKED and event.person is not None:
+            docked.add(event.person)
     return asked
 
 
@@ -230,9 +229,9 @@ def _stops(plan: Plan) -> dict[str, tuple[float, float]]:
     }
 
 
-def _docked_node(person: str) -> str:
-    """The condition of the tree that asks whether the robot has docked to them."""
-    return f"docked?({person})"
+def is_of(event: TraceEvent, action: str, person: str) -> bool:
+    """Whether an event is about a person's node that does this."""
+    return (event.action, event.person) == (action, person)
 
 
 def _shortest_m(prepared: Prepared, frames: Frames, visits: Sequence[Visit]) -> float | None:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def tree_data(history: History, people: Iterable[str]) -> dict[str, object]:
-    """Nodes as `[name, kind, parent, person]`, events as `[t, path, status, halt, causes, grounds]`.
+    """Nodes as `[name, kind, parent, action, person]`, events as `[t, path, status, halt, causes, grounds]`.
 
     Causes are places in the list of causes. Grounds are the places of the events that an event stands on, the
     one that switched it first.
@@ -32,7 +32,10 @@ def tree_data(history: History, people: Iterable[str]) -> dict[str, object]:
         for why in history.whys()
     ]
     return {
-        "nodes": [[node.name, node.kind, node.parent, _person(node.name, known)] for node in history.nodes],
+        "nodes": [
+            [node.name, node.kind, node.parent, node.action, node.person if node.person in known else None]
+            for node in history.nodes
+        ],
         "events": events,
         "causes": [astuple(cause) for cause in causes],
     }
@@ -40,9 +43,3 @@ def tree_data(history: History, people: Iterable[str]) -> dict[str, object]:
 
 def _grounds(first: TraceEvent | None, others: tuple[TraceEvent, ...]) -> tuple[TraceEvent, ...]:
     return (*((first,) if first else ()), *others)
-
-
-def _person(node: str, people: tuple[str, ...]) -> str | None:
-    """Whom a node is about: its name ends with theirs in brackets."""
-    named = [person for person in people if node.endswith((f"({person})", f", {person})"))]
-    return max(named, key=len, default=None)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic import BaseModel
@@ -13,10 +13,11 @@ from comity.scenario import MapPlace, Scenario
 from comity.sharing.person import pseudonyms
 from comity.specification.goals import Goal
 from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, REACH, RETURN, TASKS
+from comity_executor import NodeId
 from comity_sim2d.maps.file import MapFile
 
 if TYPE_CHECKING:
-    from comity_executor import Cause
+    from comity_executor import Cause, Node
 
 Told = TypeVar("Told", bound=BaseModel)
 
@@ -59,7 +60,9 @@ class Names:
     given: Mapping[str, str]
     """Pseudonyms by name."""
     words: Collection[str]
-    """Of the rulebook: parameters and what they can be."""
+    """Of the rulebook: parameters and what they can be; of the tree: actions."""
+    nodes: Mapping[str, str] = field(default_factory=dict)
+    """Names of nodes under other names, by name."""
 
     def word(self, word: str) -> str:
         """A name's pseudonym, a word of the program or the rulebook as it is, else nothing."""
@@ -67,11 +70,19 @@ class Names:
             return self.given[word]
         return word if word in PROGRAM or word in self.words or NUMBERED.fullmatch(word) else ""
 
-    def node(self, node: str) -> str:
-        """A node of the tree, such as `Timeout 40 s(Reach_user, johanna)`."""
-        head, bracket, inside = node.partition("(")
-        if not bracket:
-            return node
+    def node(self, node: Node) -> Node:
+        """A node of the tree: its action as it is, and what it is about in other words."""
+        person = None if node.person is None else self.word(node.person)
+        renamed = replace(node, about=tuple(map(self.word, node.about)), person=person)
+        return replace(renamed, name=NodeId(renamed.action, renamed.about, person).name)
+
+    def with_nodes(self, nodes: Iterable[Node]) -> Names:
+        """The same, which also knows how the nodes of a trace are called."""
+        return replace(self, nodes={node.name: self.node(node).name for node in nodes})
+
+    def _step_text(self, text: str) -> str:
+        """A step of a plan in words, such as `Reach_user(robot, johanna, left)`."""
+        head, bracket, inside = text.partition("(")
         for name in sorted(self.given, key=len, reverse=True):
             inside = re.sub(
                 rf"(^|(?<=, )|(?<=\()){re.escape(name)}(?=[,)])", f"\0{self.given[name]}\0", inside
@@ -114,7 +125,7 @@ class Names:
         if field in KEPT:
             return value
         if field == "node":
-            return self.node(value)
+            return self.nodes.get(value, "")
         return self.word(value) if field in IDENTIFIERS else ""
 
     def cause(self, cause: Cause) -> Cause | None:
@@ -133,7 +144,7 @@ class Names:
     def _step(self, text: str) -> str:
         """A step of a plan, or what another plan does with it."""
         if STEP.fullmatch(text):
-            return self.node(text)
+            return self._step_text(text)
         _, order, people = text.partition(ORDER)
         return ORDER + ", ".join(map(self.word, people.split(", "))) if order else "step"
 

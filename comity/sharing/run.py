@@ -140,9 +140,9 @@ def _read(folder: RunFolder, extras: frozenset[Extra]) -> _Original:
         )
     file = load_scenario(str(folder / run_folder.SCENARIO))
     book = load_rulebook(file.file.part("rulebook"))
-    leaves = {node.name.partition("(")[0] for node in read_nodes(folder / run_folder.TRACE)}
-    words = plain_words(book) | leaves
-    names = names_in(file.scenario, words)
+    nodes = read_nodes(folder / run_folder.TRACE)
+    words = plain_words(book) | {node.action for node in nodes}
+    names = names_in(file.scenario, words).with_nodes(nodes)
     is_known = account.scenario in shipped("scenario") and account.scenario not in file.scenario.people
     title = account.scenario if is_known else "scenario"
     return _Original(folder, account, file, names, Filter(extras, plain_words(book)), title)
@@ -192,7 +192,7 @@ def _account(original: _Original, shared: RunFolder) -> RunAnswer:
 
 
 def _copy_trace(source: Path, target: Path, names: Names) -> None:
-    nodes = [replace(node, name=names.node(node.name)) for node in read_nodes(source)]
+    nodes = [names.node(node) for node in read_nodes(source)]
     events = [_event(event, names) for event in read_trace(source)]
     with TraceFile(create_private(target), nodes) as file:
         file.keep(events, nodes)
@@ -200,7 +200,7 @@ def _copy_trace(source: Path, target: Path, names: Names) -> None:
 
 def _event(event: TraceEvent, names: Names) -> TraceEvent:
     causes = tuple(told for cause in event.because if (told := names.cause(cause)))
-    return replace(event, node=names.node(event.node), because=causes)
+    return replace(event, of=names.node(event.of), because=causes)
 
 
 def _readings(path: Path, names: Names) -> str:

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
     from comity.schedule import Happening
     from comity.specification.fault import Fault
+    from comity_executor import NodeId
     from comity_sim2d import Scene
 
 PARTS = {"wheel stuck": BASE, "speech fails": VOICE, "sensor blind": SENSORS}
@@ -50,12 +51,12 @@ class Faults:
     Args:
         file: The scenario.
         scene: With its doors.
-        leaves: The names of the leaves of the plan's tree.
+        leaves: Those of the plan's tree.
     """
 
     file: ScenarioFile
     scene: Scene
-    leaves: Collection[str]
+    leaves: Collection[NodeId]
 
     def happenings(self) -> tuple[Happening, ...]:
         """All of them, in the order of the file.
@@ -106,11 +107,11 @@ class Faults:
             )
 
     def _require_leaf(self, i: int, leaf: str) -> None:
-        if not any(is_called(name, leaf) for name in self.leaves):
+        if not any(is_called(one, leaf) for one in self.leaves):
             raise InputError(
-                expected="a leaf of the plan's tree, with or without whom it is about",
+                expected="a leaf of the plan's tree, with or without the person",
                 got=repr(leaf),
-                remedy=closest(leaf, {*self.leaves, *(name.partition("(")[0] for name in self.leaves)}),
+                remedy=closest(leaf, {word for one in self.leaves for word in (one.name, one.action)}),
                 where=self.file.where("faults", i, "leaf"),
             )
 

@@ -10,6 +10,7 @@ from comity_executor.memory.visit import PROPER_OUTCOMES, Deed, Visit
 from comity_executor.memory.write import Write
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import Diagnosed, FaultError
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node, tree_text
 from comity_executor.revision import Course, NoRevision, Planner, Revision
@@ -97,6 +98,7 @@ __all__ = [
     "MotionStatus",
     "NoRevision",
     "Node",
+    "NodeId",
     "Noticed",
     "Overrun",
     "PersonTrack",

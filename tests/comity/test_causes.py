@@ -45,7 +45,7 @@ def kind(switch: Switch) -> str:
     """`say halted (preempted) by docked? -> failure`, whoever it was about."""
     event, cause = switch.event, switch.cause
     doing = "an action began" if event.status == "running" else f"an action was halted ({event.halt})"
-    return f"{doing}, blamed: {cause.node.partition('(')[0]} -> {cause.status}"
+    return f"{doing}, blamed: {cause.action} -> {cause.status}"
 
 
 def judged(chosen: list[Case]) -> tuple[Counter[str], list[str]]:

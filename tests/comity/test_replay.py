@@ -124,7 +124,9 @@ def test_the_page_is_opened_where_the_user_asks_for_it(comity, here, monkeypatch
 def test_the_page_holds_every_event_with_its_causes_and_what_it_stands_on(visits):
     tree = data_of((visits / "replay.html").read_text())["runs"][0]["tree"]
     history = History(read_nodes(visits / "trace.jsonl"), read_trace(visits / "trace.jsonl"))
-    assert [node[:3] for node in tree["nodes"]] == [[n.name, n.kind, n.parent] for n in history.nodes]
+    assert [node[:4] for node in tree["nodes"]] == [
+        [n.name, n.kind, n.parent, n.action] for n in history.nodes
+    ]
     for told, event, why in zip(tree["events"], history.events, history.whys(), strict=True):
         t, path, status, halt, because, grounds = told
         assert (t, path, status, halt) == (event.t, event.path, event.status, event.halt)
@@ -154,7 +156,7 @@ def test_the_page_holds_the_values_that_the_robot_went_by(visits):
 
 def test_a_node_is_about_the_person_in_its_brackets(visits):
     history = History(read_nodes(visits / "trace.jsonl"), ())
-    told = {name: person for name, _, _, person in tree_data(history, ["host", "guest"])["nodes"]}
+    told = {name: person for name, _, _, _, person in tree_data(history, ["host", "guest"])["nodes"]}
     assert told["docked?(host)"] == told["Timeout 10 s(say, host)"] == "host"
     assert told["Goal"] is None
 

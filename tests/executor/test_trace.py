@@ -14,7 +14,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_executor import Cause, Node, TraceEvent, TraceFile, read_trace, trace_lines, trace_sha256
+from comity_executor import (
+    Cause,
+    Node,
+    TraceEvent,
+    TraceFile,
+    read_nodes,
+    read_trace,
+    trace_lines,
+    trace_sha256,
+)
 from comity_executor.tracing.file import parts_of
 from comity_fis.errors import InputError
 
@@ -27,14 +36,19 @@ causes = st.builds(
 )
 because = st.lists(causes, max_size=3).map(tuple)
 halted = st.sampled_from(["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"])
-paths = st.integers(0, 99)
+NODES = tuple(
+    Node(path, f"node {path}", "action", None if path == 0 else 0, f"node {path}", (), None)
+    for path in range(100)
+)
+nodes = st.sampled_from(NODES)
+NODE = Node(0, "n", "action", None, "n", (), None)
+HEADER = next(iter(trace_lines((), (NODE,))))
 events = st.lists(
-    st.builds(TraceEvent, st.floats(0, 1e4), st.text(), paths, st.just("halted"), halted, because)
+    st.builds(TraceEvent, st.floats(0, 1e4), nodes, st.just("halted"), halted, because)
     | st.builds(
         TraceEvent,
         st.floats(0, 1e4),
-        st.text(),
-        paths,
+        nodes,
         st.sampled_from(["running", "success", "failure"]),
         st.none(),
         because,
@@ -43,7 +57,7 @@ events = st.lists(
 ).map(lambda many: tuple(sorted(many, key=lambda event: event.t)))
 
 
-def write(path: Path, many: tuple[TraceEvent, ...], nodes: tuple[Node, ...] = ()) -> None:
+def write(path: Path, many: tuple[TraceEvent, ...], nodes: tuple[Node, ...] = NODES) -> None:
     with TraceFile(path, nodes) as trace:
         trace.keep(many)
 
@@ -64,7 +78,7 @@ def test_written_little_by_little_it_is_the_same_and_complete_at_any_moment(
 def test_a_line_that_was_cut_off_is_left_out(tmp_path: Path) -> None:
     """A process that was killed leaves half a line."""
     path = tmp_path / "trace.jsonl"
-    header, line = '{"format": "comity-trace-2", "nodes": []}', GOOD
+    header, line = HEADER, GOOD
     for cut in range(len(line)):
         path.write_text(f"{header}\n{line}\n{line[:cut]}")
         assert len(read_trace(path)) == 1
@@ -73,9 +87,9 @@ def test_a_line_that_was_cut_off_is_left_out(tmp_path: Path) -> None:
 @given(events)
 def test_what_was_read_is_written_again_to_the_byte(tmp_path_factory, many: tuple[TraceEvent, ...]) -> None:
     path = tmp_path_factory.getbasetemp() / "trace.jsonl"
-    lines = tuple(trace_lines(many))
+    lines = tuple(trace_lines(many, NODES))
     write(path, many)
-    assert tuple(trace_lines(read_trace(path))) == lines
+    assert tuple(trace_lines(read_trace(path), read_nodes(path))) == lines
 
 
 @given(events, st.integers(1, 2_000))
@@ -84,26 +98,26 @@ def test_a_trace_in_parts_is_the_same_trace(
 ) -> None:
     """The parts together have the bytes of the whole, none is larger than asked for by more than a line."""
     path = tmp_path_factory.getbasetemp() / "parted.jsonl"
-    lines = tuple(trace_lines(many))
-    with TraceFile(path, (), part_bytes=size) as trace:
+    lines = tuple(trace_lines(many, NODES))
+    with TraceFile(path, NODES, part_bytes=size) as trace:
         trace.keep(many)
     parts = [part.read_bytes() for part in parts_of(path)]
     assert b"".join(parts).decode().split("\n")[:-1] == list(lines)
     assert all(len(part) < size + max(len(line.encode()) + 1 for line in lines) for part in parts)
-    assert tuple(trace_lines(read_trace(path))) == lines
+    assert tuple(trace_lines(read_trace(path), NODES)) == lines
 
 
 def test_no_more_people_may_read_a_later_part_than_the_first(tmp_path: Path) -> None:
     path = tmp_path / "trace.jsonl"
     path.touch(0o600)
     with TraceFile(path, (), part_bytes=1) as trace:
-        trace.keep((TraceEvent(0.0, "Goal", 0, "running", None, ()),))
+        trace.keep((TraceEvent(0.0, NODE, "running", None, ()),))
     assert [part.stat().st_mode & 0o777 for part in parts_of(path)] == [0o600, 0o600]
 
 
 def test_a_damaged_line_of_a_later_part_is_named_with_its_file(tmp_path: Path) -> None:
     path = tmp_path / "trace.jsonl"
-    path.write_text('{"format": "comity-trace-2", "nodes": []}\n')
+    path.write_text(f"{HEADER}\n")
     (tmp_path / "trace-2.jsonl").write_text("{}\n")
     with pytest.raises(InputError, match=r"trace-2\.jsonl:1"):
         read_trace(path)
@@ -129,11 +143,11 @@ def test_a_cause_is_written_out_once(many: tuple[TraceEvent, ...]) -> None:
     assert len(written) == len(set(written))
 
 
-@pytest.mark.parametrize("changes", [{"path": 7}, {"path": -1}, {"node": "another"}])
+@pytest.mark.parametrize("changes", [{"path": 7}, {"path": -1}, {"name": "another"}])
 def test_an_event_of_no_node_of_the_tree_is_refused(tmp_path: Path, changes: dict[str, Any]) -> None:
-    node = Node(0, "Goal", "sequence", None)
-    event = replace(TraceEvent(0.0, "Goal", 0, "running", None, ()), **changes)
-    write(tmp_path / "trace.jsonl", (event,), (node,))
+    event = TraceEvent(0.0, replace(NODE, **changes), "running", None, ())
+    lines = [HEADER, *list(trace_lines((event,)))[1:]]
+    (tmp_path / "trace.jsonl").write_text("".join(f"{line}\n" for line in lines))
     with pytest.raises(InputError, match="damaged"):
         read_trace(tmp_path / "trace.jsonl")
 
@@ -179,7 +193,7 @@ def _output(script: str, hash_seed: str) -> str:
 
 
 def test_numbers_are_rounded_and_nothing_is_infinite() -> None:
-    event = TraceEvent(0.1 + 0.2, "n", 0, "failure", None, (Cause("reading", "", float("nan")),))
+    event = TraceEvent(0.1 + 0.2, NODE, "failure", None, (Cause("reading", "", float("nan")),))
     assert json.loads(list(trace_lines([event]))[1]) == {
         "t": 0.3,
         "node": "n",
@@ -190,7 +204,7 @@ def test_numbers_are_rounded_and_nothing_is_infinite() -> None:
 
 
 def test_digests_differ_where_events_do() -> None:
-    one, other = (TraceEvent(t, "n", 0, "running", None, ()) for t in (0.0, 0.05))
+    one, other = (TraceEvent(t, NODE, "running", None, ()) for t in (0.0, 0.05))
     assert trace_sha256(trace_lines([one])) != trace_sha256(trace_lines([other]))
 
 
@@ -216,8 +230,7 @@ GOOD = '{"because": [], "halt": null, "node": "n", "path": 0, "status": "running
 )
 def test_a_damaged_line_is_named_with_file_and_line(tmp_path: Path, line: str, complaint: str) -> None:
     path = tmp_path / "trace.jsonl"
-    header = next(iter(trace_lines(())))
-    path.write_text(f"{header}\n{line}\n")
+    path.write_text(f"{HEADER}\n{line}\n")
     with pytest.raises(InputError, match="damaged") as caught:
         read_trace(path)
     assert caught.value.where.file == str(path)
@@ -225,11 +238,11 @@ def test_a_damaged_line_is_named_with_file_and_line(tmp_path: Path, line: str, c
     assert complaint in str(caught.value)
 
 
-@pytest.mark.parametrize("text", ["", "hello\n", '{"format": "comity-trace-0"}\n', "[1]\n"])
+@pytest.mark.parametrize("text", ["", "hello\n", '{"format": "comity-trace-2", "nodes": []}\n', "[1]\n"])
 def test_what_is_no_trace_is_refused(tmp_path: Path, text: str) -> None:
     path = tmp_path / "trace.jsonl"
     path.write_text(text)
-    with pytest.raises(InputError, match="comity-trace-2"):
+    with pytest.raises(InputError, match="comity-trace-3"):
         read_trace(path)
 
 

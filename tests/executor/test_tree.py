@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from py_trees import display
 
-from comity_executor import Execution, tree_text
+from comity_executor import Execution, NodeId, tree_text
 
 
 def test_the_tree_of_one_visit(episode) -> None:
@@ -67,6 +67,15 @@ def test_py_trees_draws_the_tree_with_what_each_leaf_has_to_say(episode) -> None
     assert "docked?(johanna) [✕] -- distance 2.55 m is not in 1.00..1.02 around 1.01" in drawing
     for draw in (display.unicode_tree, display.ascii_tree, display.xhtml_tree, display.dot_tree):
         assert all(node.name in str(draw(root)).replace('"', "") for node in root.iterate())
+
+
+def test_a_node_says_what_it_does_and_for_which_person_beside_its_name(episode) -> None:
+    nodes = episode("johanna", "alice").execution.nodes
+    assert all(node.name == NodeId(node.action, node.about, node.person).name for node in nodes)
+    docked = [node.person for node in nodes if node.action == "docked?"]
+    assert docked == ["johanna", "alice"]
+    (timeout,) = (node for node in nodes if node.name == "Timeout 10 s(say, alice)")
+    assert (timeout.kind, timeout.action, timeout.about) == ("decorator", "Timeout 10 s", ("say", "alice"))
 
 
 def test_nodes_are_numbered_in_preorder_below_their_parents(episode) -> None:

@@ -7,11 +7,12 @@ import { Track } from "./track.js";
 export class Episode {
   constructor(data) {
     Object.assign(this, data);
-    this.nodes = data.tree.nodes.map(([name, kind, parent, person], path) => ({
+    this.nodes = data.tree.nodes.map(([name, kind, parent, action, person], path) => ({
       path,
       name,
       kind,
       parent,
+      action,
       person,
       children: [],
       events: [],

@@ -68,9 +68,7 @@ function placed(steps, nodes) {
   const whose = (step) => `${step.action} ${step.arguments[1]}`;
   return steps.map((step, i) => {
     const person = step.arguments[1] ?? null;
-    const all = nodes.filter(
-      ({ name, person: about }) => about === person && name.startsWith(`${step.action}(`),
-    );
+    const all = nodes.filter((node) => node.person === person && node.action === step.action);
     const alike = steps.filter((one) => whose(one) === whose(step));
     const nth = steps.slice(0, i).filter((one) => whose(one) === whose(step)).length;
     const mine = alike.length > 1 && alike.length === all.length ? [all[nth]] : all;

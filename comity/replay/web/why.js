@@ -134,7 +134,7 @@ export class Why {
     if (node.kind !== "action" || status !== "running") return undefined;
     return this.episode.acts.find(
       ({ act: kind, text, person, start_s: start }) =>
-        text !== null && person === node.person && node.name.startsWith(`${kind}(`) && Math.abs(start - t) < 0.001,
+        text !== null && person === node.person && node.action === kind && Math.abs(start - t) < 0.001,
     );
   }
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -14,9 +13,6 @@ from comity_fis import InputError, Where
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity_executor import Why
-
-ABOUT = re.compile(r"\((?:[^()]*, )?([^(),]+)\)$")
-"""The person at the end of a node's name: `dock(host)`, `done?(say, host)`."""
 
 
 def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswer]:
@@ -47,8 +43,7 @@ def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswe
 
 def reading_for(why: Why, readings: Mapping[str, ReadingAnswer]) -> ReadingAnswer | None:
     """The reading of the person that a node is about; None where it is about nobody who was read."""
-    person = ABOUT.search(why.event.node)
-    return readings.get(person[1]) if person else None
+    return readings.get(why.event.person) if why.event.person else None
 
 
 def reading_text(reading: ReadingAnswer) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -19,8 +18,6 @@ if TYPE_CHECKING:
     from comity_executor import Cause, TraceEvent
     from comity_fis import Inference
 
-_PERSON = re.compile(r"\(([^,)]+)")
-
 
 @dataclass(frozen=True, slots=True)
 class Undisclosed:
@@ -33,11 +30,11 @@ class Undisclosed:
 
     def said(self, event: TraceEvent, cause: Cause) -> str:
         """What to add to a parameter behind an event; empty for other causes, and where facts decided it."""
-        named = _PERSON.search(event.node)
-        if cause.kind != "parameter" or named is None:
+        about = event.person
+        if cause.kind != "parameter" or about is None:
             return ""
-        since = (values for t, person, values in self.later if person == named[1] and t <= event.t)
-        values = next(reversed([*since]), self.first.get(named[1]))
+        since = (values for t, person, values in self.later if person == about and t <= event.t)
+        values = next(reversed([*since]), self.first.get(about))
         value = values.get(cause.text.split(" ")[0]) if values else None
         if values is None or value is None or value.value != cause.value:
             return ""

@@ -123,7 +123,7 @@ def _state(event: TraceEvent) -> str:
         return f"was halted ({event.halt.replace('_', ' ')})"
     if event.status in OF_PLANS:
         return f"was {OF_PLANS[event.status]}"
-    if "?" in event.node and event.status != "running":
+    if event.of.kind == "condition" and event.status != "running":
         return "came out true" if event.status == "success" else "came out false"
     return _STATES[event.status]
 

@@ -58,8 +58,6 @@ def done_for(trial: Trial, person: str) -> tuple[Done, ...]:
 def _spans(trial: Trial, person: str) -> Iterator[tuple[float, float, str]]:
     """From when to when there was which occasion; the tick in which one ends is the next one's already."""
     for node in trial.episode.nodes:
-        action, _, about = node.name.partition("(")
-        is_theirs = about == f"{person})" or (action == OFFER and about.endswith(f", {person})"))
-        if action in _OCCASIONS and is_theirs:
+        if node.action in _OCCASIONS and node.person == person:
             for took, start, _ in runs(trial, {node.path}):
-                yield start - _TICK_S, start + took - _TICK_S, _OCCASIONS[action]
+                yield start - _TICK_S, start + took - _TICK_S, _OCCASIONS[node.action]

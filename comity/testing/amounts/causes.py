@@ -73,11 +73,11 @@ def at_time(trial: Trial, t: float, actions: Collection[str] = ()) -> Iterator[s
     Args:
         trial: What happened.
         t: The time.
-        actions: Of these alone, by their names up to the bracket; without any of all.
+        actions: Of these alone; without any of all.
     """
     nodes = trial.episode.nodes
     for why in trial.episode.history.why_at(t):
-        if actions and why.event.node.partition("(")[0] not in actions:
+        if actions and why.event.action not in actions:
             continue
         yield f"t={t:.2f} s  {why.event.node} {why.event.status} since t={why.event.t:.2f} s"
         tried = why.switched_by

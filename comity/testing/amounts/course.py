@@ -19,7 +19,7 @@ from comity.testing.amounts.shaping import shaping
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
     from comity_domain import PlanStep
-    from comity_executor import Cause, TraceEvent, Visit
+    from comity_executor import Cause, Node, TraceEvent, Visit
 
 _BEARING = "approach_bearing"
 LEAST_S = 0.5
@@ -104,13 +104,13 @@ def of_lateness(trial: Trial, visit: Visit) -> Iterator[str]:
         yield from of_time(trial, until_s=visit.greeted_s)
 
 
-def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
-    """How long each action ran [s], when it began [s], and its name."""
+def actions(trial: Trial) -> Iterator[tuple[float, float, Node]]:
+    """How long each action ran [s], when it began [s], and its node."""
     nodes = trial.episode.nodes
     return runs(trial, {node.path for node in nodes if node.kind == "action"})
 
 
-def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, str]]:
+def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, Node]]:
     """The same for any nodes, given by their paths: from running to a result or a halt."""
     begun: dict[int, float] = {}
     for event in trial.episode.events:
@@ -120,7 +120,7 @@ def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, s
             begun[event.path] = event.t
         elif event.path in begun:
             start = begun.pop(event.path)
-            yield event.t - start, start, event.node
+            yield event.t - start, start, event.of
 
 
 def _planned(step: PlanStep, trial: Trial) -> str:
@@ -153,7 +153,7 @@ def _done(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
     ]
     longest = sorted(sorted(ran, key=lambda one: -one[1])[:MOST])
     for start, together in groupby(longest, key=lambda one: round(one[0], 2)):
-        did = ", ".join(f"{node} for {_amount(trial, began, took)}" for began, took, node in together)
+        did = ", ".join(f"{node.name} for {_amount(trial, began, took)}" for began, took, node in together)
         yield f"did       {did}, from t={start:.2f} s"
 
 
@@ -163,23 +163,20 @@ def _amount(trial: Trial, start_s: float, took_s: float) -> str:
     return f"{took_s:.2f} s" + (f" and {way_m:.2f} m" if way_m >= STOOD_M else "")
 
 
-def _moves(node: str) -> bool:
-    return node.partition("(")[0] in MOTIONS
-
-
 def _way_m(trial: Trial, start_s: float, end_s: float) -> float:
     frames = trial.episode.frames
     during = (frames.time_s >= start_s - 1e-9) & (frames.time_s <= end_s + 1e-9)
     return float(np.hypot(*np.diff(frames.poses[during, 0, :2], axis=0).T).sum())
 
 
-def _is_for(person: str | None, node: str, trial: Trial) -> bool:
+def _is_for(person: str | None, node: Node, trial: Trial) -> bool:
     """Whether an action is for somebody, or for the one before whom their company is greeted."""
     if person is None:
         return True
     visit = trial.visit(person)
-    named = node.partition("(")[2].removesuffix(")").split(", ")
-    return person in named or (visit is not None and visit.together_with in named)
+    return node.person == person or (
+        visit is not None and visit.together_with is not None and node.person == visit.together_with
+    )
 
 
 def _waited(trial: Trial, until_s: float) -> Iterator[str]:
@@ -214,7 +211,7 @@ def _failed(trial: Trial, person: str | None, until_s: float, *, moving: bool) -
     alike: dict[tuple[str, str], list[float]] = {}
     for event in trial.episode.events:
         failed = nodes[event.path].kind == "action" and event.status == "failure" and event.t < until_s
-        if failed and _is_for(person, event.node, trial) and (not moving or _moves(event.node)):
+        if failed and _is_for(person, event.of, trial) and (not moving or event.action in MOTIONS):
             because = f": {event.because[0].text}" if event.because else ""
             alike.setdefault((event.node, because), []).append(event.t)
     for (node, because), times in alike.items():

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from comity.monitoring.measuring import is_of
 from comity.specification.change import Change
 from comity.specification.fault import (
     LeafRaises,
@@ -15,6 +16,7 @@ from comity.specification.fault import (
     SpeechFails,
     in_words,
 )
+from comity_executor.trees.tree import VISITED
 
 if TYPE_CHECKING:
     from comity.specification.fault import Fault
@@ -80,8 +82,10 @@ def walking(trial: Trial, person: str | None, until_s: float = math.inf) -> tupl
 
 def _visit_of(trial: Trial, person: str | None) -> tuple[float, float]:
     """From setting out to somebody to the end of their visit [s]; of nobody, all the time."""
-    times = [event.t for event in trial.episode.events if event.node == f"visited({person})"]
-    return (times[0], times[-1]) if person and times else (0.0, math.inf)
+    if person is None:
+        return 0.0, math.inf
+    times = [event.t for event in trial.episode.events if is_of(event, VISITED, person)]
+    return (times[0], times[-1]) if times else (0.0, math.inf)
 
 
 def _shows(trial: Trial, entry: Change | Fault, until_s: float) -> bool:

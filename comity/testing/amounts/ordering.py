@@ -10,10 +10,12 @@ from comity.specification.goals import greeted
 from comity.testing.amounts import causes
 from comity.testing.amounts.shaping import told_of
 from comity_domain import in_order
+from comity_executor.trees.tree import DOCKED
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
     from comity_domain import OtherOrder, Plan
+    from comity_executor import TraceEvent
 
 TAKES_OVER = ("rebound", "replanned")
 """Events with which another plan, or the same with other numbers, holds from then on."""
@@ -21,11 +23,9 @@ _OF_WAYS = {"travel": "conversational_distance", "side": "approach_direction"}
 """Parts of the costs, with the parameter that they hang on."""
 
 
-def docked_at(node: str, status: str) -> str | None:
-    """At whom the robot docked with an event; None with any other one."""
-    if status != "success" or not node.startswith("docked("):
-        return None
-    return node.removeprefix("docked(").removesuffix(")")
+def docked_at(event: TraceEvent) -> str | None:
+    """The person at whom the robot docked with an event; None with any other one."""
+    return event.person if event.status == "success" and event.action == DOCKED else None
 
 
 def of_order(trial: Trial, people: Sequence[str]) -> Iterator[str]:
@@ -39,7 +39,7 @@ def of_order(trial: Trial, people: Sequence[str]) -> Iterator[str]:
     reasons = [] if as_wanted else [tuple(_planned(trial, people))]
     following = iter(trial.episode.revisions)
     for event in trial.episode.events:
-        if person := docked_at(event.node, event.status):
+        if person := docked_at(event):
             docked.append(person)
         if event.status in TAKES_OVER:
             before, now = now, _among(people, (*docked, *_stops(next(following).plan)))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -32,7 +32,8 @@ from comity.testing.golden.content import (
 )
 from comity.testing.golden.difference import differing
 from comity.testing.golden.place import place_of
-from comity_executor import History, Node, TraceEvent
+from comity_executor import Cause, History, Node, TraceEvent
+from comity_executor.tracing.trace import EventStatus, Halt
 from comity_fis import InputError, Where
 from comity_fis.errors import WrongValueError
 
@@ -63,12 +64,24 @@ class Step(BaseModel):
     """In metres of way."""
 
 
+@dataclass(frozen=True, slots=True)
+class StoredEvent:
+    """An event of the trace, by the place of its node."""
+
+    t: float
+    node: str
+    path: int
+    status: EventStatus
+    halt: Halt | None
+    because: tuple[Cause, ...]
+
+
 class Golden(BaseModel):
     """One case as it was."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    format: Literal["comity-golden-5"] = "comity-golden-5"
+    format: Literal["comity-golden-6"] = "comity-golden-6"
     fingerprint: str
     trace_sha256: str
     read: Mapping[str, str]
@@ -86,7 +99,7 @@ class Golden(BaseModel):
     """By step and choice, why a way to do it was not open."""
     path_length_m: float
     nodes: tuple[Node, ...]
-    events: tuple[TraceEvent, ...]
+    events: tuple[StoredEvent, ...]
     sha256: str = ""
     """Of all the rest, as it was written; empty before."""
 
@@ -97,14 +110,20 @@ class Golden(BaseModel):
             if node.path != place or not (node.parent is None or 0 <= node.parent < place):
                 raise WrongValueError(expected=f"node {place} of a tree", got=f"{node.path} in {node.parent}")
         for event in self.events:
-            if not 0 <= event.path < len(self.nodes):
-                raise WrongValueError(expected="an event of a node", got=f"one of node {event.path}")
+            if not (0 <= event.path < len(self.nodes) and self.nodes[event.path].name == event.node):
+                raise WrongValueError(
+                    expected="an event of a node", got=f"{event.node} at place {event.path}"
+                )
         return self
 
     @property
     def history(self) -> History:
         """The trace to ask."""
-        return History(self.nodes, self.events)
+        events = (
+            TraceEvent(event.t, self.nodes[event.path], event.status, event.halt, event.because)
+            for event in self.events
+        )
+        return History(self.nodes, events)
 
     def digest(self) -> str:
         """What `sha256` is where nobody edited the file."""
@@ -236,12 +255,13 @@ def _rounded(value: float | str) -> float | str:
     return value if isinstance(value, str) else round(value, _NUMBER) + 0.0
 
 
-def _quantised(event: TraceEvent) -> TraceEvent:
+def _quantised(event: TraceEvent) -> StoredEvent:
     because = tuple(
         replace(cause, value=cause.value if cause.value is None else _rounded(cause.value))
         for cause in event.because
     )
-    return replace(event, t=round(event.t, _TIME), because=because)
+    t = round(event.t, _TIME)
+    return StoredEvent(t, event.node, event.path, event.status, event.halt, because)
 
 
 def _lines(record: Mapping[str, Any]) -> str:

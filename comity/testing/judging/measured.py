@@ -21,7 +21,12 @@ if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
 PHASES = ("way", "coming near", "greeting", "attending")
-_OF_NODE = {"Navigate_to_user": "way", "Dock_to_user": "coming near", "Face_user": "coming near"}
+_OF_NODE = {
+    "Navigate_to_user": "way",
+    "Dock_to_user": "coming near",
+    "Face_user": "coming near",
+    "Attend_to": "attending",
+}
 _SERVED = ("greeted", "skipped")
 
 
@@ -107,9 +112,8 @@ def _intrusion_s(trial: Trial) -> float:
 def _phases(trial: Trial) -> dict[str, float]:
     spans: dict[str, list[tuple[float, float]]] = {phase: [] for phase in PHASES}
     for took, start, node in actions(trial):
-        name = node.split("(")[0]
-        acts = name in VERBS or name == SAY_ACT
-        phase = _OF_NODE.get(name) or ("greeting" if acts else "attending" if name == "Attend" else None)
+        acts = node.action in VERBS or node.action == SAY_ACT
+        phase = _OF_NODE.get(node.action) or ("greeting" if acts else None)
         if phase:
             spans[phase].append((start, start + took))
     return {phase: _covered(times) for phase, times in spans.items()}

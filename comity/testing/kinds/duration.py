@@ -39,7 +39,7 @@ class Duration(Expectation):
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Every run that is too short or too long; and that there is none."""
-        nodes = {node.path: node.name for node in trial.nodes_named(self.node)}
+        nodes = {node.path for node in trial.nodes_named(self.node)}
         ran = list(runs(trial, nodes))
         expected = f"{self.node} for {self.bounds.told('s')}"
         if not nodes:
@@ -51,6 +51,6 @@ class Duration(Expectation):
             if not self.bounds.holds(took_s, "s", slack=SLACK_S):
                 yield Finding(
                     f"{self.node} for {self.bounds.told('s', took_s)}",
-                    f"{node} for {self.bounds.missed_by(took_s, 's', f', from t={start_s:.2f} s')}",
-                    tuple(causes.of_node(trial, node, ended_s=start_s + took_s)),
+                    f"{node.name} for {self.bounds.missed_by(took_s, 's', f', from t={start_s:.2f} s')}",
+                    tuple(causes.of_node(trial, node.name, ended_s=start_s + took_s)),
                 )

@@ -54,5 +54,5 @@ class VisitOrder(Expectation):
 
 def visited(trial: Trial) -> tuple[str, ...]:
     """The people at whom the robot docked, in order."""
-    docked = (ordering.docked_at(event.node, event.status) for event in trial.episode.events)
+    docked = (ordering.docked_at(event) for event in trial.episode.events)
     return tuple(dict.fromkeys(name for name in docked if name is not None))

@@ -12,7 +12,7 @@ from comity.episode import Episode
 from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
 from comity.specification.goals import greeted
-from comity_executor import node_names
+from comity_executor import is_called, node_names
 from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.trees.tree import GREETINGS, SKIP
 from comity_fis import InputError, closest
@@ -105,9 +105,9 @@ class Trial:
             InputError: where the tree has none, and no tree of the scenario could.
         """
         nodes = self.episode.nodes
-        found = [node for node in nodes if name in (node.name, bare(node.name))]
+        found = [node for node in nodes if is_called(node, name)]
         if not found and not self._is_of(self._possible(), name) and not self._is_of_goal(name):
-            names = {bare(node.name) for node in nodes} | set(self._possible())
+            names = {node.action for node in nodes} | set(self._possible())
             raise InputError(
                 expected="a node of the behaviour tree", got=repr(name), remedy=closest(name, names)
             )
@@ -129,7 +129,7 @@ class Trial:
 
     def _is_of_goal(self, name: str) -> bool:
         """Whether it is another one's node, about somebody who is to be visited: with others, it may be."""
-        kinds = {bare(node.name) for node in self.episode.nodes}
+        kinds = {node.action for node in self.episode.nodes}
         return bare(name) in kinds and any(part in self.goals for part in _about(name))
 
     def _possible(self) -> Iterator[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.nodes.cause import Account
+from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
 from comity_executor.speech.speaker import ABOUT_WORDS
@@ -20,7 +21,7 @@ class Act(BodyAct):
     """
 
     def __init__(self, meeting: Meeting, act: str) -> None:
-        super().__init__(meeting.person, meeting, act, meeting.greet_grounds)
+        super().__init__(NodeId.of(act, meeting.person), meeting, act, meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "values"), writes=("performed", "performed_s"))
 
     def words(self) -> Utterance | None:

@@ -16,6 +16,7 @@ from comity_executor.leaves.performing import Performing
 from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.speech.manner import ABOUT_SPEECH, manner_of
@@ -50,7 +51,7 @@ class IsComingTold(Condition):
     """`coming_told?`: was the person told that the robot comes, and has it not been far away since?"""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"coming_told?({meeting.person})", meeting.reach_grounds)
+        super().__init__(NodeId.of("coming_told?", meeting.person), meeting.reach_grounds)
         self._meeting = meeting.seen_by(self, reads=("announced",))
         self._text = ""
 
@@ -81,8 +82,7 @@ class ComeNear(NavigateToUser):
     """Set out to the person, and halt before the robot is nearer than `SPOKEN_TO_M`."""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(meeting)
-        self.name = f"Come_near({meeting.person})"
+        super().__init__(meeting, verb="Come_near")
 
     def begin(self) -> None:
         """Set out, unless the robot is near already: then it does not move until it has spoken."""
@@ -115,9 +115,8 @@ class Announcement(BodyAct):
     """
 
     def __init__(self, verb: str, meeting: Meeting, *, reads: tuple[str, ...] = ()) -> None:
-        super().__init__(meeting.person, meeting, SAY_ACT, meeting.reach_grounds)
+        super().__init__(NodeId.of(verb, meeting.person), meeting, SAY_ACT, meeting.reach_grounds)
         self.verb = verb
-        self.name = f"{verb}({meeting.person})"
         self._meeting = meeting.seen_by(self, reads=("values", *reads), writes=("announced", "stopped_s"))
 
     def goal(self) -> ActGoal:
@@ -177,7 +176,7 @@ class IsStopTold(Condition):
     """`stop_told?`: was the person told that, and where, the robot has stopped?"""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"stop_told?({meeting.person})", meeting.reach_grounds)
+        super().__init__(NodeId.of("stop_told?", meeting.person), meeting.reach_grounds)
         self._meeting = meeting.seen_by(self, reads=("stopped_s", "docked_s"))
 
     @property
@@ -200,13 +199,15 @@ class IsLeaveTold(Condition):
 
     Args:
         meeting: Whose branch it belongs to.
-        label: What the node is called after, in brackets.
+        about: What the node's name has in brackets.
         grounds: The step for which the robot leaves.
         goes_to: The person whom it goes to, who is not left; None: it goes to a place.
     """
 
-    def __init__(self, meeting: Meeting, label: str, grounds: Grounds, *, goes_to: str | None) -> None:
-        super().__init__(f"leave_told?({label})", grounds)
+    def __init__(
+        self, meeting: Meeting, about: tuple[str, ...], grounds: Grounds, *, goes_to: str | None
+    ) -> None:
+        super().__init__(NodeId("leave_told?", about, meeting.person), grounds)
         self._meeting = meeting.seen_by(self, reads=("announced",))
         self._goes_to = goes_to
 
@@ -232,15 +233,15 @@ class SayLeaving(Action):
 
     Args:
         meeting: Whose branch it belongs to.
-        label: What the node is called after, in brackets.
+        about: What the node's name has in brackets.
         grounds: The step for which the robot leaves.
         values: Everyone's parameters, by name.
     """
 
     def __init__(
-        self, meeting: Meeting, label: str, grounds: Grounds, values: Mapping[str, Inference]
+        self, meeting: Meeting, about: tuple[str, ...], grounds: Grounds, values: Mapping[str, Inference]
     ) -> None:
-        super().__init__(f"Say_leaving({label})", grounds)
+        super().__init__(NodeId("Say_leaving", about, meeting.person), grounds)
         self._meeting = meeting.seen_by(self, writes=("announced",))
         self._performing = Performing(meeting.robot, meeting.senses)
         self._values = values
@@ -284,8 +285,8 @@ class SayLeaving(Action):
 class LeaveUntold(Action):
     """SUCCESS at once: a robot that cannot speak does not stand beside the person for ever."""
 
-    def __init__(self, meeting: Meeting, label: str, grounds: Grounds) -> None:
-        super().__init__(f"Leave_untold({label})", grounds)
+    def __init__(self, meeting: Meeting, about: tuple[str, ...], grounds: Grounds) -> None:
+        super().__init__(NodeId("Leave_untold", about, meeting.person), grounds)
         self._meeting = meeting.seen_by(self, writes=("announced",))
         self._who: str | None = None
 

@@ -6,6 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
 from comity_executor.robots.noticed import Noticed, noticed
@@ -27,7 +28,7 @@ class AttendTo(Action):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"Attend_to({meeting.person})", meeting.reach_grounds)
+        super().__init__(NodeId.of("Attend_to", meeting.person), meeting.reach_grounds)
         self._meeting = meeting.seen_by(
             self, reads=("reach", "values"), writes=("pose", "shown", "noticed", "attended")
         )

@@ -12,6 +12,7 @@ from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.goals import ActGoal
 from comity_executor.speech.utterance import Utterance
@@ -21,14 +22,14 @@ class BodyAct(Action):
     """An act of the robot towards the person of a meeting.
 
     Args:
-        label: What the node is called after, in brackets.
+        node_id: The act and the person, as the node is called.
         meeting: Whose branch it belongs to.
         act: `say`, or another act by its name.
         grounds: The plan step that it carries out.
     """
 
-    def __init__(self, label: str, meeting: Meeting, act: str, grounds: Grounds) -> None:
-        super().__init__(f"{act}({label})", grounds)
+    def __init__(self, node_id: NodeId, meeting: Meeting, act: str, grounds: Grounds) -> None:
+        super().__init__(node_id, grounds)
         self._meeting = meeting
         self._act = act
         self._performing = Performing(meeting.robot, meeting.senses)

@@ -9,6 +9,7 @@ from comity_executor.leaves.docking_band import DockingBand, enter_band, leave_b
 from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Condition, Ports
 from comity_executor.robots.goals import DockingPose
 from comity_executor.robots.robot import Reading
@@ -18,7 +19,7 @@ class IsDocked(Condition):
     """`docked?`: does the robot rest at its pose, or hold it well enough since?"""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"docked?({meeting.person})", meeting.reach_grounds)
+        super().__init__(NodeId.of("docked?", meeting.person), meeting.reach_grounds)
         self._meeting = meeting = meeting.seen_by(
             self, reads=("reach", "values", "shown"), writes=("pose", "docked", "docked_at", "docked_s")
         )
@@ -69,7 +70,7 @@ class IsGreeted(Condition):
     """`greeted?`: is every act of the greeting done, and did the robot see how it was taken?"""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"greeted?({meeting.person})", meeting.greet_grounds)
+        super().__init__(NodeId.of("greeted?", meeting.person), meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "performed", "attended", "done_before"))
         self._acts = meeting.acts
 
@@ -90,7 +91,7 @@ class IsActDone(Condition):
     """`done?`: was this act performed, so that a second docking does not repeat it?"""
 
     def __init__(self, meeting: Meeting, act: str) -> None:
-        super().__init__(f"done?({act}, {meeting.person})", meeting.greet_grounds)
+        super().__init__(NodeId.of("done?", act, meeting.person), meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "performed", "done_before"))
         self._act = act
 
@@ -113,7 +114,7 @@ class IsGivenUp(Condition):
     """`given_up?`: did the visit fail for good, or did the person decline it?"""
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"given_up?({meeting.person})")
+        super().__init__(NodeId.of("given_up?", meeting.person))
         self._person = meeting.person
         self._memory = meeting.memory.seen_by(self, reads=("given_up", "declined", "failure"))
 

@@ -13,6 +13,7 @@ from py_trees.decorators import Decorator
 
 from comity_executor.memory.meeting import MakeAct, Meeting
 from comity_executor.memory.task import Task
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Ports
 from comity_executor.nodes.node import preorder
 
@@ -24,7 +25,7 @@ class CustomAct(Decorator):
 
     Args:
         act: The name of the act.
-        label: What the node is called after, in brackets.
+        about: What the node's name has in brackets.
         make: Makes the behaviour.
         of: The greeting or the task that it belongs to, which remembers it.
 
@@ -32,16 +33,19 @@ class CustomAct(Decorator):
         TypeError: `make` gave something else than a behaviour.
     """
 
-    def __init__(self, act: str, label: str, make: MakeAct, of: Meeting | Task) -> None:
-        behaviour = make(f"{act}({label})", of.person)
+    def __init__(self, act: str, about: tuple[str, ...], make: MakeAct, of: Meeting | Task) -> None:
+        inner = NodeId(act, about, of.person)
+        behaviour = make(inner.name, of.person)
         if not isinstance(behaviour, Behaviour):
             raise TypeError(
-                f"acts[{act!r}]: expected a py_trees Behaviour for {act}({label}), got {behaviour!r}; "
+                f"acts[{act!r}]: expected a py_trees Behaviour for {inner.name}, got {behaviour!r}; "
                 "give a class or a function of the node's name and the person that makes one"
             )
         for node in preorder(behaviour):
             _Guard(node)
-        super().__init__(f"Custom_act({act}, {label})", behaviour)
+        vars(behaviour)["node_id"] = inner
+        self.node_id = NodeId("Custom_act", (act, *about), of.person)
+        super().__init__(self.node_id.name, behaviour)
         self._act = act
         self._of = of.seen_by(self, writes=("performed", "performed_s", "done_s"))
 

@@ -7,6 +7,7 @@ from py_trees.common import Status
 from comity_executor.leaves.docking_band import enter_band, lost_band
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Reading
 
@@ -20,7 +21,7 @@ class FaceUser(MotionAction):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Face_user", meeting, reads=POSE)
+        super().__init__(NodeId.of("Face_user", meeting.person), meeting, reads=POSE)
 
     def begin(self) -> None:
         """Turn."""

@@ -8,6 +8,7 @@ from py_trees.composites import Parallel
 
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account, explains
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action
 
 
@@ -20,7 +21,7 @@ class GiveUp(Action):
     """
 
     def __init__(self, meeting: Meeting, failed: Behaviour) -> None:
-        super().__init__(f"Give_up({meeting.person})", meeting.reach_grounds)
+        super().__init__(NodeId.of("Give_up", meeting.person), meeting.reach_grounds)
         self._memory = meeting.memory.seen_by(self, writes=("given_up", "failure"))
         self._failed = failed
 

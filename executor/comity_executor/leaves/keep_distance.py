@@ -8,6 +8,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import DockingPose, MotionGoal
 from comity_fis.learning.signals import WORDS
 
@@ -20,7 +21,7 @@ class KeepDistance(MotionAction):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Keep_distance", meeting, reads=(*POSE, "noticed"))
+        super().__init__(NodeId.of("Keep_distance", meeting.person), meeting, reads=(*POSE, "noticed"))
         self._granted: DockingPose | None = None
         self._holds = False
         """Whether it holds the pose; else it stands and turns."""

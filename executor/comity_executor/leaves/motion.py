@@ -8,6 +8,7 @@ from dataclasses import replace
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action
 from comity_executor.robots.goals import DECLINED, LOST, GoalId, Motion, MotionGoal, MotionStatus
 from comity_executor.robots.status import GoalLostError, known_motion
@@ -18,7 +19,7 @@ class MotionAction(Action):
     """A motion goal under way.
 
     Args:
-        verb: Names the node, together with the person.
+        node_id: What it does, and for which person.
         meeting: Whose branch it belongs to.
         reads: What it reads on the blackboard.
         writes: What it writes there, besides that it has the base, and that the person declined.
@@ -26,13 +27,13 @@ class MotionAction(Action):
 
     def __init__(
         self,
-        verb: str,
+        node_id: NodeId,
         meeting: Meeting,
         *,
         reads: Collection[str] = (),
         writes: Collection[str] = (),
     ) -> None:
-        super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
+        super().__init__(node_id, meeting.reach_grounds)
         self.meeting = meeting.seen_by(
             self, reads=("bindings", "values", *reads), writes=("base", "declined", *writes)
         )

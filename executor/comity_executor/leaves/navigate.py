@@ -8,6 +8,7 @@ from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import WAY
+from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import MotionGoal
 
 
@@ -17,9 +18,9 @@ class NavigateToUser(MotionAction):
     And once more where it is stuck: a place before somebody who walks is not free for ever.
     """
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: Meeting, *, verb: str = "Navigate_to_user") -> None:
         super().__init__(
-            "Navigate_to_user",
+            NodeId.of(verb, meeting.person),
             meeting,
             reads=("reach", "values", "shown", "asked", "in_vain"),
             writes=("pose",),

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from comity_executor.memory.meeting import Meeting
 from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Condition, Ports
 
 
@@ -14,7 +15,7 @@ class IsServed(Condition):
     """`served?`: is the person greeted, and all of the agenda done?"""
 
     def __init__(self, meeting: Meeting, tasks: Sequence[Task]) -> None:
-        super().__init__(f"served?({meeting.person})", meeting.greet_grounds)
+        super().__init__(NodeId.of("served?", meeting.person), meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "performed", "attended", "done_before"))
         self._tasks = [task.seen_by(self, reads=("done_s",)) for task in tasks]
 
@@ -33,7 +34,7 @@ class IsTaskDone(Condition):
     """`said?`, `given?`, `waited?`, `left?`: is this task done?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(f"{task.effect}?({task.label})", task.grounds)
+        super().__init__(NodeId.of(f"{task.effect}?", *task.about), task.grounds)
         self._task = task.seen_by(self, reads=("done_s",))
 
     @property
@@ -55,7 +56,7 @@ class AreActsDone(Condition):
     """`taken_leave?`: is everything said and shown that a farewell consists of?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(f"taken_leave?({task.label})", task.grounds)
+        super().__init__(NodeId.of("taken_leave?", *task.about), task.grounds)
         self._task = task.seen_by(self, reads=("performed",))
 
     def check(self) -> bool:
@@ -73,7 +74,7 @@ class IsTaskActDone(Condition):
     """`done?`: was this act of a task performed, so that a second docking does not repeat it?"""
 
     def __init__(self, task: Task, act: str) -> None:
-        super().__init__(f"done?({act}, {task.label})", task.grounds)
+        super().__init__(NodeId.of("done?", act, *task.about), task.grounds)
         self._task = task.seen_by(self, reads=("performed",))
         self._act = act
 
@@ -95,7 +96,7 @@ class IsTaken(Condition):
     """`taken?`: does the robot hold what it is to hand over, or has it handed it over?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(f"taken?({task.label})", task.fetch_grounds)
+        super().__init__(NodeId.of("taken?", *task.about), task.fetch_grounds)
         self._task = task.seen_by(self, reads=("performed", "handing_over"))
 
     @property

@@ -11,6 +11,7 @@ from comity_executor.leaves.performing import Performing
 from comity_executor.memory.meeting import POSE
 from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account, with_verb
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import PICK_UP
 from comity_executor.robots.goals import ActGoal, MotionGoal, PlannedPose
@@ -25,10 +26,10 @@ class GoTo(MotionAction):
     """The first part of Fetch."""
 
     def __init__(self, task: Task) -> None:
-        super().__init__("Go_to", task.meeting, reads=("asked", "in_vain"))
         assert task.fetch is not None  # only what is handed over is fetched
         self._place = str(task.fetch.parameters["place"])
-        self.name = f"Go_to({self._place})"
+        node_id = NodeId("Go_to", (self._place,), task.person)
+        super().__init__(node_id, task.meeting, reads=("asked", "in_vain"))
         self.grounds = task.fetch_grounds
         self._task = replace(task, meeting=self.meeting)
 
@@ -59,7 +60,7 @@ class PickUp(Action):
 
     def __init__(self, task: Task) -> None:
         assert task.fetch is not None  # as above
-        super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
+        super().__init__(NodeId.of("Pick_up", *task.about), task.fetch_grounds)
         self._task = task.seen_by(self, reads=("performed", "handing_over"), of_visit=("values",))
         self._place = str(task.fetch.parameters["place"])
         self._performing = Performing(task.meeting.robot, task.meeting.senses)
@@ -99,7 +100,7 @@ class StepAway(MotionAction):
     """
 
     def __init__(self, task: Task) -> None:
-        super().__init__("Step_away", task.meeting, reads=POSE)
+        super().__init__(NodeId.of("Step_away", task.person), task.meeting, reads=POSE)
         self.grounds = task.grounds
         self._task = replace(task, memory=task.memory.seen_by(self, writes=("done_s",)), meeting=self.meeting)
 

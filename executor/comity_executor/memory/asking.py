@@ -35,7 +35,7 @@ class Asking:
         asked = (each for each in self.memory.asked if each.person == person)
         return all(now_s - each.t >= self.limits.passing_s for each in asked)
 
-    def may_go_round(self, way: str) -> bool:
+    def may_go_round(self, way: tuple[str, ...]) -> bool:
         """Whether any way round is right by now: a person was asked on this one, or stays wherever it is."""
         return bool(self.refused) or any(each.way == way for each in self.memory.asked)
 

@@ -198,7 +198,7 @@ class Meeting:
     @property
     def detour_m(self) -> float:
         """How much farther the robot goes rather than ask: any way round, once it has asked in vain."""
-        return inf if self.asking.may_go_round(self.person) else self.limits.detour_m
+        return inf if self.asking.may_go_round((self.person,)) else self.limits.detour_m
 
     @property
     def manner(self) -> Manner:

@@ -16,8 +16,8 @@ class Asked:
     t: float
     """When, in the world's time [s]."""
     person: str
-    way: str
-    """Where to, in the words that nodes have in brackets."""
+    way: tuple[str, ...]
+    """Where to, in the words that nodes have in brackets: a thing, the person."""
 
     def __str__(self) -> str:
         return f"{self.person} at {self.t:.2f} s"

@@ -75,9 +75,9 @@ class Task:
         return Grounds(self.fetch or self.step, self.meeting.values)
 
     @property
-    def label(self) -> str:
-        """What the names of its nodes have in brackets."""
-        return f"{self.thing}, {self.person}" if self.step.action == OFFER else self.person
+    def about(self) -> tuple[str, ...]:
+        """What the names of its nodes have in brackets: what is handed over, and the person."""
+        return (self.thing, self.person) if self.step.action == OFFER else (self.person,)
 
     @property
     def effect(self) -> str:
@@ -105,7 +105,7 @@ class Task:
     @property
     def detour_m(self) -> float:
         """How much farther the robot goes for it rather than ask: any way, once it has asked in vain."""
-        return inf if self.meeting.asking.may_go_round(self.label) else self.meeting.limits.detour_m
+        return inf if self.meeting.asking.may_go_round(self.about) else self.meeting.limits.detour_m
 
     @property
     def acts(self) -> tuple[str, ...]:

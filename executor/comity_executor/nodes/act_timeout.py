@@ -9,6 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 
 
@@ -16,7 +17,7 @@ class ActTimeout(SimulatedTimeout):
     """RUNNING after a failure of its child, too, until no time is left for another attempt.
 
     Args:
-        name: The decorator's name.
+        name: The decorator's identity, or its name alone.
         child: The act.
         duration_s: How long all attempts together may take, in the clock's seconds.
         pause_s: Between two attempts.
@@ -26,7 +27,7 @@ class ActTimeout(SimulatedTimeout):
 
     def __init__(
         self,
-        name: str,
+        name: NodeId | str,
         child: Behaviour,
         *,
         duration_s: float,

@@ -15,6 +15,7 @@ from py_trees.common import Status
 
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.identity import NodeId, as_id
 
 Ports = Mapping[str, str | float]
 """The same names for all leaves of a class."""
@@ -29,15 +30,16 @@ class Condition(Behaviour, ABC):
     """A question to the world, answered anew in every tick.
 
     Args:
-        name: The question, with a question mark.
+        name: The question, with a question mark, and the person.
         grounds: The plan step whose effect or progress it asks for.
     """
 
     if_it_raises = Status.FAILURE
     """What the answer is taken for where it cannot be had."""
 
-    def __init__(self, name: str, grounds: Grounds | None = None) -> None:
-        super().__init__(name)
+    def __init__(self, name: NodeId | str, grounds: Grounds | None = None) -> None:
+        self.node_id = as_id(name)
+        super().__init__(self.node_id.name)
         self.grounds = grounds
         self.fault: FaultError | None = None
         """What it is to raise in its next tick."""
@@ -78,12 +80,13 @@ class Action(Behaviour, ABC):
     """Something the robot does; whatever ends it, `end` is called once to stop what `begin` started.
 
     Args:
-        name: What it does, and with whom.
+        name: What it does, and for which person.
         grounds: The plan step that it carries out.
     """
 
-    def __init__(self, name: str, grounds: Grounds | None = None) -> None:
-        super().__init__(name)
+    def __init__(self, name: NodeId | str, grounds: Grounds | None = None) -> None:
+        self.node_id = as_id(name)
+        super().__init__(self.node_id.name)
         self.grounds = grounds
         self.fault: FaultError | None = None
         """What it is to raise in its next tick."""

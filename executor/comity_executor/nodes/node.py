@@ -15,6 +15,7 @@ from py_trees.behaviours import (
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
+from comity_executor.nodes.identity import id_of
 from comity_executor.nodes.leaf import Condition
 
 Kind = Literal["sequence", "memory_sequence", "fallback", "parallel", "decorator", "condition", "action"]
@@ -46,9 +47,16 @@ class Node:
     path: int
     """Its place in pre-order, from 0: the root."""
     name: str
+    """For display: the action, and in brackets what it is about."""
     kind: Kind
     parent: int | None
     """The parent's path; None for the root."""
+    action: str
+    """What it does or asks, without the person: `Dock_to_user`, `docked?`, `Timeout 40 s`."""
+    about: tuple[str, ...]
+    """What the name has in brackets: an act, a thing, a place, the person."""
+    person: str | None
+    """The person in whose visit it is; None for nodes of the whole run."""
 
 
 def preorder(root: Behaviour) -> Iterator[Behaviour]:
@@ -62,10 +70,13 @@ def describe(root: Behaviour, first_path: int = 0) -> tuple[Node, ...]:
     """The static description of a tree, whose root has a path of its own among other trees."""
     behaviours = list(preorder(root))
     paths = {behaviour: path for path, behaviour in enumerate(behaviours, start=first_path)}
-    return tuple(
-        Node(path, node.name, kind_of(node), paths.get(node.parent) if node.parent else None)
-        for node, path in paths.items()
-    )
+    return tuple(_described(node, paths) for node in behaviours)
+
+
+def _described(node: Behaviour, paths: Mapping[Behaviour, int]) -> Node:
+    one = id_of(node)
+    parent = paths.get(node.parent) if node.parent else None
+    return Node(paths[node], node.name, kind_of(node), parent, one.action, one.about, one.person)
 
 
 def kind_of(node: Behaviour) -> Kind:

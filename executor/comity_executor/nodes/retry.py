@@ -9,6 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.identity import NodeId, as_id
 from comity_executor.nodes.leaf import Action
 from comity_executor.nodes.node import preorder
 
@@ -20,7 +21,7 @@ class Retry(decorators.Retry):
     and would use up all attempts within two.
 
     Args:
-        name: The decorator's name.
+        name: The decorator's identity, or its name alone.
         child: What is attempted.
         attempts: How often at most, the first time included.
         pause_s: After an exception, in the clock's seconds.
@@ -30,7 +31,7 @@ class Retry(decorators.Retry):
 
     def __init__(
         self,
-        name: str,
+        name: NodeId | str,
         child: Behaviour,
         *,
         attempts: int,
@@ -39,8 +40,9 @@ class Retry(decorators.Retry):
         grounds: Grounds | None = None,
     ) -> None:
         if attempts < 1:
-            raise ValueError(f"{name} needs at least one attempt, got {attempts}")
-        super().__init__(name, child, num_failures=attempts)
+            raise ValueError(f"{as_id(name).name} needs at least one attempt, got {attempts}")
+        self.node_id = as_id(name)
+        super().__init__(self.node_id.name, child, num_failures=attempts)
         self.grounds = grounds
         self._pause_s = pause_s
         self._clock = clock

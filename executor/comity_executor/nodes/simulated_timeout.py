@@ -10,13 +10,14 @@ from py_trees.common import Status
 from py_trees.decorators import Decorator
 
 from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.identity import NodeId, as_id
 
 
 class SimulatedTimeout(Decorator):
     """Its child's result, or FAILURE if the child still runs when the time is over; the child is then halted.
 
     Args:
-        name: The decorator's name.
+        name: The decorator's identity, or its name alone.
         child: What must end in time.
         duration_s: How long it may run, in the clock's seconds.
         clock: The world's time.
@@ -27,7 +28,7 @@ class SimulatedTimeout(Decorator):
 
     def __init__(
         self,
-        name: str,
+        name: NodeId | str,
         child: Behaviour,
         *,
         duration_s: float,
@@ -36,7 +37,8 @@ class SimulatedTimeout(Decorator):
         limit: str | None = None,
         under_way: Callable[[], str] | None = None,
     ) -> None:
-        super().__init__(name, child)
+        self.node_id = as_id(name)
+        super().__init__(self.node_id.name, child)
         self.grounds = grounds
         self.timed_out = False
         self.duration_s = duration_s

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from comity_executor.nodes.node import Node
 from comity_executor.tracing.history import History
 
 OUTCOMES: Mapping[str, tuple[str, ...]] = {
@@ -15,7 +13,6 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
     "action": ("success", "failure", "halted"),
 }
 """How a leaf of each kind can end."""
-_PERSON = re.compile(r"\(.*\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,13 +37,9 @@ def leaf_coverage(histories: Iterable[History]) -> tuple[LeafCoverage, ...]:
     for history in histories:
         for node in history.nodes:
             if node.kind in OUTCOMES:
-                kinds.setdefault(_behaviour(node), node.kind)
-        counts.update((_behaviour(history.nodes[event.path]), event.status) for event in history.events)
+                kinds.setdefault(node.action, node.kind)
+        counts.update((history.nodes[event.path].action, event.status) for event in history.events)
     return tuple(
         LeafCoverage(leaf, {outcome: counts[leaf, outcome] for outcome in OUTCOMES[kind]})
         for leaf, kind in kinds.items()
     )
-
-
-def _behaviour(node: Node) -> str:
-    return _PERSON.sub("", node.name)

@@ -48,14 +48,11 @@ def read_trace(path: Path) -> tuple[TraceEvent, ...]:
     trees = [(where, line) for where, line in rest if line.startswith(_TREE)]
     nodes = _nodes(first, head) + tuple(node for where, line in trees for node in _tree(line, where))
     lines_of_events = [(where, line) for where, line in rest if not line.startswith(_TREE)]
-    events = tuple(_events(lines_of_events))
+    events = tuple(_events(lines_of_events, nodes))
     places = [where for where, _ in lines_of_events]
     for where, (before, after) in zip(places[1:], pairwise(events), strict=False):
         if after.t < before.t:
             raise _damaged(f"t {after.t} after {before.t}", where, "times in order")
-    for where, event in zip(places, events, strict=True):
-        if nodes and not (0 <= event.path < len(nodes) and nodes[event.path].name == event.node):
-            raise _damaged(f"path {event.path}", where, f"the place of {event.node}")
     return events
 
 
@@ -103,7 +100,7 @@ def _nodes(line: str, where: Where) -> tuple[Node, ...]:
 
 def _tree(line: str, where: Where) -> tuple[Node, ...]:
     try:
-        return tuple(Node(**node) for node in _header(line)["nodes"])
+        return tuple(Node(**{**node, "about": tuple(node["about"])}) for node in _header(line)["nodes"])
     except (KeyError, TypeError) as error:
         raise _damaged(str(error), where, "the nodes of a tree") from error
 
@@ -116,10 +113,12 @@ def _header(line: str) -> dict[str, Any]:
     return header if isinstance(header, dict) else {}
 
 
-def _events(lines: Sequence[tuple[Where, str]]) -> Iterator[TraceEvent]:
+def _events(lines: Sequence[tuple[Where, str]], nodes: Sequence[Node]) -> Iterator[TraceEvent]:
     known: list[Cause] = []
     for where, text in lines:
         line = _line(text, where)
+        if not (0 <= line.path < len(nodes) and nodes[line.path].name == line.node):
+            raise _damaged(f"path {line.path}", where, f"the place of {line.node}")
         because: list[Cause] = []
         for cause in line.because:
             if isinstance(cause, Cause):
@@ -127,7 +126,7 @@ def _events(lines: Sequence[tuple[Where, str]]) -> Iterator[TraceEvent]:
             elif not 0 <= cause < len(known):
                 raise _damaged(f"cause {cause}", where, f"the number of one of {len(known)} causes before")
             because.append(known[cause] if isinstance(cause, int) else cause)
-        yield TraceEvent(line.t, line.node, line.path, line.status, line.halt, tuple(because))
+        yield TraceEvent(line.t, nodes[line.path], line.status, line.halt, tuple(because))
 
 
 def _line(text: str, where: Where) -> _Line:

@@ -111,7 +111,7 @@ class Recorder(VisitorBase):
 
     def note(self, node: Behaviour, status: EventStatus, because: tuple[Cause, ...]) -> None:
         """Write down what the execution has to say at a node, such as that the plan is another one now."""
-        self.events.append(TraceEvent(self._clock(), node.name, self._paths[node], status, None, because))
+        self.events.append(TraceEvent(self._clock(), self.nodes[self._paths[node]], status, None, because))
 
     def _listen_to(self, node: Behaviour) -> None:
         """Have a node report when it begins and ends, in whichever way it is ticked or stopped."""
@@ -175,5 +175,5 @@ class Recorder(VisitorBase):
         return halted
 
     def _write(self, node: Behaviour, status: EventStatus, reason: Reason) -> None:
-        path = self._paths[node]
-        self.events.append(TraceEvent(self._t, node.name, path, status, reason.halt, reason.because))
+        at = self.nodes[self._paths[node]]
+        self.events.append(TraceEvent(self._t, at, status, reason.halt, reason.because))

@@ -21,7 +21,7 @@ class Switch:
     """What the blamed node had come to before."""
 
     reading_of: str | None
-    """Whom the blamed node read, where the trace gives the reading in numbers."""
+    """The person that the blamed node read, where the trace gives the reading in numbers."""
 
     @property
     def without_cause(self) -> Intervention:
@@ -68,8 +68,8 @@ def _before(cause: TraceEvent, history: History) -> Result:
 
 
 def _reading_of(cause: TraceEvent, history: History) -> str | None:
-    """The person in the brackets of a condition that accounts for itself with a number."""
+    """The person of a condition that accounts for itself with a number."""
     numbers = [link for link in cause.because if link.kind == "reading" and link.value is not None]
     if not numbers or history.nodes[cause.path].kind != "condition":
         return None
-    return cause.node.partition("(")[2].removesuffix(")")
+    return history.nodes[cause.path].person

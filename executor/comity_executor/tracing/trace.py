@@ -19,7 +19,7 @@ from typing import Literal
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.node import Node
 
-FORMAT = "comity-trace-2"
+FORMAT = "comity-trace-3"
 _DECIMALS = 6
 _encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode
 
@@ -47,15 +47,34 @@ class TraceEvent:
 
     t: float
     """The world's time at the start of the tick, in seconds."""
-    node: str
-    path: int
-    """The node's place in the tree, in pre-order."""
+    of: Node
+    """The node that it happened to."""
     status: EventStatus
     halt: Halt | None
     """Set if and only if the status is `halted`."""
     because: tuple[Cause, ...]
     """For a halt the chain of causes, nearest first; for the result of a leaf, or of a decorator that had a
     say in it, what it rests on; else empty."""
+
+    @property
+    def node(self) -> str:
+        """The node's name, for display."""
+        return self.of.name
+
+    @property
+    def path(self) -> int:
+        """The node's place in the tree, in pre-order."""
+        return self.of.path
+
+    @property
+    def action(self) -> str:
+        """What the node does or asks: `Dock_to_user`, `docked?`."""
+        return self.of.action
+
+    @property
+    def person(self) -> str | None:
+        """The person in whose visit the node is; None for nodes of the whole run."""
+        return self.of.person
 
 
 class TraceEncoding:

@@ -25,8 +25,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from py_trees.behaviour import Behaviour
-from py_trees.common import ParallelPolicy
-from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_executor.leaves.announce import (
     Announcement,
@@ -43,6 +41,8 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.composites import fallback, parallel_until_one, sequence
+from comity_executor.nodes.identity import NodeId
 from comity_fis.inference.value import Inference
 
 
@@ -54,13 +54,13 @@ def coming_told(meeting: Meeting, reach: Behaviour) -> Behaviour:
         reach: Going to them.
     """
     person = meeting.person
-    tell = Sequence(
-        f"Tell_coming({person})",
+    tell = sequence(
+        NodeId.of("Tell_coming", person),
+        [ComeNear(meeting), _in_time(meeting, SayComing(meeting))],
         memory=True,
-        children=[ComeNear(meeting), _in_time(meeting, SayComing(meeting))],
     )
-    told = Selector(f"coming_told({person})", memory=False, children=[IsComingTold(meeting), tell])
-    return Sequence(f"Announced({person})", memory=False, children=[told, reach])
+    told = fallback(NodeId.of("coming_told", person), [IsComingTold(meeting), tell])
+    return sequence(NodeId.of("Announced", person), [told, reach])
 
 
 def stop_told(meeting: Meeting, docked: Behaviour) -> Behaviour:
@@ -71,46 +71,50 @@ def stop_told(meeting: Meeting, docked: Behaviour) -> Behaviour:
         docked: The precondition of being docked.
     """
     person = meeting.person
-    tell = Parallel(
-        f"Tell_stopped({person})",
-        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself
-        children=[KeepDistance(meeting), _in_time(meeting, SayStopped(meeting))],
+    tell = parallel_until_one(  # Keep_distance never ends by itself
+        NodeId.of("Tell_stopped", person),
+        [KeepDistance(meeting), _in_time(meeting, SayStopped(meeting))],
     )
-    told = Selector(f"stop_told({person})", memory=False, children=[IsStopTold(meeting), tell])
-    return Sequence(f"Docked_and_told({person})", memory=False, children=[docked, told])
+    told = fallback(NodeId.of("stop_told", person), [IsStopTold(meeting), tell])
+    return sequence(NodeId.of("Docked_and_told", person), [docked, told])
 
 
 def leave_told(
-    meeting: Meeting, label: str, grounds: Grounds, values: Mapping[str, Inference], *, goes_to: str | None
+    meeting: Meeting,
+    about: tuple[str, ...],
+    grounds: Grounds,
+    values: Mapping[str, Inference],
+    *,
+    goes_to: str | None,
 ) -> Behaviour:
     """Before the robot goes: whoever does not see and is left is told so.
 
     Args:
         meeting: Whose branch it is in.
-        label: What the nodes have in brackets.
+        about: What the nodes' names have in brackets.
         grounds: The step for which the robot leaves.
         values: Everyone's parameters, by name.
         goes_to: The person whom it goes to; None: it goes to a place.
     """
     limits = meeting.limits
     say = ActTimeout(
-        f"Timeout {limits.act_timeout_s:g} s(Say_leaving, {label})",
-        SayLeaving(meeting, label, grounds, values),
+        NodeId(f"Timeout {limits.act_timeout_s:g} s", ("Say_leaving", *about), meeting.person),
+        SayLeaving(meeting, about, grounds, values),
         duration_s=limits.act_timeout_s,
         pause_s=limits.act_pause_s,
         clock=meeting.senses.now_s,
         grounds=grounds,
     )
-    asked = IsLeaveTold(meeting, label, grounds, goes_to=goes_to)
-    children = [asked, say, LeaveUntold(meeting, label, grounds)]
-    return Selector(f"leave_told({label})", memory=False, children=children)
+    asked = IsLeaveTold(meeting, about, grounds, goes_to=goes_to)
+    children = [asked, say, LeaveUntold(meeting, about, grounds)]
+    return fallback(NodeId("leave_told", about, meeting.person), children)
 
 
 def _in_time(meeting: Meeting, act: Announcement) -> Behaviour:
     limits = meeting.limits
     patience_s = limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
     return ActTimeout(
-        f"Timeout {patience_s:g} s({act.verb}, {meeting.person})",
+        NodeId.of(f"Timeout {patience_s:g} s", act.verb, meeting.person),
         act,
         duration_s=patience_s,
         pause_s=limits.act_pause_s,

@@ -21,14 +21,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from py_trees.behaviour import Behaviour
-from py_trees.common import ParallelPolicy, Status
-from py_trees.composites import Parallel, Selector, Sequence
+from py_trees.common import Status
 
 from comity_executor.leaves.give_up import why_failed
 from comity_executor.leaves.task_conditions import IsTaken
 from comity_executor.leaves.task_motion import GoTo, PickUp
 from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account
+from comity_executor.nodes.composites import fallback, parallel_until_one, sequence
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.nodes.retry import Retry
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
@@ -48,49 +49,45 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
         values: The parameters of whoever may be asked to make way, by name.
     """
     limits, clock = task.meeting.limits, task.meeting.senses.now_s
-    way = Parallel(
-        f"Way({task.label})",
-        policy=ParallelPolicy.SuccessOnOne(),  # Mind_way never succeeds by itself: Go_to decides
-        children=[passing(_way_there(task), values), GoTo(task)],
-    )
-    leave = [leave_told(task.meeting, task.label, task.fetch_grounds, values, goes_to=None)]
+    # Mind_way never succeeds by itself: Go_to decides.
+    way = parallel_until_one(NodeId.of("Way", *task.about), [passing(_way_there(task), values), GoTo(task)])
+    leave = [leave_told(task.meeting, task.about, task.fetch_grounds, values, goes_to=None)]
     before = leave if task.meeting.tells_leaving else []
-    fetch = Sequence(f"Fetch({task.label})", memory=True, children=[*before, way, PickUp(task)])
+    fetch = sequence(NodeId.of("Fetch", *task.about), [*before, way, PickUp(task)], memory=True)
     timeout = SimulatedTimeout(
-        f"Timeout {FETCH_TIMEOUT_S:g} s(Fetch, {task.label})",
+        NodeId.of(f"Timeout {FETCH_TIMEOUT_S:g} s", "Fetch", *task.about),
         fetch,
         duration_s=FETCH_TIMEOUT_S,
         clock=clock,
         grounds=task.fetch_grounds,
     )
-    name = f"Retry {limits.reach_attempts}({task.label})"
     retry = Retry(
-        name,
+        NodeId.of(f"Retry {limits.reach_attempts}", *task.about),
         timeout,
         attempts=limits.reach_attempts,
         pause_s=limits.reach_pause_s,
         clock=task.meeting.senses.now_s,
         grounds=task.fetch_grounds,
     )
-    return Selector(f"taken({task.label})", memory=False, children=[IsTaken(task), retry])
+    return fallback(NodeId.of("taken", *task.about), [IsTaken(task), retry])
 
 
 def brought(task: Task, values: Mapping[str, Inference]) -> Behaviour:
     """The same before a greeting, which goes ahead without it where it cannot be had."""
     fetched = taken(task, values)
     children = [DoesGoWithout(task), fetched, GoWithout(task, fetched)]
-    return Selector(f"brought({task.label})", memory=False, children=children)
+    return fallback(NodeId.of("brought", *task.about), children)
 
 
 def _way_there(task: Task) -> Passage:
-    return Passage(task.meeting, task.label, task.fetch_grounds)
+    return Passage(task.meeting, task.about, task.fetch_grounds)
 
 
 class DoesGoWithout(Condition):
     """`goes_without?`: could the robot not fetch it, so that it goes to the person without?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(f"goes_without?({task.label})", task.fetch_grounds)
+        super().__init__(NodeId.of("goes_without?", *task.about), task.fetch_grounds)
         self._task = task.seen_by(self, reads=("without",))
 
     @property
@@ -116,7 +113,7 @@ class GoWithout(Action):
     """
 
     def __init__(self, task: Task, failed: Behaviour) -> None:
-        super().__init__(f"Go_without({task.label})", task.fetch_grounds)
+        super().__init__(NodeId.of("Go_without", *task.about), task.fetch_grounds)
         self._task = task.seen_by(self, writes=("without",))
         self._failed = failed
 

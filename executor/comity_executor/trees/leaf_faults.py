@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import product
 
 from py_trees.trees import BehaviourTree
 
 from comity_domain.plans.plan import Plan
 from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Condition
 from comity_executor.nodes.limits import Limits
-from comity_executor.nodes.node import preorder
+from comity_executor.nodes.node import Node, preorder
 from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.trees.tree import build_tree
 from comity_fis.inference.value import Inference
@@ -36,7 +38,7 @@ class LeafFaults:
         """Have a leaf raise.
 
         Args:
-            leaf: Its name, `say(johanna)`, or without whom it is about, `say`, for all of them.
+            leaf: Its name, `say(johanna)`, or its action, `say`, for all people.
             error: What.
             times: In so many of its ticks.
         """
@@ -47,7 +49,8 @@ class LeafFaults:
         if not self._due:
             return
         leaves = [node for node in preorder(tree.root) if isinstance(node, Condition | Action)]
-        self._armed = [(due, leaf) for due in self._due for leaf in leaves if is_called(leaf.name, due.leaf)]
+        pairs = product(self._due, leaves)
+        self._armed = [(due, leaf) for due, leaf in pairs if is_called(leaf.node_id, due.leaf)]
         for due, leaf in self._armed:
             leaf.fault = due.error
 
@@ -60,8 +63,8 @@ class LeafFaults:
         self._due = [due for due in self._due if due.times > 0]
 
 
-def leaves_of(plan: Plan, values: Mapping[str, Inference], limits: Limits) -> tuple[str, ...]:
-    """The names of all leaves of a plan's tree.
+def leaves_of(plan: Plan, values: Mapping[str, Inference], limits: Limits) -> tuple[NodeId, ...]:
+    """The identities of all leaves of a plan's tree.
 
     Args:
         plan: What is carried out.
@@ -70,10 +73,10 @@ def leaves_of(plan: Plan, values: Mapping[str, Inference], limits: Limits) -> tu
     """
     tree = build_tree(plan, ScriptedRobot({}), values, limits)
     tree.memory.close()
-    names = (node.name for node in preorder(tree.root) if isinstance(node, Condition | Action))
-    return tuple(dict.fromkeys(names))
+    found = (node.node_id for node in preorder(tree.root) if isinstance(node, Condition | Action))
+    return tuple(dict.fromkeys(found))
 
 
-def is_called(name: str, leaf: str) -> bool:
-    """Whether a node is meant by a leaf's name, with or without whom it is about."""
-    return leaf in (name, name.partition("(")[0])
+def is_called(node: NodeId | Node, leaf: str) -> bool:
+    """Whether a word names a node: by its whole name, or by its action for all people."""
+    return leaf in (node.name, node.action)

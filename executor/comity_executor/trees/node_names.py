@@ -43,7 +43,7 @@ def node_names() -> frozenset[str]:
     robot = ScriptedRobot({ONE: 1.0, MANY: 1.0})
     tree = build_tree(plan, robot, {ONE: nothing, MANY: nothing}, Limits(attend_s=1.0))
     tree.memory.close()
-    return frozenset(node.name.split("(")[0] for node in describe(tree.root))
+    return frozenset(node.action for node in describe(tree.root))
 
 
 def _steps(person: str, kinds: _Kinds) -> tuple[PlanStep, ...]:

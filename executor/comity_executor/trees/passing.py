@@ -20,14 +20,14 @@ from dataclasses import dataclass
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
-from py_trees.composites import Selector, Sequence
-from py_trees.decorators import SuccessIsRunning
 
 from comity_executor.leaves.performing import Performing
 from comity_executor.memory.meeting import Meeting
 from comity_executor.memory.shared import Asked
 from comity_executor.nodes.cause import Account, Grounds, with_verb
+from comity_executor.nodes.composites import fallback, never_succeeding, sequence
 from comity_executor.nodes.fault import trouble_with
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.robots.goals import speech
 from comity_executor.robots.status import known_motion
@@ -43,15 +43,15 @@ class Passage:
 
     meeting: Meeting
     """Whose branch it belongs to."""
-    label: str
-    """What the names of its nodes have in brackets."""
+    about: tuple[str, ...]
+    """What the names of its nodes have in brackets, the person last."""
     grounds: Grounds
     """The step of the plan that leads along it."""
 
 
 def way_to(meeting: Meeting) -> Passage:
     """The way to a person."""
-    return Passage(meeting, meeting.person, meeting.reach_grounds)
+    return Passage(meeting, (meeting.person,), meeting.reach_grounds)
 
 
 def passing(way: Passage, values: Mapping[str, Inference]) -> Behaviour:
@@ -62,24 +62,24 @@ def passing(way: Passage, values: Mapping[str, Inference]) -> Behaviour:
         values: The parameters of whoever may be asked, by name.
     """
     limits = way.meeting.limits
-    ask = Sequence(
-        f"Ask_way({way.label})",
-        memory=True,
-        children=[
+    ask = sequence(
+        NodeId.of("Ask_way", *way.about),
+        [
             WaitForWay(way, "Wait_for_way", for_s=limits.blocked_s, then=Status.SUCCESS),
             AskToPass(way, values),
             WaitForWay(way, "Await_way", for_s=limits.passing_s, then=Status.FAILURE),
         ],
+        memory=True,
     )
-    pass_ = Selector(f"Pass({way.label})", memory=False, children=[IsWayFree(way), ask])
-    return SuccessIsRunning(f"Mind_way({way.label})", pass_)
+    pass_ = fallback(NodeId.of("Pass", *way.about), [IsWayFree(way), ask])
+    return never_succeeding(NodeId.of("Mind_way", *way.about), pass_)
 
 
 class IsWayFree(Condition):
     """`way_free?`: is nobody in the way?"""
 
     def __init__(self, way: Passage) -> None:
-        super().__init__(f"way_free?({way.label})", way.grounds)
+        super().__init__(NodeId.of("way_free?", *way.about), way.grounds)
         self._meeting = way.meeting
         self._hindered_by: tuple[str, ...] = ()
 
@@ -107,7 +107,7 @@ class WaitForWay(Action):
     """
 
     def __init__(self, way: Passage, verb: str, *, for_s: float, then: Status) -> None:
-        super().__init__(f"{verb}({way.label})", way.grounds)
+        super().__init__(NodeId.of(verb, *way.about), way.grounds)
         writes = ("in_vain",) if then is Status.FAILURE else ()
         self._meeting = way.meeting.seen_by(self, writes=writes)
         self._for_s = for_s
@@ -148,7 +148,7 @@ class AskToPass(Action):
     """Ask all who are in the way, one after the other, each at most once for every attempt."""
 
     def __init__(self, way: Passage, values: Mapping[str, Inference]) -> None:
-        super().__init__(f"Ask_to_pass({way.label})", way.grounds)
+        super().__init__(NodeId.of("Ask_to_pass", *way.about), way.grounds)
         self._way = way
         self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values
@@ -195,7 +195,7 @@ class AskToPass(Action):
         if who is None:
             return False
         values = self._values.get(who)
-        asked, words = Asked(now_s, who, self._way.label), meeting.speaker.request_to_pass(who, values)
+        asked, words = Asked(now_s, who, self._way.about), meeting.speaker.request_to_pass(who, values)
         manner = manner_of(values) if values else NORMAL
         self._performing.begin(speech(ASK, who, words, manner=manner), values)
         self._asked.append(asked)

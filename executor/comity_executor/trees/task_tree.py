@@ -15,8 +15,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from py_trees.behaviour import Behaviour
-from py_trees.common import ParallelPolicy
-from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_domain.plans.actions import LEAVE
 from comity_domain.problem.agenda import Wait
@@ -28,6 +26,8 @@ from comity_executor.leaves.task_motion import StepAway
 from comity_executor.memory.meeting import SAY_ACT, Meeting
 from comity_executor.memory.task import Task
 from comity_executor.nodes.act_timeout import ActTimeout
+from comity_executor.nodes.composites import fallback, parallel_until_all, parallel_until_one, sequence
+from comity_executor.nodes.identity import NodeId
 
 SUBTREES: Mapping[str, Callable[[Task], Behaviour]] = {Wait.action: WaitBefore}
 """By action, its subtree, where it is more than acts of the robot."""
@@ -43,41 +43,31 @@ Taken = Callable[[Task], Behaviour]
 def block(task: Task, docked: Docked, taken: Taken) -> Behaviour:
     """The postcondition-precondition-action block of a task."""
     achieve = _leave(task, docked, taken) if task.step.action == LEAVE else _achieve(task, docked, taken)
-    return Selector(f"{task.effect}({task.label})", memory=False, children=[IsTaskDone(task), achieve])
+    return fallback(NodeId.of(task.effect, *task.about), [IsTaskDone(task), achieve])
 
 
 def _achieve(task: Task, docked: Docked, taken: Taken) -> Behaviour:
     before = [taken(task)] if task.fetch else []
-    name = f"{task.step.action}({task.label})"
     doing = SUBTREES.get(task.step.action, _perform)(task)
-    action = Parallel(
-        name,
-        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself
-        children=[KeepDistance(task.meeting), doing],
+    action = parallel_until_one(  # Keep_distance never ends by itself
+        NodeId.of(task.step.action, *task.about), [KeepDistance(task.meeting), doing]
     )
-    return Sequence(f"Achieve({name})", memory=False, children=[*before, docked(task.meeting), action])
+    achieve = NodeId.of("Achieve", task.step.action, *task.about)
+    return sequence(achieve, [*before, docked(task.meeting), action])
 
 
 def _leave(task: Task, docked: Docked, taken: Taken) -> Behaviour:
-    said = Selector(
-        f"taken_leave({task.label})",
-        memory=False,
-        children=[AreActsDone(task), _achieve(task, docked, taken)],
-    )
-    return Sequence(f"Leave({task.label})", memory=False, children=[said, StepAway(task)])
+    said = fallback(NodeId.of("taken_leave", *task.about), [AreActsDone(task), _achieve(task, docked, taken)])
+    return sequence(NodeId.of("Leave", *task.about), [said, StepAway(task)])
 
 
 def _perform(task: Task) -> Behaviour:
-    return Parallel(
-        f"Perform({task.label})",
-        policy=ParallelPolicy.SuccessOnAll(synchronise=False),
-        children=[_done(task, act) for act in task.acts],
-    )
+    return parallel_until_all(NodeId.of("Perform", *task.about), [_done(task, act) for act in task.acts])
 
 
 def _act(task: Task, act: str) -> Behaviour:
     make = task.meeting.custom.get(act)
-    return CustomAct(act, task.label, make, task) if make else TaskAct(task, act)
+    return CustomAct(act, task.about, make, task) if make else TaskAct(task, act)
 
 
 def _done(task: Task, act: str) -> Behaviour:
@@ -85,12 +75,11 @@ def _done(task: Task, act: str) -> Behaviour:
     normal_s = SECONDS_PER_CHARACTER * len(task.latin) if act == SAY_ACT else 0.0
     patience_s = max(limits.act_timeout_s, normal_s) / rate  # slow speech takes its time
     timeout = ActTimeout(
-        f"Timeout {patience_s:g} s({act}, {task.label})",
+        NodeId.of(f"Timeout {patience_s:g} s", act, *task.about),
         _act(task, act),
         duration_s=patience_s,
         pause_s=limits.act_pause_s,
         clock=task.meeting.senses.now_s,
         grounds=task.grounds,
     )
-    name = f"done({act}, {task.label})"
-    return Selector(name, memory=False, children=[IsTaskActDone(task, act), timeout])
+    return fallback(NodeId.of("done", act, *task.about), [IsTaskActDone(task, act), timeout])

@@ -44,8 +44,6 @@ from functools import partial
 from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
-from py_trees.common import ParallelPolicy
-from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_domain.plans.actions import ANNOUNCED, FETCH, GREET, GREET_TOGETHER, REACH, RETURN
 from comity_domain.plans.plan import Plan, PlanStep
@@ -68,6 +66,8 @@ from comity_executor.memory.task import EFFECTS, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds, explains
+from comity_executor.nodes.composites import fallback, parallel_until_all, parallel_until_one, sequence
+from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import preorder
 from comity_executor.nodes.retry import Retry
@@ -82,6 +82,8 @@ from comity_executor.trees.passing import passing, way_to
 from comity_executor.trees.task_tree import block
 from comity_fis.inference.value import Inference
 
+VISITED, DOCKED = "visited", "docked"
+"""What the nodes do in which a whole visit runs, and in which the robot comes to its pose."""
 GREETINGS = (GREET, GREET_TOGETHER)
 KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
 SKIP = "Skip_visit"
@@ -192,7 +194,7 @@ def build_tree(
         returns += [task.meeting for task in tasks if task.meeting is not meeting]
         branches.append(_visited(meeting, tasks, values, greets=greet in steps))
     holds = DoesPlanHold(shared)
-    goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
+    goal = sequence(NodeId("Goal"), [holds, *branches, AreAllGreeted(meetings, unserved)])
     root = EmergencyGuard(goal, robot, senses, shared)
     return Tree(root, [plan], tuple(meetings), tuple(returns), senses, memory, holds)
 
@@ -239,14 +241,8 @@ def _visited(
 ) -> Behaviour:
     person = meeting.person
     over = IsServed(meeting, tasks) if tasks else IsGreeted(meeting)
-    achieve = Sequence(
-        f"Achieve({person})", memory=False, children=_achieved(meeting, tasks, values, greets=greets)
-    )
-    return Selector(
-        f"visited({person})",
-        memory=False,
-        children=[over, IsGivenUp(meeting), achieve, GiveUp(meeting, achieve)],
-    )
+    achieve = sequence(NodeId.of("Achieve", person), _achieved(meeting, tasks, values, greets=greets))
+    return fallback(NodeId.of(VISITED, person), [over, IsGivenUp(meeting), achieve, GiveUp(meeting, achieve)])
 
 
 def _achieved(
@@ -259,19 +255,18 @@ def _achieved(
     blocks = [block(task, docked, partial(taken, values=values)) for task in tasks]
     if not greets:
         return [*(taken(task, values) for task in first), *blocks]
-    greet = Sequence(
-        f"Achieve({meeting.greet.action}({meeting.person}))",
-        memory=False,
-        children=[*(brought(task, values) for task in first), docked(meeting), _greet_person(meeting)],
+    greet = sequence(
+        NodeId.of("Achieve", meeting.greet.action, meeting.person),
+        [*(brought(task, values) for task in first), docked(meeting), _greet_person(meeting)],
     )
-    greeted = Selector(f"greeted({meeting.person})", memory=False, children=[IsGreeted(meeting), greet])
+    greeted = fallback(NodeId.of("greeted", meeting.person), [IsGreeted(meeting), greet])
     return [greeted, *blocks]
 
 
 def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
     timeout = SimulatedTimeout(
-        f"Timeout {limits.reach_timeout_s:g} s({REACH}, {person})",
+        NodeId.of(f"Timeout {limits.reach_timeout_s:g} s", REACH, person),
         _approach(meeting, values),
         duration_s=limits.reach_timeout_s,
         clock=meeting.senses.now_s,
@@ -280,14 +275,14 @@ def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
         under_way=lambda: meeting.robot.motion().text,
     )
     retry = Retry(
-        f"Retry {limits.reach_attempts}({person})",
+        NodeId.of(f"Retry {limits.reach_attempts}", person),
         timeout,
         attempts=limits.reach_attempts,
         pause_s=limits.reach_pause_s,
         clock=meeting.senses.now_s,
         grounds=grounds,
     )
-    docked = Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+    docked = fallback(NodeId.of(DOCKED, person), [IsDocked(meeting), retry])
     return stop_told(meeting, docked) if is_announced(meeting) else docked
 
 
@@ -296,33 +291,28 @@ def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     if is_announced(meeting):
         reach = coming_told(meeting, reach)
     if meeting.tells_leaving:
-        leave = leave_told(meeting, meeting.person, meeting.reach_grounds, values, goes_to=meeting.person)
-        reach = Sequence(f"Leave_and_reach({meeting.person})", memory=False, children=[leave, reach])
-    return Parallel(
-        f"Approach({meeting.person})",
-        policy=ParallelPolicy.SuccessOnOne(),  # Pass never succeeds by itself: Reach_user decides
-        children=[passing(way_to(meeting), values), reach],
+        leave = leave_told(meeting, (meeting.person,), meeting.reach_grounds, values, goes_to=meeting.person)
+        reach = sequence(NodeId.of("Leave_and_reach", meeting.person), [leave, reach])
+    return parallel_until_one(  # Pass never succeeds by itself: Reach_user decides
+        NodeId.of("Approach", meeting.person), [passing(way_to(meeting), values), reach]
     )
 
 
 def _reach_user(meeting: Meeting) -> Behaviour:
-    return Sequence(
-        f"{REACH}({meeting.person})",
+    return sequence(
+        NodeId.of(REACH, meeting.person),
+        [NavigateToUser(meeting), DockToUser(meeting), FaceUser(meeting)],
         memory=True,
-        children=[NavigateToUser(meeting), DockToUser(meeting), FaceUser(meeting)],
     )
 
 
 def _greet_person(meeting: Meeting) -> Behaviour:
-    perform = Parallel(
-        f"Perform({meeting.person})",
-        policy=ParallelPolicy.SuccessOnAll(synchronise=False),
-        children=[*(_done(meeting, act) for act in meeting.acts), *_attended(meeting)],
+    perform = parallel_until_all(
+        NodeId.of("Perform", meeting.person),
+        [*(_done(meeting, act) for act in meeting.acts), *_attended(meeting)],
     )
-    return Parallel(
-        f"{meeting.greet.action}({meeting.person})",
-        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself: Perform decides
-        children=[KeepDistance(meeting), perform],
+    return parallel_until_one(  # Keep_distance never ends by itself: Perform decides
+        NodeId.of(meeting.greet.action, meeting.person), [KeepDistance(meeting), perform]
     )
 
 
@@ -332,19 +322,17 @@ def _attended(meeting: Meeting) -> list[Behaviour]:
 
 def _act(meeting: Meeting, act: str) -> Behaviour:
     make = meeting.custom.get(act)
-    return CustomAct(act, meeting.person, make, meeting) if make else Act(meeting, act)
+    return CustomAct(act, (meeting.person,), make, meeting) if make else Act(meeting, act)
 
 
 def _done(meeting: Meeting, act: str) -> Behaviour:
     patience_s = meeting.limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
     timeout = ActTimeout(
-        f"Timeout {patience_s:g} s({act}, {meeting.person})",
+        NodeId.of(f"Timeout {patience_s:g} s", act, meeting.person),
         _act(meeting, act),
         duration_s=patience_s,
         pause_s=meeting.limits.act_pause_s,
         clock=meeting.senses.now_s,
         grounds=meeting.greet_grounds,
     )
-    return Selector(
-        f"done({act}, {meeting.person})", memory=False, children=[IsActDone(meeting, act), timeout]
-    )
+    return fallback(NodeId.of("done", act, meeting.person), [IsActDone(meeting, act), timeout])
