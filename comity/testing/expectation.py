@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeGuard
 
 if TYPE_CHECKING:
+    from comity.episode import Episode
     from comity.testing.judging.among import Among
-    from comity.testing.trials.trial import Trial
     from comity_fis import Where
 
 
@@ -53,7 +53,7 @@ class Expectation(Sentence):
     __slots__ = ()
 
     @abstractmethod
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from comity.testing.collection.cases import claims_in
-from comity.testing.trials.trial import attempted, bare
+from comity.testing.trials.attempt import attempted
 from comity_executor import node_names
 from tests.scenarios.every import SCENARIOS
 
@@ -22,8 +22,8 @@ SHOWN = (
 @pytest.mark.parametrize("scenario", SHOWN)
 def test_a_tree_has_no_node_of_another_name(scenario):
     trial = attempted(claims_in(SCENARIOS[scenario])[0].case)
-    acts = {act.act for act in trial.episode.acts} | {"wave", "bow", "nod"}
-    names = {bare(node.name) for node in trial.episode.nodes}
+    acts = {act.act for act in trial.acts} | {"wave", "bow", "nod"}
+    names = {node.action for node in trial.nodes}
     assert {name for name in names - acts if not name.startswith(BY_A_NUMBER)} <= node_names()
 
 

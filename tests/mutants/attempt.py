@@ -143,8 +143,8 @@ class Library:
         """The tests that a turn adds."""
         from comity.testing.collection.cases import claims_in
         from comity.testing.runner.result import result_of
+        from comity.testing.trials.attempt import attempted
         from comity.testing.trials.case import Across
-        from comity.testing.trials.trial import attempted
         from tests.scenarios.every import SCENARIOS
 
         profiles = self._profiles.setdefault(turn.scenario, [])
@@ -155,5 +155,5 @@ class Library:
                 if result.measured:
                     self._measured[claim.id] = result.measured
                     assert not isinstance(claim.case, Across)
-                    self.episodes[claim.id] = attempted(claim.case).episode.trace_sha256
+                    self.episodes[claim.id] = attempted(claim.case).trace_sha256
                 yield result

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from comity.episode import fingerprint
-from comity.testing.trials.trial import Trial, attempted
+from comity.episode import Episode, fingerprint
+from comity.testing.trials.attempt import attempted
 from tests.scenarios.every import SCENARIOS, sample_of
 
 FILE = Path(__file__).with_name("golden.jsonl")
@@ -29,9 +29,9 @@ TOLERANCES = {
 Values = Mapping[str, float]
 
 
-def values_of(trial: Trial) -> Values:
+def values_of(trial: Episode) -> Values:
     """The numbers of one episode, in hundredths."""
-    metrics = {name: getattr(trial.episode.metrics, name, None) for name in TOLERANCES}
+    metrics = {name: getattr(trial.metrics, name, None) for name in TOLERANCES}
     metrics["plan_cost_m"] = trial.prepared.plan.cost / 100.0
     return {name: round(value, 2) for name, value in metrics.items() if value is not None}
 

@@ -9,7 +9,7 @@ from comity.system.scenario_sets import taught_scenarios
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import judged
 from comity.testing.runner.telling import failure_text
-from comity.testing.trials.trial import attempted
+from comity.testing.trials.attempt import attempted
 from tests.scenarios import golden
 from tests.scenarios.every import SCENARIOS, sample_of
 

@@ -10,14 +10,15 @@ import pytest
 from comity.testing.collection.cases import claims_in
 from comity.testing.golden.file import store
 from comity.testing.golden.place import abandoned
-from comity.testing.trials.trial import attempted
+from comity.testing.trials.attempt import attempted
 
 
 @pytest.fixture
 def golden(write) -> Path:
     """A folder of golden episodes whose scenario was removed."""
     path = write("duration at most 60 s")
-    folder = store(attempted(claims_in(path)[0].case)).parent
+    case = claims_in(path)[0].case
+    folder = store(case, attempted(case)).parent
     path.unlink()
     return folder
 

@@ -12,7 +12,7 @@ from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.golden.file import store
 from comity.testing.judging.verdict import judged
 from comity.testing.runner.telling import failure_text
-from comity.testing.trials.trial import attempted
+from comity.testing.trials.attempt import attempted
 from comity_fis import InputError
 
 RULES = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text(encoding="utf-8")
@@ -67,7 +67,7 @@ def test_where_no_rule_is_named_there_is_no_such_line(write):
 
 def test_behind_a_golden_difference_the_rule_of_now_has_its_place(rulebook, write):
     (claim,) = claims_in(write(more=OWN))
-    store(attempted(claim.case))
+    store(claim.case, attempted(claim.case))
     text = RULES.replace(WAS, IS).replace(IS, IS.replace("is far", "is medium"))
     rulebook.write_text(f"# a line more\n{text}", encoding="utf-8")
     (claim,) = claims_in(write(more=OWN))

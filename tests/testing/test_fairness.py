@@ -17,7 +17,7 @@ from comity.testing.reporting.answers import TestsAnswer
 from comity.testing.reporting.fairness import ASPECTS, differences, spread, unexplained
 from comity.testing.reporting.summary import others, served, shared
 from comity.testing.runner.result import Result, result_of
-from comity.testing.trials import trial
+from comity.testing.trials import attempt
 
 SAME = "schema_version: 1\nname: {name}\nculture: DEU\ngender: male\n"
 TWINS = "matrix: {people: [guest], profiles: [one.profile.yaml, other.profile.yaml]}\n"
@@ -36,7 +36,7 @@ def results(path) -> list[Result]:
 
 
 def slow_for(name: str, monkeypatch) -> None:
-    honest = trial.prepared_case
+    honest = attempt.prepared_case
 
     def prepared(case):
         found = honest(case)
@@ -45,7 +45,7 @@ def slow_for(name: str, monkeypatch) -> None:
         robot = replace(found.scene.robot, max_speed_m_s=found.scene.robot.max_speed_m_s / 2)
         return replace(found, scene=replace(found.scene, robot=robot))
 
-    monkeypatch.setattr(trial, "prepared_case", prepared)
+    monkeypatch.setattr(attempt, "prepared_case", prepared)
 
 
 def test_twins_are_served_alike(twins):

@@ -9,7 +9,7 @@ import pytest
 
 from comity.testing.amounts.course import MOTIONS
 from comity.testing.collection.cases import claims_in
-from comity.testing.trials.trial import attempted
+from comity.testing.trials.attempt import attempted
 from comity_executor import node_names
 from comity_sim2d.metrics import clearances_m
 
@@ -115,7 +115,7 @@ def test_the_least_distance_is_told_with_whom_and_when(sentence, said, write, ju
         rf"([\d.]+) m {said} (\w+) at t=([\d.]+) s, [\d.]+ cm too little", got
     ).groups()
     (claim,) = claims_in(write(sentence))
-    frames = attempted(claim.case).episode.frames
+    frames = attempted(claim.case).frames
     row = int(np.argmin(np.abs(frames.time_s - float(t))))
     gaps = clearances_m(frames)
     assert gaps[row, frames.entities.index(person) - 1] == gaps.min()
@@ -142,7 +142,7 @@ def test_the_longest_intrusion_is_told_with_whom_it_was_and_when_it_began(write,
         r"([\d.]+) s beside (\w+) at t=([\d.]+) s, ", verdict.failures[0].finding.got
     ).groups()
     (claim,) = claims_in(write(sentence, room=room))
-    frames = attempted(claim.case).episode.frames
+    frames = attempted(claim.case).frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
     during = (frames.time_s >= float(t) - 1e-6) & (frames.time_s <= float(t) + float(length) + 1e-6)
     assert person == "marta"

@@ -9,7 +9,7 @@ import pytest
 
 from comity.testing.collection.cases import claims_in
 from comity.testing.kinds.hearing import Hearing
-from comity.testing.trials.trial import Trial, attempted
+from comity.testing.trials.attempt import attempted
 from comity_fis import InputError
 
 
@@ -87,8 +87,8 @@ def test_words_are_more_than_spaces(write, nothing):
 def test_words_that_were_broken_off_were_heard_for_all_one_knows_and_not_to_the_end(write):
     (claim,) = claims_in(write())
     trial = attempted(claim.case)
-    acts = tuple(replace(act, stopped=True) for act in trial.episode.acts)
-    broken_off = Trial(trial.case, replace(trial.episode, acts=acts))
+    acts = tuple(replace(act, stopped=True) for act in trial.acts)
+    broken_off = replace(trial, acts=acts)
     for never in (False, True):
         (finding,) = Hearing("host", never, "Hello").judge(broken_off)
         assert finding.got == "“Hello, Host.” (broken off)"

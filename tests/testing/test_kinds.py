@@ -15,7 +15,8 @@ from comity.testing.judging.safety import dangers
 from comity.testing.judging.verdict import Failure, judged
 from comity.testing.kinds import KINDS
 from comity.testing.runner.telling import failure_text
-from comity.testing.trials.trial import Trial, attempted
+from comity.testing.trials.attempt import attempted
+from comity.testing.trials.visits import visit_of
 from comity_fis import InputError
 
 PAPER = "matrix: {people: [host], profiles: paper}\n"
@@ -304,8 +305,8 @@ def test_a_repeated_gesture_is_noticed(write):
     """Planted: nothing that ships repeats one. The count is per person: one nod for each is none too many."""
     (claim,) = claims_in(write("nod succeeds at most once per person"))
     trial, expectation = attempted(claim.case), claim.expectations[0].meaning
-    nods = [event for event in trial.episode.events if (event.node, event.status) == ("nod(host)", "success")]
-    again = Trial(trial.case, replace(trial.episode, events=(*trial.episode.events, *nods)))
+    nods = [event for event in trial.events if (event.node, event.status) == ("nod(host)", "success")]
+    again = replace(trial, events=(*trial.events, *nods))
     assert list(expectation.judge(trial)) == []
     (finding,) = expectation.judge(again)
     assert (finding.expected, finding.got) == ("nod(host) succeeds at most once", "twice")
@@ -315,11 +316,11 @@ def test_a_robot_that_comes_too_near_is_a_danger(write):
     """Planted: the frames are moved towards the person, as the judge believes frames alone."""
     (claim,) = claims_in(write())
     trial = attempted(claim.case)
-    frames = trial.episode.frames
+    frames = trial.frames
     assert list(dangers(trial)) == []
     poses = frames.poses.copy()
     poses[-1, 0, :2] = poses[-1, 2, :2] - [0.5, 0.0]
-    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    planted = replace(trial, frames=replace(frames, poses=poses))
     limits = [danger.limit for danger in dangers(planted)]
     assert "0.3 m from guest" in limits
     assert "at most 0.5 m/s within 1.5 m of guest" in limits
@@ -329,10 +330,10 @@ def test_who_walks_up_to_the_robot_is_no_danger_that_it_brings_about(write):
     """Planted: the person, and not the robot, is moved in the last frame, in which the robot is at rest."""
     (claim,) = claims_in(write())
     trial = attempted(claim.case)
-    frames = trial.episode.frames
+    frames = trial.frames
     poses = frames.poses.copy()
     poses[-1, 2, :2] = poses[-1, 0, :2] + [0.5, 0.0]
-    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    planted = replace(trial, frames=replace(frames, poses=poses))
     assert list(dangers(planted)) == []
 
 
@@ -341,11 +342,11 @@ def test_a_robot_that_stays_beside_somebody_after_the_visit_does_not_leave_them(
     """Planted: instead of going to the next it stays to the end, 5 cm within her distance."""
     (claim,) = claims_in(write())
     trial = attempted(claim.case)
-    frames, visit = trial.episode.frames, trial.visit("host")
+    frames, visit = trial.frames, visit_of(trial.visits, "host")
     later, host = frames.time_s > visit.greeted_s, frames.entities.index("host")
     poses = frames.poses.copy()
     poses[later, 0, :2] = poses[0, host, :2] + [0.59 + frames.radius_m[0] + frames.radius_m[host], 0.0]
-    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    planted = replace(trial, frames=replace(frames, poses=poses))
     stay = intrusion(planted if stays else trial).longest(frames, "host")
     assert (stay is not None and stay.length_s > 1.0) == stays
 
@@ -355,14 +356,14 @@ def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrude
     """Planted: somebody of whom nothing is known is so far from the robot all the time."""
     (claim,) = claims_in(write(more="passers_by: {count: 1}\n"))
     trial = attempted(claim.case)
-    frames = trial.episode.frames
+    frames = trial.frames
     i, whole_s = frames.entities.index("passer-by 1"), float(frames.time_s[-1])
     poses = frames.poses.copy()
     poses[:, i, :2] = poses[:, 0, :2] + [0.0, gap_m + frames.radius_m[0] + frames.radius_m[i]]
-    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    planted = replace(trial, frames=replace(frames, poses=poses))
     stay = intrusion(planted).longest(frames, "passer-by 1")
     assert (stay is not None and stay.length_s == whole_s) == intrudes
-    assert (measured(planted).intrusion_s == whole_s) == intrudes
+    assert (measured(claim.case, planted).intrusion_s == whole_s) == intrudes
 
 
 PAST_ANNA = """\

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from comity.episode import Episode
 from comity.testing.amounts.acting import done_for
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import judged
-from comity.testing.trials.trial import Trial, attempted
+from comity.testing.trials.attempt import attempted
 
 COFFEE = """\
 schema_version: 1
@@ -45,7 +46,7 @@ def coffee(tmp_path: Path):
 
 
 def test_every_act_has_its_occasion(coffee):
-    trial: Trial = attempted(coffee("outcome is success").case)
+    trial: Episode = attempted(coffee("outcome is success").case)
     assert [(each.act, each.occasion) for each in done_for(trial, ANNA)] == [
         ("say", "at the greeting"),
         ("say", "as it tells them something"),
@@ -82,9 +83,9 @@ def test_a_greeting_that_was_broken_off_and_gone_on_with_is_one(coffee):
     """Anna asks for more room while the robot greets her: it draws back and goes on."""
     says = "{conversational_distance: 1.6, greeting_modality: both, greeting_gesture: nod}"
     plain = attempted(coffee("outcome is success").case)
-    begins_s = next(event.t for event in plain.episode.events if event.action == "Greet_person")
+    begins_s = next(event.t for event in plain.events if event.action == "Greet_person")
     change = f'changes: [{{at_s: {begins_s + 0.5:.2f}, person: "{ANNA}", says: {says}}}]'
     claim = coffee("greeting contains words and a nod and no wave", f"outcome is success\n{change}")
     assert judged(claim).failures == ()
-    spans = [e for e in attempted(claim.case).episode.events if e.action == "Greet_person"]
+    spans = [e for e in attempted(claim.case).events if e.action == "Greet_person"]
     assert [event.status for event in spans].count("running") > 1

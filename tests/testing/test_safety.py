@@ -13,12 +13,13 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from comity.episode import Episode
 from comity.testing.amounts.causes import TICK_S
 from comity.testing.amounts.quantity import quantities
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.safety import dangers
+from comity.testing.trials.attempt import attempted
 from comity.testing.trials.case import Case
-from comity.testing.trials.trial import Trial, attempted
 from comity_executor import Cause
 
 Numbers = NDArray[np.float64]
@@ -36,7 +37,7 @@ FROM = st.tuples(st.floats(5.5, 9.4), st.sampled_from([0.6, 1.5, 4.5, 5.4]))
 TO = st.tuples(st.floats(0.6, 8.0), st.floats(0.6, 5.4))
 
 
-def trial(**words: float | str) -> Trial:
+def trial(**words: float | str) -> Episode:
     with TemporaryDirectory() as folder:
         path = Path(folder, "hall.scenario.yaml")
         path.write_text(HALL.format(**words))
@@ -55,12 +56,12 @@ def test_a_robot_that_brakes_for_whoever_walks_up_to_it_is_no_danger(
     assert [danger.limit for danger in dangers(happened) if "m/s" in danger.limit] == []
 
 
-def shifted(happened: Trial, person: str, way: Callable[[Numbers], Numbers]) -> Trial:
+def shifted(happened: Episode, person: str, way: Callable[[Numbers], Numbers]) -> Episode:
     """The same with somebody somewhere else at each time [s]."""
-    frames = happened.episode.frames
+    frames = happened.frames
     poses = frames.poses.copy()
     poses[:, frames.entities.index(person), :2] = way(frames.time_s)
-    return Trial(happened.case, replace(happened.episode, frames=replace(frames, poses=poses)))
+    return replace(happened, frames=replace(frames, poses=poses))
 
 
 @pytest.mark.parametrize("walks", [True, False])
@@ -80,8 +81,7 @@ def test_a_robot_that_does_not_brake_is_one_whether_or_not_somebody_walks_up_to_
 
 def test_a_bump_into_a_thing_is_told_with_what_it_was_and_when() -> None:
     """Planted in the trace; a bump into a person is told by how near the robot came to them."""
-    happened = trial(x=9.4, y=0.6, to_x=9.4, to_y=0.7, drive="omnidirectional", acceleration=0.5)
-    episode = happened.episode
+    episode = trial(x=9.4, y=0.6, to_x=9.4, to_y=0.7, drive="omnidirectional", acceleration=0.5)
     person, wall = (Cause("reading", f"bumped into {what}") for what in ("ada", "wall 1"))
     events = (
         *episode.events[:-2],
@@ -89,7 +89,7 @@ def test_a_bump_into_a_thing_is_told_with_what_it_was_and_when() -> None:
         replace(episode.events[-1], because=(wall,)),
     )
     bumped = replace(episode, events=events, metrics=replace(episode.metrics, wall_contacts=1))
-    (danger,) = dangers(Trial(happened.case, bumped))
+    (danger,) = dangers(bumped)
     t = f"t={episode.events[-1].t:.2f} s"
     assert (danger.limit, danger.got) == (
         "no contact",
@@ -97,6 +97,6 @@ def test_a_bump_into_a_thing_is_told_with_what_it_was_and_when() -> None:
     )
     assert danger.because[0].startswith(f"t={episode.events[-1].t - TICK_S:.2f} s")
     for metric, told in (("wall_contacts", ["wall 1"]), ("touches", ["ada", "wall 1"])):
-        (figure,) = quantities(Trial(happened.case, bumped), metric, None)
+        (figure,) = quantities(bumped, metric, None)
         touched = [line.split()[1:] for line in figure.because() if line.startswith("touched")]
         assert [" ".join(words).partition(" at t=")[0] for words in touched] == told

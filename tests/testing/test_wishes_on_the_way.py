@@ -10,10 +10,11 @@ from pathlib import Path
 import pytest
 from saved import saved
 
+from comity.episode import Episode
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import Failure, judged
 from comity.testing.runner.telling import failure_text
-from comity.testing.trials.trial import Trial, attempted
+from comity.testing.trials.attempt import attempted
 from comity_fis import InputError
 
 HALL = """\
@@ -58,7 +59,7 @@ def hall(tmp_path: Path) -> Callable[..., Sequence]:
 
 
 @pytest.fixture
-def trial(hall) -> Callable[..., Trial]:
+def trial(hall) -> Callable[..., Episode]:
     return lambda **hall_with: attempted(hall(**hall_with)[0].case)
 
 
@@ -77,10 +78,10 @@ def failures(hall) -> Callable[..., tuple[str, ...]]:
 def test_a_bystander_who_asks_for_more_room_is_passed_as_if_it_stood_in_their_profile(trial):
     said, declared = trial(), trial(changes="", ines="wish.profile.yaml")
     unsaid = trial(changes="")
-    ways = [each.episode.metrics.path_length_m for each in (said, declared, unsaid)]
+    ways = [each.metrics.path_length_m for each in (said, declared, unsaid)]
     assert ways[0] == pytest.approx(ways[1], rel=0.02)
     assert ways[0] > ways[2] + 2.0
-    assert said.episode.metrics.longest_intrusion_s == 0.0
+    assert said.metrics.longest_intrusion_s == 0.0
 
 
 def test_the_picture_has_the_distance_that_they_asked_for(hall, tmp_path):
@@ -91,7 +92,7 @@ def test_the_picture_has_the_distance_that_they_asked_for(hall, tmp_path):
 
 def test_where_there_is_no_room_the_figures_judge_by_what_they_asked_for(trial):
     """In a corridor nobody can be passed at 2.8 m."""
-    said, unsaid = trial(height_m=4).episode.metrics, trial(height_m=4, changes="").episode.metrics
+    said, unsaid = trial(height_m=4).metrics, trial(height_m=4, changes="").metrics
     assert unsaid.compliance_share["ines"] == 1.0
     assert said.compliance_share["ines"] < 0.8
     assert said.longest_intrusion_s > 5.0

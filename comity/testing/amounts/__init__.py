@@ -1,1 +1,1 @@
-"""Numbers of a trial with units, and the causes behind each: course, places, distances, parameters."""
+"""Numbers of a episode with units, and the causes behind each: course, places, distances, parameters."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing.amounts.course import runs
+from comity.testing.trials.visits import spoken_to
 from comity_domain.plans.actions import LEAVE, OFFER
 from comity_domain.problem.agenda import Say
 from comity_executor.memory.meeting import SAY_ACT
@@ -14,7 +15,8 @@ from comity_executor.trees.tree import GREETINGS
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity_executor import TraceEvent
 
 _OCCASIONS: Mapping[str, str] = {
     **dict.fromkeys(GREETINGS, "at the greeting"),
@@ -43,21 +45,19 @@ class Done:
         return f"{VERBS.get(self.act, 'speaks' if self.act == SAY_ACT else self.act)}, but {self.occasion}"
 
 
-def done_for(trial: Trial, person: str) -> tuple[Done, ...]:
+def done_for(episode: Episode, person: str) -> tuple[Done, ...]:
     """What was done to its end for somebody, or for their company, in order."""
-    visit = trial.visit(person)
-    stood_before = (visit.together_with if visit else None) or person
-    spans = list(_spans(trial, stood_before))
+    stood_before = spoken_to(episode.visits, person)
+    spans = list(_spans(episode.events, stood_before))
     return tuple(
         Done(act.act, next((told for start, end, told in spans if start <= act.t_start < end), _OTHERWISE))
-        for act in trial.episode.acts
+        for act in episode.acts
         if act.person == stood_before and not act.stopped
     )
 
 
-def _spans(trial: Trial, person: str) -> Iterator[tuple[float, float, str]]:
+def _spans(events: Sequence[TraceEvent], person: str) -> Iterator[tuple[float, float, str]]:
     """From when to when there was which occasion; the tick in which one ends is the next one's already."""
-    for node in trial.episode.nodes:
-        if node.action in _OCCASIONS and node.person == person:
-            for took, start, _ in runs(trial, {node.path}):
-                yield start - _TICK_S, start + took - _TICK_S, _OCCASIONS[node.action]
+    theirs = (event for event in events if event.person == person and event.action in _OCCASIONS)
+    for took, start, node in runs(theirs):
+        yield start - _TICK_S, start + took - _TICK_S, _OCCASIONS[node.action]

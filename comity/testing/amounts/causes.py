@@ -11,11 +11,13 @@ from comity.testing.amounts.amount import told
 from comity.testing.amounts.holding import of_time
 from comity.testing.amounts.planned import last_for
 from comity.testing.amounts.shaping import told_of
+from comity.testing.trials.nodes import NodeWord, nodes_named
+from comity.testing.trials.visits import judged_s, outcome_of, to_visit, visit_of
 from comity_executor import PROPER_OUTCOMES
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
-    from comity_executor import Cause, TraceEvent
+    from comity.episode import Episode
+    from comity_executor import Cause, History, TraceEvent
     from comity_fis import Inference
 
 MOST = 8
@@ -38,17 +40,16 @@ def chain(causes: Iterable[Cause]) -> Iterator[str]:
 
 
 def of_node(
-    trial: Trial, name: str, status: str | None = None, *, ended_s: float | None = None
+    history: History, name: str, status: str | None = None, *, ended_s: float | None = None
 ) -> Iterator[str]:
     """What a node did last, and why; nothing where it did nothing.
 
     Args:
-        trial: What happened.
+        history: The trace to ask.
         name: The node's.
         status: Of its results this alone.
         ended_s: Instead, how that ended which was over then.
     """
-    history = trial.episode.history
     events = [
         event for event in history.events if event.node == name and (status is None or event.status == status)
     ]
@@ -61,27 +62,26 @@ def of_node(
         yield from chain(event.because or (why.because if why else ()))
 
 
-def of_last(trial: Trial, name: str) -> Iterator[str]:
+def of_last(episode: Episode, name: str) -> Iterator[str]:
     """What each node of a name did last, and why; the name is given up to its bracket or with it."""
-    for node in dict.fromkeys(node.name for node in trial.nodes_named(name)):
-        yield from tuple(of_node(trial, node)) or (f"{node} never ran",)
+    for node in dict.fromkeys(node.name for node in nodes_named(episode, name)):
+        yield from tuple(of_node(episode.history, node)) or (f"{node} never ran",)
 
 
-def at_time(trial: Trial, t: float, actions: Collection[str] = ()) -> Iterator[str]:
+def at_time(history: History, t: float, actions: Collection[str] = ()) -> Iterator[str]:
     """Why the robot did what it did at a time [s]; what an earlier attempt failed for was over by then.
 
     Args:
-        trial: What happened.
+        history: The trace to ask.
         t: The time.
         actions: Of these alone; without any of all.
     """
-    nodes = trial.episode.nodes
-    for why in trial.episode.history.why_at(t):
+    for why in history.why_at(t):
         if actions and why.event.action not in actions:
             continue
         yield f"t={t:.2f} s  {why.event.node} {why.event.status} since t={why.event.t:.2f} s"
         tried = why.switched_by
-        if tried is not None and tried.status == "failure" and nodes[tried.path].kind == "action":
+        if tried is not None and tried.status == "failure" and tried.of.kind == "action":
             yield f"again     {tried.node} failed at t={tried.t:.2f} s"
         else:
             yield from chain(why.because)
@@ -95,23 +95,25 @@ def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
         yield f"made of   {line}"
 
 
-def of_parameter(trial: Trial, parameter: str, person: str, judged_s: float | None = None) -> Iterator[str]:
+def of_parameter(
+    episode: Episode, parameter: str, person: str, counts_s: float | None = None
+) -> Iterator[str]:
     """Somebody's value in an episode, what it is made of, and which held when where it was another once.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         parameter: Which of theirs.
         person: Whose.
-        judged_s: When it counts [s]; None: when their visit was carried out.
+        counts_s: When it counts [s]; None: when their visit was carried out.
     """
-    at_s = trial.judged_s(person, parameter) if judged_s is None else judged_s
-    yield from of_value(trial.episode.values_at(person, at_s), parameter, person)
-    yield from of_time(trial, parameter, person, at_s)
+    at_s = judged_s(episode, person, parameter) if counts_s is None else counts_s
+    yield from of_value(episode.values_at(person, at_s), parameter, person)
+    yield from of_time(episode, parameter, person, at_s)
 
 
-def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:
+def of_step(episode: Episode, action: str, person: str) -> Iterator[str]:
     """A step of the last plan in which somebody is visited, and why; of a new plan, also why it was made."""
-    found = last_for(trial, person, action)
+    found = last_for(episode, person, action)
     if found is None:
         return
     for step in found.plan.steps:
@@ -123,14 +125,14 @@ def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:
     yield from chain(found.because)
 
 
-def of_events(trial: Trial, node: str, events: Iterable[TraceEvent]) -> Iterator[str]:
+def of_events(episode: Episode, node: str, events: Iterable[TraceEvent]) -> Iterator[str]:
     """What nodes of a name did, and why; where the tree has none, why not."""
-    if any(trial.nodes_named(node)):
+    if any(nodes_named(episode, node)):
         for event in events:
             yield from of_event(event)
     else:
         yield absent(node)
-        yield from of_absence(trial, node)
+        yield from of_absence(episode, node)
 
 
 def absent(node: str) -> str:
@@ -138,36 +140,36 @@ def absent(node: str) -> str:
     return f"the tree has no {node}"
 
 
-def of_absence(trial: Trial, node: str) -> Iterator[str]:
+def of_absence(episode: Episode, node: str) -> Iterator[str]:
     """Why the tree has no node of a name: who is not visited, how the others are greeted, and the rules."""
-    reached = {person for step in trial.prepared.plan.steps for person in step.people}
-    about = node.rpartition("(")[2] if "(" in node else ""
-    for person in trial.wanted:
-        if about and person not in about.strip(" )").split(", "):
+    reached = {person for step in episode.prepared.plan.steps for person in step.people}
+    named = NodeWord.of(node)
+    for person in to_visit(episode):
+        if not named.may_be_about(person):
             continue
         if person not in reached:
-            yield from of_visit(trial, person)
+            yield from of_visit(episode, person)
             continue
-        yield from of_step(trial, "Greet", person)
-        yield from told_of(trial, ((person, name) for name in ("greeting_modality", "greeting_gesture")))
+        yield from of_step(episode, "Greet", person)
+        yield from told_of(episode, ((person, name) for name in ("greeting_modality", "greeting_gesture")))
 
 
-def of_unserved(trial: Trial) -> Iterator[str]:
+def of_unserved(episode: Episode) -> Iterator[str]:
     """Why those were not greeted who were not: nodes of their visits never ran."""
-    for person in trial.wanted:
-        if trial.outcome_of(person) not in PROPER_OUTCOMES:
-            yield from of_visit(trial, person)
+    for person in to_visit(episode):
+        if outcome_of(episode, person) not in PROPER_OUTCOMES:
+            yield from of_visit(episode, person)
 
 
-def of_visit(trial: Trial, person: str) -> Iterator[str]:
+def of_visit(episode: Episode, person: str) -> Iterator[str]:
     """Why somebody's visit went as it did."""
-    visit = trial.visit(person)
+    visit = visit_of(episode.visits, person)
     if visit is None:
-        reason = trial.prepared.asked.unreachable.get(person)
+        reason = episode.prepared.asked.unreachable.get(person)
         yield f"plan      {reason or 'no step of it serves ' + person}"
         return
     if visit.failure or visit.deviation_reason:
         yield f"visit     {visit.failure or visit.deviation_reason}"
     if visit.together_with:
         yield f"visit     {person} is greeted with {visit.together_with}, before whom the robot stands"
-    yield from of_step(trial, "Reach_user", visit.together_with or person)
+    yield from of_step(episode, "Reach_user", visit.together_with or person)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -15,11 +15,14 @@ from comity.testing.amounts.happened import happened
 from comity.testing.amounts.met import met
 from comity.testing.amounts.planned import last_for, plans
 from comity.testing.amounts.shaping import shaping
+from comity.testing.trials.visits import spoken_to
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
     from comity_domain import PlanStep
     from comity_executor import Cause, Node, TraceEvent, Visit
+    from comity_fis import Inference
+    from comity_sim2d import Frames
 
 _BEARING = "approach_bearing"
 LEAST_S = 0.5
@@ -37,7 +40,7 @@ MOTIONS = ("Navigate_to_user", "Dock_to_user", "Face_user", "Go_to", "Step_away"
 
 
 def of_course(
-    trial: Trial,
+    episode: Episode,
     person: str | None = None,
     *,
     until: tuple[str, float] | None = None,
@@ -46,40 +49,40 @@ def of_course(
     """The plans, what shaped them, what the robot did longest, what failed; of everybody, or of one visit.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         person: Of whose visit; None for the whole run.
         until: Before whom the robot stood, and when [s]: what comes later has no part in it.
         moving: Whether only motions that fail have: words that break off lead nowhere else.
     """
     until_s = until[1] if until else math.inf
-    for since_s, because, steps in _steps(trial, person, until[0] if until else None):
+    for since_s, because, steps in _steps(episode, person, until[0] if until else None):
         if since_s >= until_s:
             break
         if because:
             yield f"anew      planned at t={since_s:.2f} s: {because}"
-        yield from (_planned(step, trial) for step in steps)
-    yield from shaping(trial, person)
-    yield from of_time(trial, person, until_s=until_s, moving=moving)
+        yield from (_planned(step, episode.prepared.values) for step in steps)
+    yield from shaping(episode, person)
+    yield from of_time(episode, person, until_s=until_s, moving=moving)
 
 
-def of_plan(trial: Trial) -> Iterator[str]:
+def of_plan(episode: Episode) -> Iterator[str]:
     """The steps of the first plan, and what shaped them."""
-    yield from (_planned(step, trial) for step in trial.prepared.plan.steps)
-    yield from shaping(trial)
+    yield from (_planned(step, episode.prepared.values) for step in episode.prepared.plan.steps)
+    yield from shaping(episode)
 
 
 def _steps(
-    trial: Trial, person: str | None, to: str | None
+    episode: Episode, person: str | None, to: str | None
 ) -> Iterator[tuple[float, str, Sequence[PlanStep]]]:
     """The steps of all plans, or of the one by which somebody was visited; since when [s], and why anew.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         person: Of whose visit; None for all.
         to: The last before whom the robot is to stand; None for all.
     """
-    last = None if person is None else last_for(trial, person)
-    for each in plans(trial) if person is None else [last] if last else []:
+    last = None if person is None else last_for(episode, person)
+    for each in plans(episode) if person is None else [last] if last else []:
         steps = [step for step in each.plan.steps if person in (None, *step.people)]
         arrives = [step.action == "Reach_user" and step.person == to for step in steps]
         end = len(steps) - arrives[::-1].index(True) if any(arrives) else len(steps)
@@ -87,35 +90,32 @@ def _steps(
 
 
 def of_time(
-    trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
+    episode: Episode, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
     """What happened, whom the robot met, what it did longest, for what it waited, and what failed."""
-    yield from happened(trial, person, until_s=until_s, moving=moving)
-    yield from met(trial, until_s)
-    yield from _done(trial, person, until_s)
-    yield from _waited(trial, until_s)
-    yield from _failed(trial, person, until_s, moving=moving)
+    yield from happened(episode, person, until_s=until_s, moving=moving)
+    yield from met(episode, until_s)
+    yield from _done(episode, person, until_s)
+    yield from _waited(episode.events, until_s)
+    yield from _failed(episode, person, until_s, moving=moving)
 
 
-def of_lateness(trial: Trial, visit: Visit) -> Iterator[str]:
+def of_lateness(episode: Episode, visit: Visit) -> Iterator[str]:
     """How late a greeting was over, and what took the time until then; nothing where it was in time."""
-    if (late := late_s(trial.prepared, visit)) and visit.greeted_s is not None:
+    if (late := late_s(episode.prepared, visit)) and visit.greeted_s is not None:
         yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
-        yield from of_time(trial, until_s=visit.greeted_s)
+        yield from of_time(episode, until_s=visit.greeted_s)
 
 
-def actions(trial: Trial) -> Iterator[tuple[float, float, Node]]:
+def actions(events: Iterable[TraceEvent]) -> Iterator[tuple[float, float, Node]]:
     """How long each action ran [s], when it began [s], and its node."""
-    nodes = trial.episode.nodes
-    return runs(trial, {node.path for node in nodes if node.kind == "action"})
+    return runs(event for event in events if event.of.kind == "action")
 
 
-def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, Node]]:
-    """The same for any nodes, given by their paths: from running to a result or a halt."""
+def runs(events: Iterable[TraceEvent]) -> Iterator[tuple[float, float, Node]]:
+    """The same for the nodes of any events: from running to a result or a halt."""
     begun: dict[int, float] = {}
-    for event in trial.episode.events:
-        if event.path not in paths:
-            continue
+    for event in events:
         if event.status == "running":
             begun[event.path] = event.t
         elif event.path in begun:
@@ -123,11 +123,11 @@ def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, N
             yield event.t - start, start, event.of
 
 
-def _planned(step: PlanStep, trial: Trial) -> str:
+def _planned(step: PlanStep, inferred: Mapping[str, Inference]) -> str:
     parts = [f"{name.replace('_', ' ')} {cost}" for name, cost in step.cost_parts.items() if cost]
     values = [
         f"{name.replace('_', ' ')} {told(value, unit)}"
-        for name, value, unit in _other_than_theirs(step, trial)
+        for name, value, unit in _other_than_theirs(step, inferred)
         if not isinstance(value, str) and (name != _BEARING or value)  # the side says front
     ]
     details = "; ".join(filter(None, (", ".join(parts), ", ".join(values))))
@@ -135,9 +135,11 @@ def _planned(step: PlanStep, trial: Trial) -> str:
     return f"{head}: {details}" if details else head
 
 
-def _other_than_theirs(step: PlanStep, trial: Trial) -> Iterator[tuple[str, float | str, str | None]]:
+def _other_than_theirs(
+    step: PlanStep, inferred: Mapping[str, Inference]
+) -> Iterator[tuple[str, float | str, str | None]]:
     """What a step goes by and is no parameter of the person, or another number than theirs; with its unit."""
-    known = trial.prepared.values[step.person].parameters if step.person in trial.prepared.values else {}
+    known = inferred[step.person].parameters if step.person in inferred else {}
     for name, value in step.parameters.items():
         if name not in known:
             yield name, value, "deg" if name == _BEARING else None
@@ -145,43 +147,41 @@ def _other_than_theirs(step: PlanStep, trial: Trial) -> Iterator[tuple[str, floa
             yield name, value, known[name].unit
 
 
-def _done(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
+def _done(episode: Episode, person: str | None, until_s: float) -> Iterator[str]:
     ran = [
-        (start, took, node)
-        for took, start, node in actions(trial)
-        if took >= LEAST_S and start < until_s and _is_for(person, node, trial)
+        (start, took, node.name)
+        for took, start, node in actions(episode.events)
+        if took >= LEAST_S and start < until_s and _is_for(person, node, episode.visits)
     ]
     longest = sorted(sorted(ran, key=lambda one: -one[1])[:MOST])
     for start, together in groupby(longest, key=lambda one: round(one[0], 2)):
-        did = ", ".join(f"{node.name} for {_amount(trial, began, took)}" for began, took, node in together)
+        did = ", ".join(
+            f"{node} for {_amount(episode.frames, began, took)}" for began, took, node in together
+        )
         yield f"did       {did}, from t={start:.2f} s"
 
 
-def _amount(trial: Trial, start_s: float, took_s: float) -> str:
+def _amount(frames: Frames, start_s: float, took_s: float) -> str:
     """How long, and how far unless the robot stood."""
-    way_m = _way_m(trial, start_s, start_s + took_s)
+    way_m = _way_m(frames, start_s, start_s + took_s)
     return f"{took_s:.2f} s" + (f" and {way_m:.2f} m" if way_m >= STOOD_M else "")
 
 
-def _way_m(trial: Trial, start_s: float, end_s: float) -> float:
-    frames = trial.episode.frames
+def _way_m(frames: Frames, start_s: float, end_s: float) -> float:
     during = (frames.time_s >= start_s - 1e-9) & (frames.time_s <= end_s + 1e-9)
     return float(np.hypot(*np.diff(frames.poses[during, 0, :2], axis=0).T).sum())
 
 
-def _is_for(person: str | None, node: Node, trial: Trial) -> bool:
+def _is_for(person: str | None, node: Node, visits: Sequence[Visit]) -> bool:
     """Whether an action is for somebody, or for the one before whom their company is greeted."""
     if person is None:
         return True
-    visit = trial.visit(person)
-    return node.person == person or (
-        visit is not None and visit.together_with is not None and node.person == visit.together_with
-    )
+    return node.person in (person, spoken_to(visits, person))
 
 
-def _waited(trial: Trial, until_s: float) -> Iterator[str]:
+def _waited(events: Sequence[TraceEvent], until_s: float) -> Iterator[str]:
     """How long no plan was under way, and why."""
-    events, since = trial.episode.events, None
+    since = None
     for event in events:
         if event.t > until_s:
             break
@@ -191,7 +191,7 @@ def _waited(trial: Trial, until_s: float) -> Iterator[str]:
             yield from _wait(since, event.t)
             since = None
     if since is not None:
-        yield from _wait(since, min(until_s, trial.episode.history.end_s))
+        yield from _wait(since, min(until_s, events[-1].t))
 
 
 def _wait(since: TraceEvent, end_s: float) -> Iterator[str]:
@@ -205,13 +205,12 @@ def _why(because: Sequence[Cause]) -> str:
     return (links or [because[-1].text])[-1]
 
 
-def _failed(trial: Trial, person: str | None, until_s: float, *, moving: bool) -> Iterator[str]:
+def _failed(episode: Episode, person: str | None, until_s: float, *, moving: bool) -> Iterator[str]:
     """Actions that failed, each with the first link of its causes; those for one reason together."""
-    nodes = trial.episode.nodes
     alike: dict[tuple[str, str], list[float]] = {}
-    for event in trial.episode.events:
-        failed = nodes[event.path].kind == "action" and event.status == "failure" and event.t < until_s
-        if failed and _is_for(person, event.of, trial) and (not moving or event.action in MOTIONS):
+    for event in episode.events:
+        failed = event.of.kind == "action" and event.status == "failure" and event.t < until_s
+        if failed and _is_for(person, event.of, episode.visits) and (not moving or event.action in MOTIONS):
             because = f": {event.because[0].text}" if event.because else ""
             alike.setdefault((event.node, because), []).append(event.t)
     for (node, because), times in alike.items():

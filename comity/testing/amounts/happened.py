@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from comity.monitoring.measuring import is_of
@@ -19,8 +19,10 @@ from comity.specification.fault import (
 from comity_executor.trees.tree import VISITED
 
 if TYPE_CHECKING:
+    from comity.episode import Episode
+    from comity.scenario import Scenario
     from comity.specification.fault import Fault
-    from comity.testing.trials.trial import Trial
+    from comity_executor import TraceEvent
 
 _OF_WORDS = (SpeechFails, LeafRaises)
 """Faults that lead the robot nowhere else."""
@@ -29,36 +31,35 @@ _SHOWN = (SpeechFails, LeafRaises, PlannerFails)
 
 
 def happened(
-    trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
+    episode: Episode, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
     """What happened to the robot or to people, in order of time, and the limit that ended the run.
 
     What people say is told with the values that it changes.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         person: During whose visit, to the robot or to them; None for the whole run.
         until_s: What happens later has no part in it.
         moving: Whether only what moves somebody, or keeps the robot from moving, has.
     """
-    scenario = trial.prepared.file.scenario
-    since_s, end_s = _visit_of(trial, person)
+    scenario = episode.prepared.file.scenario
+    since_s, end_s = _visit_span(episode.events, person)
     entries: list[Change | Fault] = [*scenario.changes, *scenario.faults]
     for entry in sorted(entries, key=lambda entry: entry.at_s):
         lasts_s = getattr(entry, "for_s", None) or getattr(entry, "emergency_stop_s", None) or 0.0
         during = entry.at_s < min(until_s, end_s) and entry.at_s + lasts_s >= since_s
         theirs = person is None or getattr(entry, "person", None) in (None, person)
         what = _told(entry)
-        counts = _shows(trial, entry, until_s) and not (moving and isinstance(entry, _OF_WORDS))
+        counts = _shows(episode.events, entry, until_s) and not (moving and isinstance(entry, _OF_WORDS))
         if what and during and theirs and counts:
             yield f"happened  {what}"
-    if trial.episode.outcome == "stopped" and until_s >= trial.episode.history.end_s and person is None:
+    if episode.outcome == "stopped" and until_s >= episode.history.end_s and person is None:
         yield f"happened  the run was stopped: its limit `time_s` is {scenario.limits.time_s:g} s"
 
 
-def walking(trial: Trial, person: str | None, until_s: float = math.inf) -> tuple[str, ...]:
+def walking(scenario: Scenario, person: str | None, until_s: float = math.inf) -> tuple[str, ...]:
     """What has somebody of the scenario walk by a time, or anybody, in words."""
-    scenario = trial.prepared.file.scenario
     who = (person,) if person else tuple(scenario.people)
     keys = [
         f"{one} has `{key}`"
@@ -80,19 +81,19 @@ def walking(trial: Trial, person: str | None, until_s: float = math.inf) -> tupl
     return tuple(keys)
 
 
-def _visit_of(trial: Trial, person: str | None) -> tuple[float, float]:
+def _visit_span(events: Iterable[TraceEvent], person: str | None) -> tuple[float, float]:
     """From setting out to somebody to the end of their visit [s]; of nobody, all the time."""
     if person is None:
         return 0.0, math.inf
-    times = [event.t for event in trial.episode.events if is_of(event, VISITED, person)]
+    times = [event.t for event in events if is_of(event, VISITED, person)]
     return (times[0], times[-1]) if times else (0.0, math.inf)
 
 
-def _shows(trial: Trial, entry: Change | Fault, until_s: float) -> bool:
+def _shows(events: Iterable[TraceEvent], entry: Change | Fault, until_s: float) -> bool:
     """Whether it did anything by a time, as far as is known: the trace names the fault behind a failure."""
     if not isinstance(entry, _SHOWN):
         return True
-    because = (cause for event in trial.episode.events if event.t <= until_s for cause in event.because)
+    because = (cause for event in events if event.t <= until_s for cause in event.because)
     return any(cause.kind == "fault" and cause.text == in_words(entry) for cause in because)
 
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing.amounts.amount import told
+from comity.testing.trials.visits import visit_of
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity_executor import Visit
     from comity_fis import Inference
     from comity_fis.inference.value import ParameterValue
 
@@ -25,10 +27,10 @@ class Held:
     """What was said; None at the start."""
 
 
-def held(trial: Trial, parameter: str, person: str) -> tuple[Held, ...]:
+def held(episode: Episode, parameter: str, person: str) -> tuple[Held, ...]:
     """Every value that somebody's parameter had, in order of time; the first is that of the start."""
-    found = [Held(0.0, trial.prepared.values[person], None)]
-    for one in trial.episode.told:
+    found = [Held(0.0, episode.prepared.values[person], None)]
+    for one in episode.told:
         if one.person == person and _differ(one.values[parameter], found[-1].values[parameter]):
             found.append(Held(one.t, one.values, one.text))
     return tuple(found)
@@ -38,33 +40,33 @@ def _differ(one: ParameterValue, other: ParameterValue) -> bool:
     return (one.value, one.origin) != (other.value, other.origin)
 
 
-def of_time(trial: Trial, parameter: str, person: str, judged_s: float) -> Iterator[str]:
+def of_time(episode: Episode, parameter: str, person: str, judged_s: float) -> Iterator[str]:
     """Which value held when, and which counts; nothing where there was one throughout.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         parameter: Whose values.
         person: Of whom.
         judged_s: When the value counts [s]; infinite for the end.
     """
-    every = held(trial, parameter, person)
+    every = held(episode, parameter, person)
     if len(every) > 1:
         for one in every:
             since = (
                 "from the start" if one.because is None else f"from t={one.since_s:.2f} s on: {one.because}"
             )
             yield f"held      {_told(one.values[parameter])} {since}"
-        yield f"counts    what held {_moment(trial, person, judged_s)}"
+        yield f"counts    what held {_moment(episode.visits, person, judged_s)}"
 
 
 def _told(value: ParameterValue) -> str:
     return f"{told(value.value, value.unit)} ({value.origin})"
 
 
-def _moment(trial: Trial, person: str, judged_s: float) -> str:
+def _moment(visits: Iterable[Visit], person: str, judged_s: float) -> str:
     if math.isinf(judged_s):
         return "in the end"
-    visit = trial.visit(person)
+    visit = visit_of(visits, person)
     greeted = visit is not None and visit.greeted_s == judged_s
     docked = visit is not None and visit.docked_s == judged_s
     what = f", when {person} was greeted" if greeted else ", when the robot had docked" if docked else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,19 +14,22 @@ from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.metrics import clearances_m
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity_executor import TraceEvent
+    from comity_sim2d import Frames
 
 
-def met(trial: Trial, until_s: float = math.inf) -> Iterator[str]:
+def met(episode: Episode, until_s: float = math.inf) -> Iterator[str]:
     """Whoever walks and came near a robot that was not about them; of passers-by the nearest one.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         until_s: Whoever comes later had no part in it.
     """
-    people, nearest = trial.prepared.file.scenario.people, _nearest(trial, until_s)
+    scenario, nearest = episode.prepared.file.scenario, _nearest(episode.frames, episode.events, until_s)
+    people = scenario.people
     for name in people:
-        if name in nearest and (keys := walking(trial, name, until_s)):
+        if name in nearest and (keys := walking(scenario, name, until_s)):
             yield f"walks     {', '.join(keys)}; {_told(name, *nearest[name])}"
     strangers = [name for name in nearest if name not in people]
     if strangers:
@@ -38,12 +41,13 @@ def _told(name: str, gap_m: float, t: float) -> str:
     return f"{name} was {gap_m:.2f} m from the robot at t={t:.2f} s"
 
 
-def _nearest(trial: Trial, until_s: float) -> Mapping[str, tuple[float, float]]:
+def _nearest(
+    frames: Frames, events: Sequence[TraceEvent], until_s: float
+) -> Mapping[str, tuple[float, float]]:
     """How near everybody was to a robot that slowed down before them [m], and when [s]."""
-    frames = trial.episode.frames
     gaps = clearances_m(frames)
     gaps[frames.time_s >= until_s] = math.inf
-    for whom, start_s, end_s in turns(trial.episode.events):
+    for whom, start_s, end_s in turns(events):
         if whom in frames.entities:
             about = (frames.time_s >= start_s) & (frames.time_s < end_s)
             gaps[about, frames.entities.index(whom) - 1] = math.inf

@@ -15,6 +15,7 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.course import MOTIONS
 from comity.testing.amounts.happened import walking
 from comity.testing.amounts.shaping import DISTANCE, told_of
+from comity.testing.trials.visits import approached
 from comity_executor import Limits
 from comity_sim2d.metrics import (
     clearances_m,
@@ -28,7 +29,8 @@ from comity_sim2d.navigation.route_map import COMFORT_M
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity.scenario import Scenario
     from comity_sim2d import Frames
     from comity_sim2d.metrics.intrusion import Intrusion, Stay
 
@@ -53,14 +55,14 @@ class Moment:
         return f"{whom}at t={self.t:.2f} s"
 
 
-def moment_of(trial: Trial, metric: str) -> Moment | None:
+def moment_of(episode: Episode, metric: str) -> Moment | None:
     """When and with whom a metric of the episode had its least or its most; None of other metrics.
 
     Args:
-        trial: What happened.
+        episode: What happened.
         metric: By its whole name, `min_clearance_m`.
     """
-    frames = trial.episode.frames
+    frames = episode.frames
     if metric == "min_clearance_m":
         return _least(frames, clearances_m(frames), "to")
     if metric == "min_centre_distance_m":
@@ -68,66 +70,64 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
     if metric == "min_time_to_collision_s":
         return _least(frames, seconds_to_collision(frames), "with")
     if metric == "longest_intrusion_s":
-        stay = intrusion(trial).longest(frames)
+        stay = intrusion(episode).longest(frames)
         return None if stay is None else Moment(stay.start_s, stay.person, "beside")
     if metric == "max_speed_m_s":
         return Moment(float(frames.time_s[int(np.argmax(speeds_m_s(frames))) + 1]))
     return None
 
 
-def of_moment(trial: Trial, moment: Moment) -> Iterator[str]:
+def of_moment(episode: Episode, moment: Moment) -> Iterator[str]:
     """Why the robot did then what it did, and where that person and whoever it visited would have it.
 
     Of a moment about nobody, which is that of the highest speed: what limits speeds.
     """
     if moment.person is None:
-        yield from _of_speed(trial, moment)
+        yield from _of_speed(episode, moment)
         return
-    yield from of_their_way(trial, moment.person, moment.t)
-    yield from causes.at_time(trial, moment.t, _NEAR)
-    stops = [step.person for step in trial.prepared.plan.steps if step.action == "Reach_user"]
-    people = dict.fromkeys((moment.person, *stops))
-    known = trial.prepared.values
-    yield from told_of(trial, ((name, DISTANCE) for name in people if name in known))
+    yield from of_their_way(episode.prepared.file.scenario, moment.person, moment.t)
+    yield from causes.at_time(episode.history, moment.t, _NEAR)
+    people = dict.fromkeys((moment.person, *approached(episode.prepared.plan)))
+    known = episode.prepared.values
+    yield from told_of(episode, ((name, DISTANCE) for name in people if name in known))
 
 
-def _of_speed(trial: Trial, moment: Moment) -> Iterator[str]:
-    doing = causes.at_time(trial, moment.t, _NEAR)
+def _of_speed(episode: Episode, moment: Moment) -> Iterator[str]:
+    doing = causes.at_time(episode.history, moment.t, _NEAR)
     yield from (line for line in doing if line.startswith(("t=", "again")))
-    own_m_s, cruise_m_s = trial.prepared.scene.robot.max_speed_m_s, Limits().cruise_speed_m_s
+    own_m_s, cruise_m_s = episode.prepared.scene.robot.max_speed_m_s, Limits().cruise_speed_m_s
     whose = "the robot's `max_speed_m_s`" if own_m_s <= cruise_m_s else "as fast as it cruises"
     yield f"limit     on its way at most {min(own_m_s, cruise_m_s):g} m/s, {whose}"
-    stops = (step.person for step in trial.prepared.plan.steps if step.action == "Reach_user")
-    yield from told_of(trial, ((name, "approach_speed") for name in stops))
+    stops = approached(episode.prepared.plan)
+    yield from told_of(episode, ((name, "approach_speed") for name in stops))
 
 
-def of_their_way(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
+def of_their_way(scenario: Scenario, person: str | None, until_s: float) -> Iterator[str]:
     """What had somebody walk by a time, who may be a passer-by; nothing of who stood."""
-    if person in trial.prepared.file.scenario.people and (keys := walking(trial, person, until_s)):
+    if person in scenario.people and (keys := walking(scenario, person, until_s)):
         yield f"walks     {', '.join(keys)}"
 
 
-def of_stay(trial: Trial, stay: Stay) -> Iterator[str]:
+def of_stay(episode: Episode, stay: Stay) -> Iterator[str]:
     """How near the robot was during a stay within a person's distance, why, and what the distance goes by."""
-    frames, episode = trial.episode.frames, trial.episode
+    frames = episode.frames
     during = (frames.time_s >= stay.start_s) & (frames.time_s <= stay.start_s + stay.length_s)
     gaps_m = clearances_m(frames)[during, frames.entities.index(stay.person) - 1]
-    values = trial.prepared.values.get(stay.person)
+    values = episode.prepared.values.get(stay.person)
     start_m = COMFORT_M if values is None else own_distance_m(values)
     later = later_distances_m(episode.told).get(stay.person, ())
     own_m = own_distances_m(np.array([stay.start_s]), start_m, later)[0]
     yield f"distance  {gaps_m.min():.3f} m at the nearest, their own {own_m:.3f} m"
-    yield from of_their_way(trial, stay.person, stay.start_s + stay.length_s)
-    yield from causes.at_time(trial, stay.start_s)
+    yield from of_their_way(episode.prepared.file.scenario, stay.person, stay.start_s + stay.length_s)
+    yield from causes.at_time(episode.history, stay.start_s)
     if values is not None:
-        yield from causes.of_parameter(trial, DISTANCE, stay.person, stay.start_s)
+        yield from causes.of_parameter(episode, DISTANCE, stay.person, stay.start_s)
 
 
-def intrusion(trial: Trial) -> Intrusion:
+def intrusion(episode: Episode) -> Intrusion:
     """When the robot was within each person's distance without visiting or leaving them."""
-    episode = trial.episode
     known = known_of(
-        trial.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
+        episode.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
     )
     return intrusion_of(episode.frames, known)
 

@@ -13,7 +13,8 @@ from comity_domain import in_order
 from comity_executor.trees.tree import DOCKED
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity.scenario import ScenarioFile
     from comity_domain import OtherOrder, Plan
     from comity_executor import TraceEvent
 
@@ -28,17 +29,17 @@ def docked_at(event: TraceEvent) -> str | None:
     return event.person if event.status == "success" and event.action == DOCKED else None
 
 
-def of_order(trial: Trial, people: Sequence[str]) -> Iterator[str]:
+def of_order(episode: Episode, people: Sequence[str]) -> Iterator[str]:
     """Why these people are visited in another order than this: the plan's reason, and those of later plans.
 
     What was decided before anybody of them was reached and decided anew afterwards is no reason any more.
     """
-    plan, docked = trial.prepared.plan, list[str]()
+    plan, docked = episode.prepared.plan, list[str]()
     served, now = {name for step in plan.steps for name in step.people}, _among(people, _stops(plan))
     as_wanted = now == tuple(name for name in people if name in served)
-    reasons = [] if as_wanted else [tuple(_planned(trial, people))]
-    following = iter(trial.episode.revisions)
-    for event in trial.episode.events:
+    reasons = [] if as_wanted else [tuple(_planned(episode, people))]
+    following = iter(episode.revisions)
+    for event in episode.events:
         if person := docked_at(event):
             docked.append(person)
         if event.status in TAKES_OVER:
@@ -58,24 +59,24 @@ def _among(people: Sequence[str], stops: Iterable[str]) -> tuple[str, ...]:
     return tuple(name for name in dict.fromkeys(stops) if name in people)
 
 
-def _planned(trial: Trial, people: Sequence[str]) -> Iterator[str]:
+def _planned(episode: Episode, people: Sequence[str]) -> Iterator[str]:
     """What the first plan would have been like in the other order."""
-    plan = trial.prepared.plan
+    plan = episode.prepared.plan
     yield f"plan      {', '.join(_stops(plan)) or 'nobody'}, cost {plan.cost} cm"
-    other = in_order(trial.prepared.asked.request, plan, people)
+    other = in_order(episode.prepared.asked.request, plan, people)
     if other is None:
         yield f"order     no plan is known that visits {' before '.join(people)}"
         return
     told = f"order     {', '.join(other.people)}"
     if other.too_late is not None:
         yield f"{told} would cost {_price(other)}, and break a deadline: {other.too_late}"
-        yield from _goals(trial, (other.too_late.person,), "by_s")
+        yield from _goals(episode.prepared.file, (other.too_late.person,), "by_s")
         return
     yield f"{told} would cost {_price(other)}{_parts(other)}"
     if "waiting" in other.extra_parts:
-        yield from _goals(trial, other.people, "priority")
+        yield from _goals(episode.prepared.file, other.people, "priority")
     names = [name for part, name in _OF_WAYS.items() if part in other.extra_parts]
-    yield from told_of(trial, ((person, name) for name in names for person in other.people))
+    yield from told_of(episode, ((person, name) for name in names for person in other.people))
 
 
 def _price(other: OtherOrder) -> str:
@@ -90,9 +91,8 @@ def _parts(other: OtherOrder) -> str:
     return f": {told}" if told else ""
 
 
-def _goals(trial: Trial, people: Sequence[str], key: str) -> Iterator[str]:
+def _goals(file: ScenarioFile, people: Sequence[str], key: str) -> Iterator[str]:
     """What the scenario's goals have of these people under a key, where they have it."""
-    file = trial.prepared.file
     for i, person in greeted(file.scenario.goals):
         written = getattr(file.scenario.goals[i], key)
         if person in people and written:

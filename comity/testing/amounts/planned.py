@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity.monitoring.measuring import TAKES_OVER
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
     from comity_domain import Plan
     from comity_executor import Cause
 
@@ -24,21 +24,21 @@ class Planned:
     """Empty for the first."""
 
 
-def plans(trial: Trial) -> Iterator[Planned]:
+def plans(episode: Episode) -> Iterator[Planned]:
     """All of them in order; the same plan with new numbers is no other."""
-    yield Planned(0.0, trial.prepared.plan)
-    times = (event.t for event in trial.episode.events if event.status in TAKES_OVER)
-    for since_s, revision in zip(times, trial.episode.revisions, strict=True):
+    yield Planned(0.0, episode.prepared.plan)
+    times = (event.t for event in episode.events if event.status in TAKES_OVER)
+    for since_s, revision in zip(times, episode.revisions, strict=True):
         if revision.replanned:
             yield Planned(since_s, revision.plan, revision.because)
 
 
-def last_for(trial: Trial, person: str, action: str = "") -> Planned | None:
+def last_for(episode: Episode, person: str, action: str = "") -> Planned | None:
     """The last plan with a step for somebody that does something of that name; None where none has."""
     return next(
         (
             each
-            for each in reversed([*plans(trial)])
+            for each in reversed([*plans(episode)])
             if any(person in step.people and step.action.startswith(action) for step in each.plan.steps)
         ),
         None,

@@ -14,11 +14,12 @@ from comity.testing.amounts.happened import walking
 from comity.testing.amounts.moments import Moment, intrusion, moment_of, of_moment, of_stay
 from comity.testing.amounts.standing import standing
 from comity.testing.amounts.touching import CONTACTS, of_contacts
+from comity.testing.trials.visits import approached, require_goal, to_visit, values_when_judged
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Metric, by_short_name, of_episode, of_person
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
     from comity_fis import Inference
 
 OF_RUN: Mapping[str, Metric] = by_short_name(EPISODE)
@@ -51,16 +52,16 @@ class NoQuantity:
     because: Sequence[str]
 
 
-def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity | NoQuantity]:
+def quantities(episode: Episode, name: str, person: str | None) -> Iterator[Quantity | NoQuantity]:
     """A metric of the run, or a metric or a parameter of a person or of everyone to visit.
 
     Raises:
         InputError: if there is no such number.
     """
     if person is None and name in OF_RUN:
-        yield from _of_run(trial, name, OF_RUN[name])
+        yield from _of_run(episode, name, OF_RUN[name])
     elif name in OF_PERSON:
-        yield from _of_people(trial, name, OF_PERSON[name], person)
+        yield from _of_people(episode, name, OF_PERSON[name], person)
     elif name in OF_RUN:
         raise InputError(
             expected="a number of one person",
@@ -68,7 +69,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
             remedy="Leave `of` out.",
         )
     else:
-        yield from _of_parameter(trial, name, person)
+        yield from _of_parameter(episode, name, person)
 
 
 def is_figure(name: str) -> bool:
@@ -106,9 +107,9 @@ def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) 
         )
 
 
-def _of_parameter(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
-    for one in (person,) if person else trial.wanted:
-        values = trial.values(one, name)
+def _of_parameter(episode: Episode, name: str, person: str | None) -> Iterator[Quantity]:
+    for one in (person,) if person else to_visit(episode):
+        values = values_when_judged(episode, one, name)
         require_parameter(name, values, (*OF_RUN, *OF_PERSON))
         value = values[name]
         if isinstance(value.value, str):
@@ -117,93 +118,93 @@ def _of_parameter(trial: Trial, name: str, person: str | None) -> Iterator[Quant
                 got=f"{name}, which is a word",
                 remedy=f"Write `{name} is {value.value}`.",
             )
-        because = partial(causes.of_parameter, trial, name, one)
+        because = partial(causes.of_parameter, episode, name, one)
         yield Quantity(f"{name} of {one}", value.value, value.unit, because)
 
 
-def _of_run(trial: Trial, name: str, metric: Metric) -> Iterator[Quantity]:
-    found = of_episode(trial.episode.metrics)
+def _of_run(episode: Episode, name: str, metric: Metric) -> Iterator[Quantity]:
+    found = of_episode(episode.metrics)
     if metric.name in found:
-        moment, because = _behind_run(trial, metric)
+        moment, because = _behind_run(episode, metric)
         yield Quantity(name, found[metric.name], metric.unit, because, moment)
 
 
-def _behind_run(trial: Trial, metric: Metric) -> tuple[Moment | None, Callable[[], Iterable[str]]]:
+def _behind_run(episode: Episode, metric: Metric) -> tuple[Moment | None, Callable[[], Iterable[str]]]:
     """When a metric of the run came about, and what had a part in it."""
     if metric.name.startswith("plan_"):
-        return None, partial(of_plan, trial)
+        return None, partial(of_plan, episode)
     if metric.name == "walked_m":
-        return None, partial(_of_walk, trial, None)
-    moment = moment_of(trial, metric.name)
+        return None, partial(_of_walk, episode, None)
+    moment = moment_of(episode, metric.name)
     if metric.name == "longest_intrusion_s" and moment:
-        return moment, partial(_of_longest, trial, None)
+        return moment, partial(_of_longest, episode, None)
     if moment is not None:
-        return moment, partial(of_moment, trial, moment)
+        return moment, partial(of_moment, episode, moment)
     if metric.name in CONTACTS:
-        return None, lambda: [*of_contacts(trial, metric.name)] or of_course(trial)
-    return None, partial(of_course, trial, moving=metric.unit != "s")
+        return None, lambda: [*of_contacts(episode, metric.name)] or of_course(episode)
+    return None, partial(of_course, episode, moving=metric.unit != "s")
 
 
 def _of_people(
-    trial: Trial, name: str, metric: Metric, person: str | None
+    episode: Episode, name: str, metric: Metric, person: str | None
 ) -> Iterator[Quantity | NoQuantity]:
     """A metric of one person, or of everyone to visit, or that one who is to be approached has none."""
     if person and metric.per == "visit":
-        trial.require_goal(person)
-    for one in (person,) if person else trial.wanted:
-        number = of_person(trial.episode.metrics, one).get(metric.name)
+        require_goal(episode.prepared.file.scenario, person)
+    for one in (person,) if person else to_visit(episode):
+        number = of_person(episode.metrics, one).get(metric.name)
         told, unit = f"{name} of {one}", None if metric.unit == "1" else metric.unit
         if number is not None:
-            moment, because = _behind_person(trial, metric, one, number)
+            moment, because = _behind_person(episode, metric, one, number)
             yield Quantity(told, number, unit, because, moment)
-        elif person or one in trial.approached:
+        elif person or one in approached(episode.prepared.plan):
             got = "none: nothing happened to measure it by"
-            yield NoQuantity(told, unit, got, tuple(causes.of_visit(trial, one)))
+            yield NoQuantity(told, unit, got, tuple(causes.of_visit(episode, one)))
 
 
 def _behind_person(
-    trial: Trial, metric: Metric, person: str, number: float
+    episode: Episode, metric: Metric, person: str, number: float
 ) -> tuple[Moment | None, Callable[[], Iterable[str]]]:
     """When a metric of a person came about, and what had a part in it."""
     if metric.name in ("longest_intrusion_s", "compliance_share"):
-        stay = intrusion(trial).longest(trial.episode.frames, person)
+        stay = intrusion(episode).longest(episode.frames, person)
         if stay is not None:
             at = Moment(stay.start_s, person, "beside") if metric.unit == "s" else None
-            return at, partial(_of_longest, trial, person)
+            return at, partial(_of_longest, episode, person)
     if metric.name == "walked_m":
-        return None, partial(_of_walk, trial, person)
+        return None, partial(_of_walk, episode, person)
     if metric.name == "docking_time_s":  # the visits before take their time, too
-        return None, partial(of_course, trial, until=(person, number))
-    if metric.name == "docking_error_m" and (stood := standing(trial, person)):
-        return Moment(stood.t), partial(_of_docked, trial, person)
-    return None, partial(of_course, trial, person, moving=True)
+        return None, partial(of_course, episode, until=(person, number))
+    if metric.name == "docking_error_m" and (stood := standing(episode.frames, episode.visits, person)):
+        return Moment(stood.t), partial(_of_docked, episode, person)
+    return None, partial(of_course, episode, person, moving=True)
 
 
-def _of_longest(trial: Trial, person: str | None) -> Iterator[str]:
-    stay = intrusion(trial).longest(trial.episode.frames, person)
-    return of_stay(trial, stay) if stay else of_course(trial)
+def _of_longest(episode: Episode, person: str | None) -> Iterator[str]:
+    stay = intrusion(episode).longest(episode.frames, person)
+    return of_stay(episode, stay) if stay else of_course(episode)
 
 
-def _of_docked(trial: Trial, person: str) -> Iterator[str]:
+def _of_docked(episode: Episode, person: str) -> Iterator[str]:
     """Why the robot stood where it docked, and what the distance goes by."""
-    stood = standing(trial, person)
+    stood = standing(episode.frames, episode.visits, person)
     if stood is not None:
-        target = trial.episode.values_at(person, stood.t)["conversational_distance"]
+        target = episode.values_at(person, stood.t)["conversational_distance"]
         target_m, actual_m = told_apart((target.number, stood.distance_m), "m")
         yield f"distance  target {target_m}, actual {actual_m}"
-        yield from causes.of_node(trial, f"docked?({person})", "success", ended_s=stood.t)
-        yield from causes.of_visit(trial, person)
-        yield from causes.of_parameter(trial, "conversational_distance", person, stood.t)
+        yield from causes.of_node(episode.history, f"docked?({person})", "success", ended_s=stood.t)
+        yield from causes.of_visit(episode, person)
+        yield from causes.of_parameter(episode, "conversational_distance", person, stood.t)
 
 
-def _of_walk(trial: Trial, person: str | None) -> Iterator[str]:
+def _of_walk(episode: Episode, person: str | None) -> Iterator[str]:
     """What has somebody walk, or anybody, and then the course; who stays takes no part in that."""
-    keys = walking(trial, person)
-    metrics = trial.episode.metrics
+    keys = walking(episode.prepared.file.scenario, person)
+    metrics = episode.metrics
     moved = (metrics.walked_by_person_m[person] if person else metrics.walked_m) > 0
     if keys:
         yield f"walks     {', '.join(keys)}"
     elif not moved:
         yield f"walks     {person or 'nobody'} {_STAYS if person else _STAY}"
     if keys or moved:
-        yield from of_course(trial)
+        yield from of_course(episode)

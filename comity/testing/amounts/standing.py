@@ -8,8 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.testing.trials.visits import visit_of
+
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from collections.abc import Iterable
+
+    from comity_executor import Visit
+    from comity_sim2d import Frames
 
 FRONT_DEG, BESIDE_DEG = 22.5, 112.5
 """Off a person's facing: up to the one it is the front, up to the other a side, beyond it the back."""
@@ -35,9 +40,9 @@ class Standing:
         return "left" if self.bearing_deg > 0 else "right"
 
 
-def standing(trial: Trial, person: str) -> Standing | None:
+def standing(frames: Frames, visits: Iterable[Visit], person: str) -> Standing | None:
     """Where the robot stood at its last docking before somebody; None where it never docked."""
-    visit, frames = trial.visit(person), trial.episode.frames
+    visit = visit_of(visits, person)
     if visit is None or visit.docked_s is None:
         return None
     now = int(np.argmin(np.abs(frames.time_s - visit.docked_s)))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from comity.testing.amounts import causes
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity_executor import History, TraceEvent
 
 _BUMPED = "bumped into "
 """How the trace tells of a touch."""
@@ -19,26 +20,28 @@ MOST = 5
 """So many are told (our choice)."""
 
 
-def bumps(trial: Trial, metrics: Collection[str]) -> Iterator[tuple[float, str]]:
+def bumps(
+    people: Collection[str], events: Iterable[TraceEvent], metrics: Collection[str]
+) -> Iterator[tuple[float, str]]:
     """When the robot bumped into something [s], and into what: into what these metrics count."""
-    people = trial.episode.frames.entities[1:]
     wanted = {True: PEOPLE in metrics, False: not {*THINGS}.isdisjoint(metrics)}
-    for event in trial.episode.events:
+    for event in events:
         for cause in event.because:
             what = cause.text.removeprefix(_BUMPED)
             if what != cause.text and wanted[what in people]:
                 yield event.t, what
 
 
-def of_contacts(trial: Trial, metric: str) -> Iterator[str]:
+def of_contacts(episode: Episode, metric: str) -> Iterator[str]:
     """What was touched, and why the robot went there; nothing where the trace has no touch."""
-    found = [*bumps(trial, CONTACTS if metric == "touches" else (metric,))]
+    people = episode.frames.entities[1:]
+    found = [*bumps(people, episode.events, CONTACTS if metric == "touches" else (metric,))]
     for t, what in found[:MOST]:
         yield f"touched   {what} at t={t:.2f} s"
     if found:
-        yield from before_bump(trial, found[0][0])
+        yield from before_bump(episode.history, found[0][0])
 
 
-def before_bump(trial: Trial, t: float) -> Iterator[str]:
+def before_bump(history: History, t: float) -> Iterator[str]:
     """Why the robot did what it did a tick before a touch: from then on it stands still because of that."""
-    return causes.at_time(trial, max(0.0, t - causes.TICK_S))
+    return causes.at_time(history, max(0.0, t - causes.TICK_S))

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.cast import cast_of
 from comity.testing.judging.measured import Measured, measured
+from comity.testing.trials.attempt import attempted
 from comity.testing.trials.profiles import named
-from comity.testing.trials.trial import attempted
 
 if TYPE_CHECKING:
     from comity.testing.trials.case import Across, Case
@@ -42,7 +42,7 @@ class Among:
     def measured(self) -> Iterator[Measured]:
         """What every profile's episode amounts to."""
         for case in self.across.cases:
-            yield self.before.get(case.id) or measured(attempted(case))
+            yield self.before.get(case.id) or measured(case, attempted(case))
 
 
 @lru_cache(maxsize=256)

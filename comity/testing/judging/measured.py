@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -14,11 +14,15 @@ from comity.testing.amounts.moments import intrusion
 from comity.testing.amounts.standing import Standing, standing
 from comity.testing.judging.safety import Danger, dangers
 from comity.testing.kinds.order import visited
+from comity.testing.trials.visits import approached, outcome_of, values_when_judged, visit_of
 from comity_executor.memory.meeting import SAY_ACT
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity.testing.trials.case import Case
+    from comity_executor import TraceEvent
+    from comity_sim2d import Frames
 
 PHASES = ("way", "coming near", "greeting", "attending")
 _OF_NODE = {
@@ -68,50 +72,54 @@ class Measured:
                 yield f"distance_reached_m.{person}", round(reached, 4)
 
 
-def measured(trial: Trial) -> Measured:
-    """Sum a trial up."""
-    stops = {person: standing(trial, person) for person in trial.approached}
-    fared = [trial.outcome_of(person) for person in trial.prepared.file.scenario.visited()]
+def measured(case: Case, episode: Episode) -> Measured:
+    """Sum up what came of a case."""
+    prepared, frames = episode.prepared, episode.frames
+    stops = {person: standing(frames, episode.visits, person) for person in approached(prepared.plan)}
+    fared = [outcome_of(episode, person) for person in prepared.file.scenario.visited()]
     outcomes = [outcome for outcome in fared if outcome != "declined"]
-    person = trial.case.people[0]
-    values = {name: trial.values(person, name)[name] for name in trial.prepared.values[person].parameters}
+    person = case.people[0]
+    values = {
+        name: values_when_judged(episode, person, name)[name] for name in prepared.values[person].parameters
+    }
     return Measured(
-        scenario=trial.prepared.file.scenario.name,
-        profile=trial.case.profile_name,
-        seed=trial.case.seed,
-        outcome=trial.episode.outcome,
+        scenario=prepared.file.scenario.name,
+        profile=case.profile_name,
+        seed=case.seed,
+        outcome=episode.outcome,
         served=sum(outcome in _SERVED for outcome in outcomes),
         wanted=len(outcomes),
-        time_s=trial.episode.history.end_s,
-        phases_s=_phases(trial),
-        intrusion_s=_intrusion_s(trial),
-        detour_m=_detour_m(trial, [stop for stop in stops.values() if stop]),
+        time_s=episode.history.end_s,
+        phases_s=_phases(episode.events),
+        intrusion_s=_intrusion_s(episode),
+        detour_m=_detour_m(frames, episode.metrics.path_length_m, [stop for stop in stops.values() if stop]),
         distances_m={
-            name: (_wanted_m(trial, name), stop.distance_m if stop else None) for name, stop in stops.items()
+            name: (_target_m(episode, name), stop.distance_m if stop else None)
+            for name, stop in stops.items()
         },
         values={name: value.value for name, value in values.items()},
         settings=tuple(name for name, value in values.items() if value.origin == "setting"),
-        order=visited(trial),
-        dangers=tuple(dangers(trial)),
+        order=visited(episode.events),
+        dangers=tuple(dangers(episode)),
     )
 
 
-def _wanted_m(trial: Trial, person: str) -> float:
-    """The distance that the robot went by last: somebody may have asked for another one by then."""
-    visit = trial.visit(person)
+def _target_m(episode: Episode, person: str) -> float:
+    """The distance that the robot went by last: the person may have asked for another one by then."""
+    visit = visit_of(episode.visits, person)
     if visit is not None and visit.wanted is not None:
         return visit.wanted.distance_m
-    return trial.values(person, DISTANCE)[DISTANCE].number
+    return values_when_judged(episode, person, DISTANCE)[DISTANCE].number
 
 
-def _intrusion_s(trial: Trial) -> float:
-    stay = intrusion(trial).longest(trial.episode.frames)
+def _intrusion_s(episode: Episode) -> float:
+    stay = intrusion(episode).longest(episode.frames)
     return stay.length_s if stay else 0.0
 
 
-def _phases(trial: Trial) -> dict[str, float]:
+def _phases(events: Iterable[TraceEvent]) -> dict[str, float]:
     spans: dict[str, list[tuple[float, float]]] = {phase: [] for phase in PHASES}
-    for took, start, node in actions(trial):
+    for took, start, node in actions(events):
         acts = node.action in VERBS or node.action == SAY_ACT
         phase = _OF_NODE.get(node.action) or ("greeting" if acts else None)
         if phase:
@@ -128,10 +136,9 @@ def _covered(spans: list[tuple[float, float]]) -> float:
     return total
 
 
-def _detour_m(trial: Trial, stops: list[Standing]) -> float:
-    frames = trial.episode.frames
+def _detour_m(frames: Frames, path_length_m: float, stops: list[Standing]) -> float:
     ordered = sorted(stops, key=lambda stop: stop.t)
     moments = [0, *(int(abs(frames.time_s - stop.t).argmin()) for stop in ordered)]
     places = [frames.poses[moment, 0, :2] for moment in moments]
     straight = sum(math.dist(one, other) for one, other in pairwise(places))
-    return max(0.0, trial.episode.metrics.path_length_m - straight)
+    return max(0.0, path_length_m - straight)

@@ -23,7 +23,8 @@ from comity_sim2d.metrics import clearances_m, speeds_m_s
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity_executor import History
     from comity_sim2d import Frames, RobotBody
 
 NEAREST_M = 0.30
@@ -46,49 +47,49 @@ class Danger:
     because: tuple[str, ...]
 
 
-def dangers(trial: Trial) -> Iterator[Danger]:
+def dangers(episode: Episode) -> Iterator[Danger]:
     """Contacts, and whoever the robot came too near or near too fast: each at its worst moment."""
-    frames, metrics = trial.episode.frames, trial.episode.metrics
+    frames, metrics, history = episode.frames, episode.metrics, episode.history
     if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
         got = f"{counted(things, 'contact')} with walls and furniture"
         because: tuple[str, ...] = ()
-        for t, into in islice(bumps(trial, THINGS), 1):
-            got, because = f"{got}, at t={t:.2f} s it bumped into {into}", tuple(before_bump(trial, t))
+        for t, into in islice(bumps(frames.entities[1:], episode.events, THINGS), 1):
+            got, because = f"{got}, at t={t:.2f} s it bumped into {into}", tuple(before_bump(history, t))
         yield Danger("no contact", got, because)
     gaps, speeds = clearances_m(frames), speeds_m_s(frames)
     coming, come = coming_m_s(frames), _they_come_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):
         gap = gaps[:, i]
-        least_m = _least_m(trial, person)
+        least_m = _least_m(episode, person)
         spare = np.where(coming[:, i] > COMING_M_S, gap[1:] - least_m[1:], np.inf)
         worst = int(np.argmin(spare)) + 1
         if spare[worst - 1] < -_SLACK:
             t, limit = float(frames.time_s[worst]), f"{least_m[worst]:g} m from {person}"
-            yield _danger(trial, limit, f"{gap[worst]:.3f} m at t={t:.2f} s", t)
+            yield _danger(history, limit, f"{gap[worst]:.3f} m at t={t:.2f} s", t)
         near = np.minimum(gap[1:], gap[:-1]) < NEAR_M
         begun = near & ~np.concatenate(([False], near[:-1])) & (come[:, i] > COMING_M_S)
-        most = _most_m_s(frames.time_s, speeds, begun, trial.prepared.scene.robot)
+        most = _most_m_s(frames.time_s, speeds, begun, episode.prepared.scene.robot)
         over = np.where(near, speeds - most, -np.inf)
         worst = int(np.argmax(np.where(over > _SLACK, speeds, -np.inf)))
         if over[worst] > _SLACK:
             t = float(frames.time_s[worst])
             yield _danger(
-                trial,
+                history,
                 f"at most {FASTEST_NEAR_M_S:g} m/s within {NEAR_M:g} m of {person}",
                 f"{speeds[worst]:.2f} m/s at t={t:.2f} s",
                 t,
             )
 
 
-def _least_m(trial: Trial, person: str) -> NDArray[np.float64]:
+def _least_m(episode: Episode, person: str) -> NDArray[np.float64]:
     """How near the robot may come to a person at each frame [m], shape (n,): less while they let it pass."""
-    time_s = trial.episode.frames.time_s
+    time_s = episode.frames.time_s
     least_m = np.full(len(time_s), NEAREST_M)
-    for one in trial.episode.disturbances:
+    for one in episode.disturbances:
         end_s = one.t if one.end_s is None else one.end_s
         if one.kind == "passage" and one.about == person and end_s > one.t:
             passes = (time_s >= one.t) & (time_s <= end_s)
-            least_m[passes] = trial.prepared.scene.robot.margin_m
+            least_m[passes] = episode.prepared.scene.robot.margin_m
     return least_m
 
 
@@ -139,5 +140,5 @@ def _most_m_s(
     return most
 
 
-def _danger(trial: Trial, limit: str, got: str, t: float) -> Danger:
-    return Danger(limit, got, tuple(causes.at_time(trial, t)))
+def _danger(history: History, limit: str, got: str, t: float) -> Danger:
+    return Danger(limit, got, tuple(causes.at_time(history, t)))

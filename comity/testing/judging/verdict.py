@@ -14,15 +14,16 @@ from comity.testing.golden.place import place_of
 from comity.testing.judging.among import Among
 from comity.testing.judging.measured import Measured, measured
 from comity.testing.kinds.state import OUTCOME, State, judge_outcome
+from comity.testing.trials.attempt import attempted
 from comity.testing.trials.case import Across
-from comity.testing.trials.trial import attempted
 from comity_domain import PlanningFailed
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
+    from comity.episode import Episode
     from comity.testing.collection.cases import Claim
     from comity.testing.expectation import Written
-    from comity.testing.trials.trial import Trial
+    from comity.testing.trials.case import Case
 
 
 NOTHING: Mapping[str, Measured] = MappingProxyType({})
@@ -65,13 +66,13 @@ def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured]
     try:
         if isinstance(claim.case, Across):
             return Verdict(tuple(_compared(claim, Among(claim.case, before))))
-        trial = attempted(claim.case)
+        episode = attempted(claim.case)
     except PlanningFailed as failed:
         finding = Finding("a plan", failed.reason, (failed.remedy,))
         goals = claim.case.file.where("goals")
         return Verdict((Failure("everybody can be served", goals, finding),))
-    failures = [*_failures(claim, trial), *_changed(claim, trial, update=update)]
-    return Verdict(tuple(failures), measured(trial))
+    failures = [*_failures(claim, episode), *_changed(claim.case, episode, update=update)]
+    return Verdict(tuple(failures), measured(claim.case, episode))
 
 
 def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
@@ -80,22 +81,22 @@ def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
         yield from _placed(one, one.meaning.compare(among))
 
 
-def _failures(claim: Claim, trial: Trial) -> Iterator[Failure]:
+def _failures(claim: Claim, episode: Episode) -> Iterator[Failure]:
     for one in claim.expectations:
         assert judges(one.meaning)
-        yield from _placed(one, one.meaning.judge(trial))
+        yield from _placed(one, one.meaning.judge(episode))
     if not any(_about_outcome(one) for one in claim.expectations):
-        for finding in judge_outcome(trial, "success"):
+        for finding in judge_outcome(episode, "success"):
             yield Failure("outcome is success", claim.case.file.where("goals"), finding)
 
 
-def _changed(claim: Claim, trial: Trial, *, update: bool) -> Iterator[Failure]:
+def _changed(case: Case, episode: Episode, *, update: bool) -> Iterator[Failure]:
     """What differs from the golden episode; or the golden episode is written."""
     if update:
-        store(trial)
+        store(case, episode)
         return
-    for finding in differences(trial):
-        yield Failure("as in the golden episode", Where(shown(place_of(trial.case))), finding)
+    for finding in differences(case, episode):
+        yield Failure("as in the golden episode", Where(shown(place_of(case))), finding)
 
 
 def _about_outcome(one: Written) -> bool:

@@ -10,13 +10,15 @@ from comity.testing.amounts.amount import Bounds
 from comity.testing.amounts.shaping import shaping_price
 from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import require_goal
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_domain.explanation.agenda_reason import AFTER, BEFORE
 from comity_domain.explanation.company_reason import ONE_BY_ONE
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity.preparation import Prepared
     from comity_domain import PlanStep
 
 SIDES = ("front", "left", "right")
@@ -50,14 +52,16 @@ class OtherChoice(Expectation):
             return cls(person, choice, priced[0], "")
         return cls(person, choice, None, priced[1] or "")
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Another price, no such choice, or one that is open."""
-        require_choice(trial, self.person, self.choice)
-        judged = self._judge_excluded(trial) if self.price is None else self._judge_price(trial, self.price)
-        yield from judged
+        require_choice(episode.prepared, self.person, self.choice)
+        if self.price is None:
+            yield from self._judge_excluded(episode)
+        else:
+            yield from self._judge_price(episode, self.price)
 
-    def _judge_price(self, trial: Trial, price: Bounds) -> Iterator[Finding]:
-        steps = trial.prepared.plan.steps
+    def _judge_price(self, episode: Episode, price: Bounds) -> Iterator[Finding]:
+        steps = episode.prepared.plan.steps
         found = [
             (other.extra_cost, step, other.because)
             for step in steps
@@ -67,7 +71,7 @@ class OtherChoice(Expectation):
         ]
         if not found:
             expected = f"{self} to cost {price.told('m')} more"
-            yield Finding(expected, self._why_none(steps), tuple(self._because(trial, steps)))
+            yield Finding(expected, self._why_none(steps), tuple(self._because(episode, steps)))
             return
         extra_cm, step, because = min(found, key=lambda each: each[0])
         extra_m = extra_cm / 100
@@ -75,16 +79,16 @@ class OtherChoice(Expectation):
             yield Finding(
                 f"{self} to cost {price.told('m', extra_m)} more",
                 price.missed_by(extra_m, "m", " more"),
-                (*([because] if because else []), *self._because(trial, (step,))),
+                (*([because] if because else []), *self._because(episode, (step,))),
             )
 
-    def _judge_excluded(self, trial: Trial) -> Iterator[Finding]:
-        steps = trial.prepared.plan.steps
+    def _judge_excluded(self, episode: Episode) -> Iterator[Finding]:
+        steps = episode.prepared.plan.steps
         reasons = list(self._reasons(steps))
         if not any(holds(reason, self.words) for reason in reasons):
             because = f" because of “{self.words}”" if self.words else ""
             got = f"it is excluded: {reasons[0]}" if reasons else "it is not excluded"
-            yield Finding(f"{self} excluded{because}", got, tuple(self._because(trial, steps)))
+            yield Finding(f"{self} excluded{because}", got, tuple(self._because(episode, steps)))
 
     def __str__(self) -> str:
         chosen = f"from the {self.choice}" if self.choice in SIDES else f"with {self.choice}"
@@ -113,26 +117,26 @@ class OtherChoice(Expectation):
         whose = arguments[1:2] if self.choice in SIDES else (*arguments[1:2], *step.people)
         return self.person in whose and self.choice in arguments[2:]
 
-    def _because(self, trial: Trial, steps: Sequence[PlanStep]) -> Iterator[str]:
+    def _because(self, episode: Episode, steps: Sequence[PlanStep]) -> Iterator[str]:
         """The steps for the person, and what the plan goes by: the places of the others move the price."""
         for step in steps:
             if self.person in step.people:
                 arguments = ", ".join(step.arguments)
                 yield f"step      {step.action}({arguments}), cost {step.cost}: {step.why.text}"
-        yield from shaping_price(trial, self.person)
+        yield from shaping_price(episode, self.person)
 
 
-def require_choice(trial: Trial, person: str, choice: str) -> None:
+def require_choice(prepared: Prepared, person: str, choice: str) -> None:
     """Refuse a choice that no plan has: it would fail without a word about its typo.
 
     Raises:
         InputError: where no goal names the person, or no step of any plan can be done so.
     """
-    trial.require_goal(person)
-    parameters = trial.prepared.rulebook.parameters
+    require_goal(prepared.file.scenario, person)
+    parameters = prepared.rulebook.parameters
     greetings = (parameters.get(name) for name in ("greeting_modality", "greeting_gesture"))
     words = [category.name for each in greetings for category in getattr(each, "categories", ())]
-    planned = [word for step in trial.prepared.plan.steps for word in step.arguments[2:]]
+    planned = [word for step in prepared.plan.steps for word in step.arguments[2:]]
     known = (*SIDES, *words, NO_GESTURE, ONE_BY_ONE, BEFORE, AFTER, *planned)
     if choice not in known:
         raise InputError(

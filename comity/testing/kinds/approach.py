@@ -10,9 +10,10 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.amount import told
 from comity.testing.amounts.standing import standing
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import approached, require_goal
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,20 +34,20 @@ class ApproachSide(Expectation):
         person, *sides = parts
         return cls(person, tuple(side.lower() for side in sides))
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Each person approached from another side."""
-        trial.require_goal(*self.people)
-        for person in self.people or trial.approached:
-            stood = standing(trial, person)
+        require_goal(episode.prepared.file.scenario, *self.people)
+        for person in self.people or approached(episode.prepared.plan):
+            stood = standing(episode.frames, episode.visits, person)
             expected = f"{' or '.join(self.sides)} of {person}"
             if stood is None:
-                because = tuple(causes.of_visit(trial, person))
+                because = tuple(causes.of_visit(episode, person))
                 yield Finding(expected, "the robot never stopped there", because)
             elif stood.side not in self.sides:
                 got = f"{stood.side}, at {told(stood.bearing_deg, 'deg')}, at t={stood.t:.2f} s"
                 because = (
-                    *causes.of_visit(trial, person),
-                    *causes.of_node(trial, f"docked?({person})", "success", ended_s=stood.t),
-                    *causes.of_parameter(trial, "approach_direction", person, stood.t),
+                    *causes.of_visit(episode, person),
+                    *causes.of_node(episode.history, f"docked?({person})", "success", ended_s=stood.t),
+                    *causes.of_parameter(episode, "approach_direction", person, stood.t),
                 )
                 yield Finding(expected, got, because)

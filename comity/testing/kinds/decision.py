@@ -11,11 +11,12 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.quantity import require_parameter
 from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import to_visit, values_when_judged
 from comity_fis import InputError, closest
 from comity_fis.inference.value import Origin
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,10 +54,10 @@ class DecidedBy(Expectation):
             )
         return cls(parameter, person, origin, words)
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Each person for whom another origin decided, or no contribution has the words."""
-        for person in self.people or trial.wanted:
-            values = trial.values(person, self.parameter)
+        for person in self.people or to_visit(episode):
+            values = values_when_judged(episode, person, self.parameter)
             require_parameter(self.parameter, values)
             value = values[self.parameter]
             contributions = because(value, values.inputs)
@@ -67,5 +68,5 @@ class DecidedBy(Expectation):
             yield Finding(
                 f"{self.parameter} of {person} decided{by}{words}",
                 f"{value.origin}: {contributions.splitlines()[0]}" if self.words else value.origin,
-                tuple(causes.of_parameter(trial, self.parameter, person)),
+                tuple(causes.of_parameter(episode, self.parameter, person)),
             )

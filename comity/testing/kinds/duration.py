@@ -10,9 +10,10 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.amount import Amount, Bounds
 from comity.testing.amounts.course import runs
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.nodes import events_of, nodes_named
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
 
 
 SLACK_S = 1e-6
@@ -37,20 +38,20 @@ class Duration(Expectation):
         exact = bounds.least if bounds.least == bounds.most else None
         return cls(node, Bounds.around(exact, Amount(causes.TICK_S, "s")) if exact else bounds)
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Every run that is too short or too long; and that there is none."""
-        nodes = {node.path for node in trial.nodes_named(self.node)}
-        ran = list(runs(trial, nodes))
+        nodes = nodes_named(episode, self.node)
+        ran = list(runs(events_of(episode, self.node)))
         expected = f"{self.node} for {self.bounds.told('s')}"
         if not nodes:
-            yield Finding(expected, causes.absent(self.node), tuple(causes.of_absence(trial, self.node)))
+            yield Finding(expected, causes.absent(self.node), tuple(causes.of_absence(episode, self.node)))
         elif not ran:
             got = f"{self.node} never ran for longer than a tick"
-            yield Finding(expected, got, tuple(causes.of_last(trial, self.node)))
+            yield Finding(expected, got, tuple(causes.of_last(episode, self.node)))
         for took_s, start_s, node in ran:
             if not self.bounds.holds(took_s, "s", slack=SLACK_S):
                 yield Finding(
                     f"{self.node} for {self.bounds.told('s', took_s)}",
                     f"{node.name} for {self.bounds.missed_by(took_s, 's', f', from t={start_s:.2f} s')}",
-                    tuple(causes.of_node(trial, node.name, ended_s=start_s + took_s)),
+                    tuple(causes.of_node(episode.history, node.name, ended_s=start_s + took_s)),
                 )

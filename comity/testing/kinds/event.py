@@ -10,10 +10,11 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.amount import AT_LEAST_ONCE, NEVER, Times, times
 from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.nodes import events_of, nodes_named
 from comity_fis import InputError
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
     from comity_executor import TraceEvent
 
 PLAN = "plan_holds?"
@@ -65,27 +66,27 @@ class Event(Expectation):
         often = NEVER if never else often or AT_LEAST_ONCE
         return cls(node[0] if node else PLAN, " ".join(verb.lower().split()), words, often, bool(per_person))
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """A count that is wrong, with the events and their causes."""
-        events = trial.events_of(self.node)
+        events = events_of(episode, self.node)
         happened = [event for event in events if event.status == STATUS[self.verb]]
         counted = [event for event in happened if self.words is None or _holds(event, self.words)]
-        for whose, group in self._groups(trial, counted):
+        for whose, group in self._groups(episode, counted):
             if not self.often.holds(len(group)):
                 others = [event for event in happened if event not in counted]
                 shown = group if self.often.exceeded_by(len(group)) else others or group or events[-1:]
                 yield Finding(
-                    self._expected(whose), self._got(group, happened), tuple(self._because(trial, shown))
+                    self._expected(whose), self._got(group, happened), tuple(self._because(episode, shown))
                 )
 
     def _groups(
-        self, trial: Trial, counted: Sequence[TraceEvent]
+        self, episode: Episode, counted: Sequence[TraceEvent]
     ) -> Iterator[tuple[str, Sequence[TraceEvent]]]:
         """All events, or those about each person: `nod(anna)` and `nod(ben)` are named for them."""
         if not self.per_person:
             yield self.node, counted
             return
-        names = dict.fromkeys(node.name for node in trial.nodes_named(self.node))
+        names = dict.fromkeys(node.name for node in nodes_named(episode, self.node))
         for name in names or (self.node,):
             yield name, [event for event in counted if event.node == name]
 
@@ -100,12 +101,12 @@ class Event(Expectation):
     def _got(self, group: Sequence[TraceEvent], happened: Sequence[TraceEvent]) -> str:
         return times(len(group)) + ("" if self.words is None else f", of {len(happened)} in all")
 
-    def _because(self, trial: Trial, shown: Sequence[TraceEvent]) -> Iterator[str]:
+    def _because(self, episode: Episode, shown: Sequence[TraceEvent]) -> Iterator[str]:
         """What was counted or came instead; of a node without any event, why it never ran."""
-        told = list(causes.of_events(trial, self.node, shown[:MOST]))
-        yield from told or causes.of_last(trial, self.node)
+        told = list(causes.of_events(episode, self.node, shown[:MOST]))
+        yield from told or causes.of_last(episode, self.node)
         if not shown:
-            yield from causes.of_unserved(trial)
+            yield from causes.of_unserved(episode)
 
 
 def _holds(event: TraceEvent, words: str) -> bool:

@@ -10,12 +10,13 @@ from comity.parameters.consent import TOUCHING
 from comity.testing.amounts import causes
 from comity.testing.amounts.acting import Done, done_for
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import outcome_of, require_goal, to_visit
 from comity_executor.memory.meeting import SAY_ACT
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
 
 WORDS = ("words", "speech", "utterance", SAY_ACT)
 
@@ -58,22 +59,22 @@ class GreetingContent(Expectation):
         pairs = zip(items[::2], items[1::2], strict=True)
         return cls(person, _possible(tuple(Item(_known(name), no is None) for no, name in pairs)))
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Each person who is greeted otherwise."""
-        trial.require_goal(*self.people)
-        for person in self.people or trial.wanted:
-            done = done_for(trial, person)
+        require_goal(episode.prepared.file.scenario, *self.people)
+        for person in self.people or to_visit(episode):
+            done = done_for(episode, person)
             acts = [each.act for each in done if each.is_greeting]
             wrong = [item for item in self.items if item.among(acts) != item.wanted]
             if wrong:
                 because = (
-                    *causes.of_step(trial, "Greet", person),
-                    *causes.of_parameter(trial, "greeting_gesture", person),
-                    *causes.of_parameter(trial, "greeting_modality", person),
+                    *causes.of_step(episode, "Greet", person),
+                    *causes.of_parameter(episode, "greeting_gesture", person),
+                    *causes.of_parameter(episode, "greeting_modality", person),
                 )
                 got = (
                     " and ".join(WORDS[0] if act == SAY_ACT else act for act in acts)
-                    or f"no act ({trial.outcome_of(person)})"
+                    or f"no act ({outcome_of(episode, person)})"
                 )
                 besides = dict.fromkeys(str(each) for each in _elsewhere(wrong, done))
                 expected = f"{' and '.join(map(str, self.items))} for {person}"

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.amounts import causes
 from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import goals_of, spoken_to
 from comity_executor.memory.meeting import SAY_ACT
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity.scenario import Scenario
     from comity_sim2d import ActEvent
 
 _ASKED = "no goal names {}: they are only asked to make way, where they are in it"
@@ -47,45 +49,44 @@ class Hearing(Expectation):
         """The person or the group."""
         return (self.hearer,)
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Each person to whom the words were not said, or were although they never should be."""
-        for person, of_group in _members(trial, self.hearer):
-            said = _said_to(trial, person)
+        for person, of_group in _members(episode.prepared.file.scenario, self.hearer):
+            said = _said_to(episode, person)
             having = [act for act in said if _has(act, self.words)]
             if self.never and having:
-                yield self._said(trial, person, of_group, having)
+                yield self._said(episode, person, of_group, having)
             elif not self.never and all(act.stopped for act in having):
-                yield self._not_said(trial, person, of_group, said)
+                yield self._not_said(episode, person, of_group, said)
 
-    def _not_said(self, trial: Trial, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
-        spoken_to = _spoken_to(trial, person)
+    def _not_said(self, episode: Episode, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
+        stood_before = spoken_to(episode.visits, person)
         counted = Counter(_quoted(act) for act in said)
         heard = " ".join(
             words if count == 1 else f"{words}, {count} times" for words, count in counted.items()
         )
         because = (
-            *(() if person in trial.goals else (_ASKED.format(person),)),
-            *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
-            *(() if said else _why_silent(trial, person, spoken_to)),
-            *causes.of_node(trial, f"{SAY_ACT}({spoken_to})"),
-            *causes.of_parameter(trial, "greeting_modality", person),
+            *(() if person in goals_of(episode.prepared.file.scenario) else (_ASKED.format(person),)),
+            *((_WITH.format(person, stood_before),) if stood_before != person else ()),
+            *(() if said else _why_silent(episode, person, stood_before)),
+            *causes.of_node(episode.history, f"{SAY_ACT}({stood_before})"),
+            *causes.of_parameter(episode, "greeting_modality", person),
         )
         return Finding(f"“{self.words}” to {person}{of_group}", heard or "not a word", because)
 
-    def _said(self, trial: Trial, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
-        spoken_to = _spoken_to(trial, person)
+    def _said(self, episode: Episode, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
+        stood_before = spoken_to(episode.visits, person)
         because = (
-            *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
+            *((_WITH.format(person, stood_before),) if stood_before != person else ()),
             *(f"t={act.t_start:.2f}..{act.t_end:.2f} s  {act.act}({act.person})" for act in said),
-            *causes.of_node(trial, f"{said[0].act}({said[0].person})", ended_s=said[0].t_end),
+            *causes.of_node(episode.history, f"{said[0].act}({said[0].person})", ended_s=said[0].t_end),
         )
         heard = " ".join(dict.fromkeys(_quoted(act) for act in said))
         return Finding(f"never “{self.words}” to {person}{of_group}", heard, because)
 
 
-def _members(trial: Trial, who: str) -> Iterator[tuple[str, str]]:
+def _members(scenario: Scenario, who: str) -> Iterator[tuple[str, str]]:
     """The person, or everybody of a group, with the words that say so."""
-    scenario = trial.prepared.file.scenario
     if who in scenario.people:
         yield who, ""
     else:
@@ -93,26 +94,20 @@ def _members(trial: Trial, who: str) -> Iterator[tuple[str, str]]:
             yield member, f", of {who}"
 
 
-def _spoken_to(trial: Trial, person: str) -> str:
-    """Before whom the robot stands when it greets them."""
-    visit = trial.visit(person)
-    return (visit.together_with if visit else None) or person
-
-
-def _said_to(trial: Trial, person: str) -> list[ActEvent]:
+def _said_to(episode: Episode, person: str) -> list[ActEvent]:
     """All utterances that are meant for somebody."""
-    spoken_to = _spoken_to(trial, person)
+    stood_before = spoken_to(episode.visits, person)
     return [
         act
-        for act in trial.episode.acts
-        if act.text and (act.person == person or (act.person == spoken_to and act.act == SAY_ACT))
+        for act in episode.acts
+        if act.text and (act.person == person or (act.person == stood_before and act.act == SAY_ACT))
     ]
 
 
-def _why_silent(trial: Trial, person: str, spoken_to: str) -> Iterator[str]:
+def _why_silent(episode: Episode, person: str, stood_before: str) -> Iterator[str]:
     """What came of the visit, and how the greeting was planned: words may be ruled out, as by noise."""
-    yield from causes.of_visit(trial, person)
-    yield from causes.of_step(trial, "Greet", spoken_to)
+    yield from causes.of_visit(episode, person)
+    yield from causes.of_step(episode, "Greet", stood_before)
 
 
 def _has(act: ActEvent, words: str) -> bool:

@@ -11,7 +11,7 @@ from comity.testing.amounts.quantity import NoQuantity, quantities, require_sens
 from comity.testing.expectation import Expectation, Finding
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,9 +29,9 @@ class MetricBounds(Expectation):
     def __post_init__(self) -> None:
         require_sensible(self.quantity, self.person, self.bounds)
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Every number outside, and every person for whom there is none."""
-        for found in quantities(trial, self.quantity, self.person):
+        for found in quantities(episode, self.quantity, self.person):
             if isinstance(found, NoQuantity):
                 yield Finding(f"{found.name} {self.bounds.told(found.unit)}", found.got, found.because)
             elif not self.bounds.holds(found.number, found.unit):

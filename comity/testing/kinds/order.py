@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.amounts import causes, ordering
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import require_goal
 from comity_fis import InputError
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
+    from comity_executor import TraceEvent
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,21 +40,21 @@ class VisitOrder(Expectation):
         """All that it names."""
         return self.names
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Another order, or a person who was not visited."""
-        trial.require_goal(*self.names)
-        order = visited(trial)
+        require_goal(episode.prepared.file.scenario, *self.names)
+        order = visited(episode.events)
         got = tuple(name for name in order if name in self.names)
         if got != self.names:
             missing = [name for name in self.names if name not in got]
             because = (
-                *ordering.of_order(trial, self.names),
-                *(line for name in missing for line in causes.of_visit(trial, name)),
+                *ordering.of_order(episode, self.names),
+                *(line for name in missing for line in causes.of_visit(episode, name)),
             )
             yield Finding(", then ".join(self.names), ", then ".join(order) or "nobody", because)
 
 
-def visited(trial: Trial) -> tuple[str, ...]:
+def visited(events: Iterable[TraceEvent]) -> tuple[str, ...]:
     """The people at whom the robot docked, in order."""
-    docked = (ordering.docked_at(event) for event in trial.episode.events)
+    docked = (ordering.docked_at(event) for event in events)
     return tuple(dict.fromkeys(name for name in docked if name is not None))

@@ -12,11 +12,12 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.course import of_lateness, of_plan
 from comity.testing.amounts.quantity import is_figure, require_parameter
 from comity.testing.expectation import Expectation, Finding
+from comity.testing.trials.visits import outcome_of, require_goal, to_visit, values_when_judged, visit_of
 from comity_executor import PROPER_OUTCOMES
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
 if TYPE_CHECKING:
-    from comity.testing.trials.trial import Trial
+    from comity.episode import Episode
     from comity_fis.inference.value import ParameterValue
 
 OUTCOME, PLAN = "outcome", "plan"
@@ -47,44 +48,44 @@ class State(Expectation):
             raise InputError(expected="what a plan may be", got=repr(word), remedy=closest(word, PROOFS))
         return cls(subject, person, word)
 
-    def judge(self, trial: Trial) -> Iterator[Finding]:
+    def judge(self, episode: Episode) -> Iterator[Finding]:
         """Another word."""
         if self.subject == OUTCOME:
-            yield from judge_outcome(trial, self.word)
+            yield from judge_outcome(episode, self.word)
         elif self.subject == PLAN:
-            yield from _judge_plan(trial, self.word)
-        elif self.subject in trial.prepared.file.scenario.people:
-            yield from self._fares(trial)
+            yield from _judge_plan(episode, self.word)
+        elif self.subject in episode.prepared.file.scenario.people:
+            yield from self._fares(episode)
         else:
-            yield from self._parameter(trial)
+            yield from self._parameter(episode)
 
-    def _fares(self, trial: Trial) -> Iterator[Finding]:
-        trial.require_goal(self.subject)
+    def _fares(self, episode: Episode) -> Iterator[Finding]:
+        require_goal(episode.prepared.file.scenario, self.subject)
         if self.word not in FARES:
             raise InputError(
                 expected=f"what may come of {self.subject}'s visit",
                 got=repr(self.word),
                 remedy=closest(self.word, FARES),
             )
-        got = trial.outcome_of(self.subject)
+        got = outcome_of(episode, self.subject)
         if got != self.word:
-            because = tuple(causes.of_visit(trial, self.subject))
+            because = tuple(causes.of_visit(episode, self.subject))
             yield Finding(f"{self.subject} {self.word}", got, because)
 
-    def _parameter(self, trial: Trial) -> Iterator[Finding]:
+    def _parameter(self, episode: Episode) -> Iterator[Finding]:
         if is_figure(self.subject):
             raise InputError(
                 expected=f"a number: {self.subject} is one",
                 got=repr(self.word),
                 remedy=f"Write `{self.subject} at most` or `at least`, a number and its unit.",
             )
-        for person in self.people or trial.wanted:
-            values = trial.values(person, self.subject)
-            require_parameter(self.subject, values, (OUTCOME, PLAN, *trial.prepared.file.scenario.people))
-            self._require_word(trial.prepared.rulebook.parameters[self.subject], values[self.subject])
+        for person in self.people or to_visit(episode):
+            values = values_when_judged(episode, person, self.subject)
+            require_parameter(self.subject, values, (OUTCOME, PLAN, *episode.prepared.file.scenario.people))
+            self._require_word(episode.prepared.rulebook.parameters[self.subject], values[self.subject])
             got = values[self.subject].value
             if got != self.word:
-                because = tuple(causes.of_parameter(trial, self.subject, person))
+                because = tuple(causes.of_parameter(episode, self.subject, person))
                 yield Finding(f"{self.subject} {self.word} for {person}", str(got), because)
 
     def _require_word(self, parameter: NumericParameter | NominalParameter, value: ParameterValue) -> None:
@@ -108,34 +109,36 @@ def _rounded(value: ParameterValue) -> str:
     return f"{value.number:.2f} {unit or ''} within 0.01 {unit or ''}".replace("  ", " ").strip()
 
 
-def judge_outcome(trial: Trial, wanted: str) -> Iterator[Finding]:
+def judge_outcome(episode: Episode, wanted: str) -> Iterator[Finding]:
     """Another outcome of the whole, with everybody who was not greeted, or late."""
-    got = trial.episode.outcome
+    got = episode.outcome
     if got != wanted:
-        people = trial.prepared.file.scenario.visited()
-        fared = [name for name in people if not _served_in_time(trial, name)] or people
+        people = episode.prepared.file.scenario.visited()
+        fared = [name for name in people if not _served_in_time(episode, name)] or people
         because = (
-            line for name in fared for line in (f"{name:9} {trial.outcome_of(name)}", *_of_visit(trial, name))
+            line
+            for name in fared
+            for line in (f"{name:9} {outcome_of(episode, name)}", *_of_visit(episode, name))
         )
         yield Finding(f"outcome {wanted}", got, tuple(because))
 
 
-def _of_visit(trial: Trial, name: str) -> tuple[str, ...]:
+def _of_visit(episode: Episode, name: str) -> tuple[str, ...]:
     """Why somebody's visit went as it did; of one that was over too late, what took the time."""
-    visit = trial.visit(name)
-    return (tuple(of_lateness(trial, visit)) if visit else ()) or tuple(causes.of_visit(trial, name))
+    visit = visit_of(episode.visits, name)
+    return (tuple(of_lateness(episode, visit)) if visit else ()) or tuple(causes.of_visit(episode, name))
 
 
-def _served_in_time(trial: Trial, name: str) -> bool:
-    visit = trial.visit(name)
-    late = visit is not None and late_s(trial.prepared, visit)
-    return trial.outcome_of(name) in PROPER_OUTCOMES and not late
+def _served_in_time(episode: Episode, name: str) -> bool:
+    visit = visit_of(episode.visits, name)
+    late = visit is not None and late_s(episode.prepared, visit)
+    return outcome_of(episode, name) in PROPER_OUTCOMES and not late
 
 
-def _judge_plan(trial: Trial, wanted: str) -> Iterator[Finding]:
+def _judge_plan(episode: Episode, wanted: str) -> Iterator[Finding]:
     """A plan of which something else is known, with who made it and what is known of its cost."""
-    plan = trial.prepared.plan
+    plan = episode.prepared.plan
     got = PROOFS[0] if plan.optimal else PROOFS[1]
     if got != wanted:
         costs = f"costs {plan.cost / 100:.2f} m, none less than {plan.bound / 100:.2f} m"
-        yield Finding(f"plan {wanted}", got, (f"plan      by {plan.engine}: {costs}", *of_plan(trial)))
+        yield Finding(f"plan {wanted}", got, (f"plan      by {plan.engine}: {costs}", *of_plan(episode)))

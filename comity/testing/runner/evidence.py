@@ -98,7 +98,7 @@ def _folder_of(path: Path) -> Path:
 
 def _recorded(case: Case, out: Path) -> Evidence:
     from comity.recording import record
-    from comity.testing.trials.trial import prepared_case
+    from comity.testing.trials.attempt import prepared_case
     from comity_domain import PlanningFailed
 
     try:

@@ -1,0 +1,43 @@
+"""One case, planned and carried out."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from comity.live_episode import execute
+from comity.preparation import Prepared, prepare
+
+if TYPE_CHECKING:
+    from comity.episode import Episode
+    from comity.testing.trials.case import Case
+
+MOST_STORED = 32
+"""Episodes of a process that comparisons of profiles need not run again."""
+
+
+def attempted(case: Case) -> Episode:
+    """Plan a case and carry it out.
+
+    Raises:
+        InputError: if anything that it names cannot be used.
+        PlanningFailed: if there is no plan.
+    """
+    return _attempted(case)
+
+
+@lru_cache(maxsize=MOST_STORED)
+def _attempted(case: Case) -> Episode:
+    return execute(prepared_case(case), seed=case.seed)
+
+
+def prepared_case(case: Case) -> Prepared:
+    """A case with its plan, before the world moves."""
+    return prepare(
+        case.file,
+        profiles=case.profiles,
+        rulebook=case.rulebook,
+        seed=case.seed,
+        at=case.day,
+        engine=case.engine,
+    )
