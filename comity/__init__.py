@@ -93,6 +93,8 @@ def run(
         InputError: if anything given cannot be used.
         PlanningFailed: if the planner finds no plan.
     """
+    from dataclasses import replace
+
     from comity.live.loading import require_map_robot
     from comity.live.start import as_seen, for_adults
     from comity.live_episode import execute
@@ -117,15 +119,16 @@ def run(
         file = at_site(file, language=site_language, wordings=tuple(map(str, wordings)))
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
-        return execute(
+        episode = execute(
             prepared, seed=seed, acts=acts or {}, robot=robot, unreviewed_wordings=unreviewed_wordings
         )
+        return replace(episode, page=_page_of)
     from pathlib import Path
 
     from comity.recording import record
 
     called = None if robot is None else type(robot).__name__
-    return record(
+    recorded = record(
         prepared,
         seed=seed,
         out=Path(out),
@@ -133,7 +136,8 @@ def run(
         robot=robot,
         called=called,
         unreviewed_wordings=unreviewed_wordings,
-    ).episode
+    )
+    return replace(recorded.episode, page=_page_of)
 
 
 def infer(
@@ -186,6 +190,12 @@ def profile(name: str, *, rulebook: str = "evidence") -> StoredProfile:
     from comity.adaptation.stored_profile import StoredProfile
 
     return StoredProfile(name, rulebook)
+
+
+def _page_of(episode: Episode) -> str:
+    from comity.recording import page_of
+
+    return page_of(episode)
 
 
 def _day(at: date | str | None) -> date | None:

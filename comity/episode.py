@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Literal
@@ -77,6 +77,8 @@ class Episode:
     """How the loop of a real robot kept its rate; None in the simulated world."""
     uncertain: frozenset[str] = frozenset()
     """Of whom a real robot was not sure at some time who they were: nothing is learnt about them."""
+    page: Callable[[Episode], str] | None = None
+    """Makes the HTML page that a notebook shows; None where the episode is shown as text."""
 
     def __repr__(self) -> str:
         name, seconds = self.prepared.file.scenario.name, of_episode(self.metrics)["duration_s"]
@@ -85,10 +87,10 @@ class Episode:
         head = f"<Episode {name}, seed {self.seed}: {self.outcome} after {seconds:.1f} s"
         return "\n  ".join((head, *visits[:SHOWN], *more)) + ">"
 
-    def _repr_html_(self) -> str:
-        from comity.recording import page_of
-
-        page = escape(page_of(self))
+    def _repr_html_(self) -> str | None:
+        if self.page is None:
+            return None
+        page = escape(self.page(self))
         return f'<iframe srcdoc="{page}" width="100%" height="{FRAME_PX}" style="border: 0"></iframe>'
 
     def to_frame(self, table: Table = "frames") -> DataFrame:

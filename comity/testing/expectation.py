@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeGuard
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity.testing.judging.among import Among
+    from comity.testing.measuring.compared_profiles import ComparedProfiles
     from comity_fis import Where
 
 
@@ -68,7 +68,7 @@ class ProfileComparison(Sentence):
         return ()
 
     @abstractmethod
-    def compare(self, among: Among) -> Iterator[Finding]:
+    def compare(self, compared: ComparedProfiles) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
 
 

@@ -17,7 +17,7 @@ from comity.testing.naming import GOLDEN, RESULT, SUFFIX
 
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
-    from comity.testing.judging.measured import Measured
+    from comity.testing.measuring.measured import Measured
     from comity.testing.runner.result import Result
 
 FIRST_WORKER = "gw0"

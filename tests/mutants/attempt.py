@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from comity.testing.judging.measured import Measured
+    from comity.testing.measuring.measured import Measured
     from comity.testing.runner.result import Result
     from tests.mutants.reach import Reach
 

@@ -7,9 +7,9 @@ import pytest
 from comity.episode import fingerprint
 from comity.system.scenario_sets import taught_scenarios
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.verdict import judged
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.attempt import attempted
+from comity.testing.verdict import judged
 from tests.scenarios import golden
 from tests.scenarios.every import SCENARIOS, sample_of
 

@@ -10,7 +10,7 @@ import pytest
 from rooms import scenario
 
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.verdict import Verdict, judged
+from comity.testing.verdict import Verdict, judged
 
 
 @pytest.fixture

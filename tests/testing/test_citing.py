@@ -10,9 +10,9 @@ import pytest
 import comity_fis
 from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.golden.file import store
-from comity.testing.judging.verdict import judged
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.attempt import attempted
+from comity.testing.verdict import judged
 from comity_fis import InputError
 
 RULES = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text(encoding="utf-8")

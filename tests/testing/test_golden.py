@@ -18,8 +18,8 @@ from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
 from comity.testing.golden.file import Golden
 from comity.testing.golden.place import place_of
-from comity.testing.judging.verdict import judged
 from comity.testing.runner.result import result_of
+from comity.testing.verdict import judged
 from comity_fis import InputError
 
 HALL = "schema_version: 1\nname: hall\nrooms:\n  hall: {box_m: [0, 0, 8, 6]}\n"

@@ -16,8 +16,8 @@ from comity.people.store import Store
 from comity.testing.collection.cases import claims_in
 from comity.testing.golden.edit import MOST
 from comity.testing.golden.place import place_of
-from comity.testing.judging.verdict import judged
 from comity.testing.runner.result import result_of
+from comity.testing.verdict import judged
 from comity_fis import InputError
 
 HALL = """\

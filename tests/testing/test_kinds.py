@@ -10,13 +10,13 @@ from rooms import FIRST_LINE, scenario
 
 from comity.testing.amounts.moments import intrusion
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.measured import measured
-from comity.testing.judging.safety import dangers
-from comity.testing.judging.verdict import Failure, judged
 from comity.testing.kinds import KINDS
+from comity.testing.measuring.measured import measured
+from comity.testing.measuring.safety import dangers
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.attempt import attempted
 from comity.testing.trials.visits import visit_of
+from comity.testing.verdict import Failure, judged
 from comity_fis import InputError
 
 PAPER = "matrix: {people: [host], profiles: paper}\n"

@@ -9,8 +9,8 @@ import pytest
 from comity.episode import Episode
 from comity.testing.amounts.acting import done_for
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.verdict import judged
 from comity.testing.trials.attempt import attempted
+from comity.testing.verdict import judged
 
 COFFEE = """\
 schema_version: 1

@@ -9,7 +9,7 @@ import pytest
 from comity.people.store import Store
 from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.verdict import judged
+from comity.testing.verdict import judged
 from comity_fis import InputError
 
 AMAL = "schema_version: 1\nname: amal\nculture: DEU\ngender: male\n"

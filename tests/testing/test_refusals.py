@@ -18,9 +18,9 @@ from comity.testing.amounts.amount import Amount, Bounds
 from comity.testing.collection.cases import claims_in
 from comity.testing.grammar.sentence import parsed
 from comity.testing.grammar.vocabulary import KEYWORDS, UNITS
-from comity.testing.judging.verdict import judged
 from comity.testing.kinds import KINDS
 from comity.testing.kinds.metric import MetricBounds
+from comity.testing.verdict import judged
 from comity_fis import InputError, Where
 from comity_fis.variables.unit import QUANTITIES
 from comity_sim2d.metrics import EPISODE, VISIT

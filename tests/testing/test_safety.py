@@ -17,7 +17,7 @@ from comity.episode import Episode
 from comity.testing.amounts.causes import TICK_S
 from comity.testing.amounts.quantity import quantities
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.safety import dangers
+from comity.testing.measuring.safety import dangers
 from comity.testing.trials.attempt import attempted
 from comity.testing.trials.case import Case
 from comity_executor import Cause

@@ -17,9 +17,9 @@ from comity.system.library import shipped
 from comity.testing.amounts.shaping import HEAD
 from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.expectation import Finding
-from comity.testing.judging.verdict import Failure, judged
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.case import DAY
+from comity.testing.verdict import Failure, judged
 from comity_fis import Where
 
 

@@ -12,9 +12,9 @@ from saved import saved
 
 from comity.episode import Episode
 from comity.testing.collection.cases import claims_in
-from comity.testing.judging.verdict import Failure, judged
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.attempt import attempted
+from comity.testing.verdict import Failure, judged
 from comity_fis import InputError
 
 HALL = """\

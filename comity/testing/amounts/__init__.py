@@ -1,1 +1,1 @@
-"""Numbers of a episode with units, and the causes behind each: course, places, distances, parameters."""
+"""Numbers of an episode with units, and the causes behind each: course, places, distances, parameters."""

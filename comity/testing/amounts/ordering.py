@@ -29,6 +29,12 @@ def docked_at(event: TraceEvent) -> str | None:
     return event.person if event.status == "success" and event.action == DOCKED else None
 
 
+def visited(events: Iterable[TraceEvent]) -> tuple[str, ...]:
+    """The people at whom the robot docked, in order."""
+    docked = (docked_at(event) for event in events)
+    return tuple(dict.fromkeys(name for name in docked if name is not None))
+
+
 def of_order(episode: Episode, people: Sequence[str]) -> Iterator[str]:
     """Why these people are visited in another order than this: the plan's reason, and those of later plans.
 

@@ -10,8 +10,8 @@ from comity.testing.golden.edit import Edit, bears_on, edits
 from comity_executor import Cause, Divergence, TraceEvent, first_divergence
 
 if TYPE_CHECKING:
-    from comity.testing.golden.file import Golden
     from comity.testing.golden.leaves import Source
+    from comity.testing.golden.record import Golden
 
 MOST = 3
 """Choices that are named where the same is told of several."""

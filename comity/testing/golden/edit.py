@@ -14,8 +14,8 @@ from comity.testing.golden.leaves import BETWEEN
 from comity.testing.trials.case import from_here
 
 if TYPE_CHECKING:
-    from comity.testing.golden.file import Golden
     from comity.testing.golden.leaves import Source
+    from comity.testing.golden.record import Golden
 
 MOST = 6
 """Lines about a file: who writes it anew needs no list."""

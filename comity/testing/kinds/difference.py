@@ -13,7 +13,7 @@ from comity.testing.expectation import Finding, ProfileComparison
 from comity_fis import InputError
 
 if TYPE_CHECKING:
-    from comity.testing.judging.among import Among
+    from comity.testing.measuring.compared_profiles import ComparedProfiles
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +43,9 @@ class ProfileDifference(ProfileComparison):
         """The two."""
         return (self.one, self.other)
 
-    def compare(self, among: Among) -> Iterator[Finding]:
+    def compare(self, compared: ComparedProfiles) -> Iterator[Finding]:
         """Too small a difference, with what each value comes from."""
-        answers = [among.values(profile) for profile in self.profiles]
+        answers = [compared.values(profile) for profile in self.profiles]
         require_parameter(self.parameter, answers[0])
         one, other = (values[self.parameter] for values in answers)
         if self.least is not None and isinstance(one.value, str):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -13,7 +13,6 @@ from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity_executor import TraceEvent
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +42,7 @@ class VisitOrder(Expectation):
     def judge(self, episode: Episode) -> Iterator[Finding]:
         """Another order, or a person who was not visited."""
         require_goal(episode.prepared.file.scenario, *self.names)
-        order = visited(episode.events)
+        order = ordering.visited(episode.events)
         got = tuple(name for name in order if name in self.names)
         if got != self.names:
             missing = [name for name in self.names if name not in got]
@@ -52,9 +51,3 @@ class VisitOrder(Expectation):
                 *(line for name in missing for line in causes.of_visit(episode, name)),
             )
             yield Finding(", then ".join(self.names), ", then ".join(order) or "nobody", because)
-
-
-def visited(events: Iterable[TraceEvent]) -> tuple[str, ...]:
-    """The people at whom the robot docked, in order."""
-    docked = (ordering.docked_at(event) for event in events)
-    return tuple(dict.fromkeys(name for name in docked if name is not None))

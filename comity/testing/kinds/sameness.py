@@ -12,7 +12,7 @@ from comity.testing.amounts.quantity import require_parameter
 from comity.testing.expectation import Finding, ProfileComparison
 
 if TYPE_CHECKING:
-    from comity.testing.judging.among import Among
+    from comity.testing.measuring.compared_profiles import ComparedProfiles
 
 TOPICS = ("safety", "outcome", "order")
 
@@ -32,26 +32,26 @@ class ProfileSameness(ProfileComparison):
         (topics,) = parts
         return cls(tuple(topics))
 
-    def compare(self, among: Among) -> Iterator[Finding]:
+    def compare(self, compared: ComparedProfiles) -> Iterator[Finding]:
         """Every topic in which profiles differ."""
         for topic in self.topics:
             if topic == "safety":
-                yield from _unsafe(among)
+                yield from _unsafe(compared)
             elif topic in TOPICS:
-                yield from _differing(topic, among)
+                yield from _differing(topic, compared)
             else:
-                yield from _differing_parameter(topic, among)
+                yield from _differing_parameter(topic, compared)
 
 
-def _unsafe(among: Among) -> Iterator[Finding]:
-    for one in among.measured():
+def _unsafe(compared: ComparedProfiles) -> Iterator[Finding]:
+    for one in compared.measured():
         for danger in one.dangers:
             yield Finding(f"{danger.limit}, for everybody", f"{danger.got} for {one.profile}", danger.because)
 
 
-def _differing(topic: str, among: Among) -> Iterator[Finding]:
+def _differing(topic: str, compared: ComparedProfiles) -> Iterator[Finding]:
     groups: dict[str, list[str]] = {}
-    for one in among.measured():
+    for one in compared.measured():
         what = one.outcome if topic == "outcome" else ", then ".join(one.order)
         groups.setdefault(what, []).append(one.profile)
     if len(groups) > 1:
@@ -59,11 +59,11 @@ def _differing(topic: str, among: Among) -> Iterator[Finding]:
         yield Finding(f"one {topic} for all", got)
 
 
-def _differing_parameter(parameter: str, among: Among) -> Iterator[Finding]:
+def _differing_parameter(parameter: str, compared: ComparedProfiles) -> Iterator[Finding]:
     groups: dict[str, list[str]] = {}
     because: list[str] = []
-    for case in among.across.cases:
-        values = among.values(case.profile_name)
+    for case in compared.across.cases:
+        values = compared.values(case.profile_name)
         require_parameter(parameter, values, TOPICS)
         value = told(values[parameter].value, values[parameter].unit)
         if value not in groups:

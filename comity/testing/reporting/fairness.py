@@ -19,7 +19,7 @@ from comity.testing.reporting.answers import UnexplainedAnswer
 from comity.testing.reporting.summary import by_case, served_alike, shared
 
 if TYPE_CHECKING:
-    from comity.testing.judging.measured import Measured
+    from comity.testing.measuring.measured import Measured
     from comity.testing.runner.result import Result
 
 PLACE = ("conversational_distance", "approach_direction")

@@ -14,7 +14,7 @@ from comity.testing.reporting.answers import ServedAnswer, TriedAnswer
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from comity.testing.judging.measured import Measured
+    from comity.testing.measuring.measured import Measured
     from comity.testing.runner.result import Result
 
 

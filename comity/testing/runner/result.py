@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Literal
 from pydantic import TypeAdapter
 
 from comity.testing.collection.cases import shown
-from comity.testing.judging.measured import Measured
-from comity.testing.judging.verdict import NOTHING, judged
+from comity.testing.measuring.measured import Measured
 from comity.testing.runner.evidence import NONE, kept, removed
 from comity.testing.runner.telling import again, command, failure_text
 from comity.testing.trials.case import Across, from_here
+from comity.testing.verdict import NOTHING, judged
 from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
-    from comity.testing.judging.verdict import Verdict
     from comity.testing.runner.evidence import Evidence
+    from comity.testing.verdict import Verdict
 
 Status = Literal["passed", "failed", "xfailed", "xpassed", "refused"]
 """`xfailed`: it failed as its file says it must; `xpassed`: it did not, which is a failure, too."""

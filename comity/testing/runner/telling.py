@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from comity.testing.collection.cases import Claim
-    from comity.testing.judging.verdict import Failure
     from comity.testing.runner.evidence import Evidence
+    from comity.testing.verdict import Failure
 
 WIDTH = 100
 _INDENT = " " * 13

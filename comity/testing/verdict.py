@@ -11,9 +11,9 @@ from comity.testing.collection.cases import shown
 from comity.testing.expectation import Finding, compares, judges
 from comity.testing.golden.file import differences, store
 from comity.testing.golden.place import place_of
-from comity.testing.judging.among import Among
-from comity.testing.judging.measured import Measured, measured
 from comity.testing.kinds.state import OUTCOME, State, judge_outcome
+from comity.testing.measuring.compared_profiles import ComparedProfiles
+from comity.testing.measuring.measured import Measured, measured
 from comity.testing.trials.attempt import attempted
 from comity.testing.trials.case import Across
 from comity_domain import PlanningFailed
@@ -65,7 +65,7 @@ def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured]
     """
     try:
         if isinstance(claim.case, Across):
-            return Verdict(tuple(_compared(claim, Among(claim.case, before))))
+            return Verdict(tuple(_compared(claim, ComparedProfiles(claim.case, before))))
         episode = attempted(claim.case)
     except PlanningFailed as failed:
         finding = Finding("a plan", failed.reason, (failed.remedy,))
@@ -75,10 +75,10 @@ def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured]
     return Verdict(tuple(failures), measured(claim.case, episode))
 
 
-def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
+def _compared(claim: Claim, compared: ComparedProfiles) -> Iterator[Failure]:
     for one in claim.expectations:
         assert compares(one.meaning)
-        yield from _placed(one, one.meaning.compare(among))
+        yield from _placed(one, one.meaning.compare(compared))
 
 
 def _failures(claim: Claim, episode: Episode) -> Iterator[Failure]:

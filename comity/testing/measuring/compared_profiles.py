@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity.parameters.cast import cast_of
-from comity.testing.judging.measured import Measured, measured
+from comity.testing.measuring.measured import Measured, measured
 from comity.testing.trials.attempt import attempted
 from comity.testing.trials.profiles import named
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Among:
+class ComparedProfiles:
     """What comparisons are held against; values need no episode.
 
     Args:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from comity.parameters.passing import DISTANCE
 from comity.testing.amounts.course import actions
 from comity.testing.amounts.moments import intrusion
+from comity.testing.amounts.ordering import visited
 from comity.testing.amounts.standing import Standing, standing
-from comity.testing.judging.safety import Danger, dangers
-from comity.testing.kinds.order import visited
+from comity.testing.measuring.safety import Danger, dangers
 from comity.testing.trials.visits import approached, outcome_of, values_when_judged, visit_of
 from comity_executor.memory.meeting import SAY_ACT
 from comity_sim2d.robot.acts import VERBS
