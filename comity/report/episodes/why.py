@@ -149,9 +149,14 @@ def _chain(event: TraceEvent, undisclosed: Undisclosed) -> Iterator[str]:
 
 def event_answer(event: TraceEvent) -> EventAnswer:
     """An event as `comity trace --json` has it."""
-    from dataclasses import asdict
-
-    return EventAnswer.model_validate(asdict(event))
+    return EventAnswer(
+        t=event.t,
+        node=event.node,
+        path=event.path,
+        status=event.status,
+        halt=event.halt,
+        because=tuple(map(_cause_answer, event.because)),
+    )
 
 
 def _cause_answer(cause: Cause) -> CauseAnswer:
