@@ -17,10 +17,10 @@ from comity.system.library import looks_like_a_file
 from comity_domain.custom import (
     BindingRefusedError,
     Bound,
-    Clock,
+    BoundPeople,
     CustomPlan,
     CustomProblem,
-    People,
+    PlanningClock,
     bind,
     in_one_process,
     planned,
@@ -91,11 +91,13 @@ def plan_domain(
         InputError: with file, line and remedy, for whatever cannot be used.
         PlanningFailed: There is no plan, or none was found within the limit.
     """
-    call = partial(_planned, (domain, problem, binding, others), engine, Clock(time_limit_s))
+    call = partial(_planned, (domain, problem, binding, others), engine, PlanningClock(time_limit_s))
     return in_one_process(call, limit_s=time_limit_s)
 
 
-def _planned(files: tuple[Path, Path, Path | None, Others], engine: str | None, clock: Clock) -> CustomPlan:
+def _planned(
+    files: tuple[Path, Path, Path | None, Others], engine: str | None, clock: PlanningClock
+) -> CustomPlan:
     return planned(replace(bound_domain(*files), engine=engine), clock)
 
 
@@ -153,7 +155,7 @@ class _Written:
         with self.file.placing("rulebook"):
             return load_rulebook(beside if looks_like_a_file(name, beside) else name)
 
-    def people(self, rulebook: Rulebook) -> People:
+    def people(self, rulebook: Rulebook) -> BoundPeople:
         others = {name.lower(): profile for name, profile in self.others.profiles.items()}
         known = {}
         for name, person in self.binding.people.items():
@@ -162,7 +164,7 @@ class _Written:
         for name, profile in self.others.profiles.items():
             if name.lower() in others:
                 known[name] = self._on_the_day(_other(profile), rulebook)
-        return People(known, rulebook)
+        return BoundPeople(known, rulebook)
 
     def _inferred(
         self, name: str, person: str | BoundPerson, rulebook: Rulebook, other: str | None

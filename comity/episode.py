@@ -14,11 +14,11 @@ from comity.schedule import Disturbance
 from comity_executor import (
     History,
     Node,
+    NodeExplanation,
     ReadingSeries,
     Revision,
     TraceEvent,
     Visit,
-    Why,
     Write,
     trace_lines,
     trace_sha256,
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
     from comity.data_frames import Table
-    from comity.monitoring.told import Told
+    from comity.monitoring.told import ParameterUpdate
     from comity.preparation import Prepared
     from comity_domain import PlanStep
     from comity_executor import LoopReport
@@ -65,7 +65,7 @@ class Episode:
     """What was planned for everybody, by the last plan that had them."""
     revisions: tuple[Revision, ...]
     """What took over from the first plan, in order."""
-    told: tuple[Told, ...]
+    told: tuple[ParameterUpdate, ...]
     """What people asked for on the way, in order: it counts from then on."""
     disturbances: tuple[Disturbance, ...]
     """Changes, faults, messages and walks of people, by time: what the robot had to cope with."""
@@ -131,7 +131,7 @@ class Episode:
         """The digest of the trace, written out anew whenever it is asked for: equal for equal episodes."""
         return trace_sha256(trace_lines(self.events, self.nodes))
 
-    def why(self, t: float) -> tuple[Why, ...]:
+    def why(self, t: float) -> tuple[NodeExplanation, ...]:
         """Why the tree did at a time [s] what it did: one reason for every action that runs then.
 
         Raises:

@@ -67,7 +67,7 @@ SOONER_S = 10
 
 
 @dataclass(frozen=True, slots=True)
-class Progress:
+class EpisodeProgress:
     """How far an episode is, for whoever waits for it."""
 
     simulated_s: float
@@ -156,7 +156,7 @@ class LiveEpisode:
             tolerance_m=self._world.robot.capabilities.tolerance_m,
         )
 
-    def run(self, watch: Callable[[Progress], None] | None = None) -> None:
+    def run(self, watch: Callable[[EpisodeProgress], None] | None = None) -> None:
         """Carry the plan out to its end, or to the scenario's limit.
 
         Args:
@@ -170,7 +170,9 @@ class LiveEpisode:
         else:
             self._run_real(cast("RealWorld", self._world), stage, watch)
 
-    def _run_simulated(self, world: World, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
+    def _run_simulated(
+        self, world: World, stage: Stage, watch: Callable[[EpisodeProgress], None] | None
+    ) -> None:
         while self._tick(world) == "running" and not self._ends_in_time():
             if watch and world.time_s % 1.0 < 1e-9:
                 watch(self._progress())
@@ -178,7 +180,9 @@ class LiveEpisode:
             self._schedule.step(stage)
         _come_to_rest(world, self._execution)
 
-    def _run_real(self, world: RealWorld, stage: Stage, watch: Callable[[Progress], None] | None) -> None:
+    def _run_real(
+        self, world: RealWorld, stage: Stage, watch: Callable[[EpisodeProgress], None] | None
+    ) -> None:
         told_s = 0
         self._guard.doubt(world.robot.uncertain)
 
@@ -208,8 +212,8 @@ class LiveEpisode:
         self._execution.stop(over, halt="timed_out")
         return True
 
-    def _progress(self) -> Progress:
-        return Progress(self._world.time_s, _doing(self._execution))
+    def _progress(self) -> EpisodeProgress:
+        return EpisodeProgress(self._world.time_s, _doing(self._execution))
 
     def resume(self) -> bool:
         """Let a real robot go on after its stop was pressed and released (see `Execution.resume`)."""

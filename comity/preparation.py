@@ -14,9 +14,9 @@ from comity.parameters.cast import Cast, cast_of
 from comity.parameters.margin import margin_facts
 from comity.people.profile import Profile, ProfileGiven
 from comity.planning.circumstances import circumstances, require_gestures
-from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
+from comity.planning.diagnosis import GoalsUnmet, Unmet, UnservedCase, diagnose, in_words
 from comity.planning.punctuality import diagnose_deadlines
-from comity.planning.request import Asked, ask
+from comity.planning.request import PlanningRequest, ask
 from comity.planning.serving import plan_for_most
 from comity.simulation.changes import Changes
 from comity.simulation.faults import Faults
@@ -54,7 +54,7 @@ class Prepared:
     route_map: RouteMap
     visitees: tuple[Visitee, ...]
     """Whom the goals name, whether or not a plan can serve them."""
-    asked: Asked
+    asked: PlanningRequest
     plan: Plan
     learnt: Mapping[str, Mapping[str, Learnt]]
     """By person and parameter, of those with whom something was learnt."""
@@ -68,7 +68,7 @@ class Prepared:
     """What the robot says, and how it addresses people."""
     engine: str
     """Who plans, also when things change."""
-    without_visit: tuple[tuple[Case, str], ...]
+    without_visit: tuple[tuple[UnservedCase, str], ...]
     """Those whom no plan can serve, each with the reason; the plan is for the others."""
 
     @property
@@ -199,8 +199,8 @@ def prepare(
 
 
 def _plan(
-    asked: Asked, scene: Scene, route_map: RouteMap, file: ScenarioFile, engine: str
-) -> tuple[Asked, Plan]:
+    asked: PlanningRequest, scene: Scene, route_map: RouteMap, file: ScenarioFile, engine: str
+) -> tuple[PlanningRequest, Plan]:
     limits = file.scenario.limits
     ends_s = monotonic() + limits.planning_s
     make = partial(plan_with, engine, time_limit_s=limits.planning_s)
@@ -210,7 +210,9 @@ def _plan(
         raise _goals_unmet(failed, asked, limits.planning_s, ends_s=ends_s) from None
 
 
-def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float, *, ends_s: float) -> GoalsUnmet:
+def _goals_unmet(
+    failed: PlanningFailed, asked: PlanningRequest, planning_s: float, *, ends_s: float
+) -> GoalsUnmet:
     """Which goal fails and why, or that the time did not do to know, and which setting gives more."""
     found = diagnose_deadlines(asked.request, ends_s=ends_s)
     cut_off = failed.cut_off or not found.in_time
@@ -226,10 +228,10 @@ def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float, *, end
     return GoalsUnmet(failed.reason, remedy=" ".join(sentences), unmet=found.unmet, cut_off=cut_off)
 
 
-def _case(cast: Cast, scene: Scene, visitee: Visitee) -> Case:
+def _case(cast: Cast, scene: Scene, visitee: Visitee) -> UnservedCase:
     """Somebody who cannot be reached, and how they would be met without some of their wishes."""
     settings = cast.declared[visitee.name].profile.settings
-    return Case(scene, visitee, partial(_values_without, cast, visitee.name), tuple(settings))
+    return UnservedCase(scene, visitee, partial(_values_without, cast, visitee.name), tuple(settings))
 
 
 def _values_without(cast: Cast, person: str, dropped: Sequence[str]) -> Inference:

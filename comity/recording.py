@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.answers import RunAnswer
 from comity.episode import Episode
-from comity.live_episode import LiveEpisode, Progress
+from comity.live_episode import EpisodeProgress, LiveEpisode
 from comity.output import run_folder
 from comity.output.resolved import resolved_files
 from comity.output.run_folder import RunFolder
@@ -48,7 +48,7 @@ def record(
     seed: int = 0,
     out: Path | None = None,
     views: Collection[View] = VIEWS,
-    watch: Callable[[Progress], None] | None = None,
+    watch: Callable[[EpisodeProgress], None] | None = None,
     acts: Mapping[str, MakeAct] = NO_ACTS,
     robot: MapRobot | None = None,
     operator: Operator | None = None,
@@ -100,7 +100,7 @@ def _recorded(
     account: RunAnswer,
     *,
     views: Collection[View],
-    watch: Callable[[Progress], None] | None,
+    watch: Callable[[EpisodeProgress], None] | None,
 ) -> Recorded:
     folder.write(run_folder.RUN, account)
     try:
@@ -181,7 +181,7 @@ def _run(
     live: LiveEpisode,
     folder: RunFolder,
     account: RunAnswer,
-    watch: Callable[[Progress], None] | None,
+    watch: Callable[[EpisodeProgress], None] | None,
 ) -> Episode:
     """Run to the end; whatever that is, what happened is on disk; all but a second of it on SIGKILL."""
     with _records(folder, live) as records:
@@ -195,7 +195,7 @@ def _run(
                 folder.write(run_folder.RUN, account_under_way(account, live))
                 told = news
 
-        def keep_and_tell(progress: Progress) -> None:
+        def keep_and_tell(progress: EpisodeProgress) -> None:
             keep()
             if watch:
                 watch(progress)

@@ -26,7 +26,7 @@ from comity.specification.fault import Fault
 from comity.specification.goal_check import GoalCheck
 from comity.specification.goals import Goal, greeted
 from comity.specification.matrix import Markers, Matrix
-from comity.specification.on_foot import PassersBy, Walks
+from comity.specification.on_foot import PassersBySpec, Walks
 from comity.specification.scenario_check import NameCheck
 from comity.system import library
 from comity_fis import Where
@@ -98,7 +98,7 @@ class RandomPlace(BaseModel):
     random_in: Name = Field(description="A room of the map.")
 
 
-class Standing(BaseModel):
+class Placement(BaseModel):
     """Where somebody is and which way they face."""
 
     model_config = _FILE
@@ -116,7 +116,7 @@ class Standing(BaseModel):
     )
 
     @model_validator(mode="after")
-    def _one_place(self) -> Standing:
+    def _one_place(self) -> Placement:
         if (self.at_m is None) == (self.at is None):
             raise WrongValueError(
                 expected="either `at_m` or `at`",
@@ -126,7 +126,7 @@ class Standing(BaseModel):
         return self
 
 
-class Sensor(BaseModel):
+class SensorSpec(BaseModel):
     """How the robot's knowledge of where people stand differs from the truth; by default it does not."""
 
     model_config = _FILE
@@ -145,7 +145,7 @@ class Sensor(BaseModel):
     hidden_by_walls: bool = Field(default=False, description="Whether walls hide who is behind them.")
 
 
-class RobotStart(Standing):
+class RobotStart(Placement):
     """The robot and where it starts."""
 
     name: Name = "robot"
@@ -164,7 +164,7 @@ class RobotStart(Standing):
     emergency_deceleration_m_s2: Number = Field(
         default=2.0, ge=0.05, le=100, description="How hard it brakes while its emergency stop is pressed."
     )
-    sensor: Sensor = Sensor()
+    sensor: SensorSpec = SensorSpec()
     gesture_reach_m: Mapping[Name, Annotated[Number, Field(ge=0, le=3)]] = Field(
         default_factory=dict,
         description="How far beyond its body each of its gestures reaches; a gesture is out where a "
@@ -182,7 +182,7 @@ class RobotStart(Standing):
     )
 
 
-class Comfort(BaseModel):
+class ComfortSpec(BaseModel):
     """At which distances somebody is at ease, and how they show when they are not: hidden from the robot."""
 
     model_config = _FILE
@@ -196,7 +196,7 @@ class Comfort(BaseModel):
     chance: Number = Field(default=1.0, ge=0, le=1, description="Of showing a discomfort at all.")
 
 
-class Person(Standing):
+class PersonSpec(Placement):
     """Somebody in the place. Without a profile nothing is known about them, which is fine."""
 
     profile: Name | Profile = Field(
@@ -214,7 +214,7 @@ class Person(Standing):
     situation: Mapping[Annotated[str, AfterValidator(_but_posture)], Fact] = Field(
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
-    comfort: Comfort | None = Field(default=None, description="Without it the person does not react.")
+    comfort: ComfortSpec | None = Field(default=None, description="Without it the person does not react.")
     guardian_consent: bool = Field(
         default=False, description="Of a child: the guardian has consented to the study."
     )
@@ -247,7 +247,7 @@ class Already(BaseModel):
     greeted: Name
 
 
-class Limits(BaseModel):
+class LimitsSpec(BaseModel):
     """When to give up, in simulated seconds."""
 
     model_config = _FILE
@@ -355,11 +355,13 @@ class Scenario(BaseModel):
         Annotated[Place, Tag("room")] | Annotated[MapPlace, Tag("on a map")], Discriminator(_kind_of_place)
     ]
     robot: RobotStart
-    people: Mapping[Name, Person] = Field(min_length=1)
+    people: Mapping[Name, PersonSpec] = Field(min_length=1)
     groups: Mapping[Name, tuple[Name, ...]] = Field(
         default_factory=dict, description="People who stand together and may be greeted at once, by a name."
     )
-    passers_by: PassersBy | None = Field(default=None, description="People besides, whom nobody planned for.")
+    passers_by: PassersBySpec | None = Field(
+        default=None, description="People besides, whom nobody planned for."
+    )
     keep_to: Literal["right", "left"] = Field(
         default="right", description="The side on which people who walk evade one another."
     )
@@ -379,7 +381,7 @@ class Scenario(BaseModel):
     faults: tuple[Fault, ...] = Field(
         default=(), max_length=1000, description="What goes wrong while the robot is at it."
     )
-    limits: Limits = Limits()
+    limits: LimitsSpec = LimitsSpec()
     expect: tuple[str | Mapping[str, str], ...] = Field(
         default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
     )

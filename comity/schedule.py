@@ -32,7 +32,7 @@ class Listener(Protocol):
         ...
 
 
-class Tree(Protocol):
+class RunningTree(Protocol):
     """What is carried out."""
 
     def raise_in(self, leaf: str, error: FaultError, *, times: int = 1) -> None:
@@ -46,7 +46,7 @@ class Stage:
 
     world: World
     planner: Listener
-    tree: Tree
+    tree: RunningTree
 
 
 class Happening(Protocol):

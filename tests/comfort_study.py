@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.learning.comfort import EDGE, Comfort
+from comity_fis.learning.comfort import EDGE, ComfortPosterior
 from comity_fis.learning.showing import MISREAD, drawn, misread, shown
 
 Floats = NDArray[np.float64]
@@ -103,7 +103,7 @@ def study(
     contrary = rng.random(people) < population.contrary_people
     trend = population.trend_m * np.where(rng.random(people) < 0.5, -1.0, 1.0)
     answer = liked + ANSWER_M * rng.standard_normal(people)
-    known, rows = Comfort.before_meeting(SPREAD_M, (people,)), []
+    known, rows = ComfortPosterior.before_meeting(SPREAD_M, (people,)), []
     for visit in range(visits):
         if visit:
             known, liked = known.later(days), liked + trend
@@ -123,7 +123,9 @@ def _standardised(rng: np.random.Generator, population: Population, people: int)
     )
 
 
-def _row(known: Comfort, liked: Floats, half: Floats, culture: Floats, answer: Floats) -> list[float]:
+def _row(
+    known: ComfortPosterior, liked: Floats, half: Floats, culture: Floats, answer: Floats
+) -> list[float]:
     """One visit, in the order of `Result`; 0 is everybody's own model value."""
     at = known.offset
     low, high = known.interval()

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.learning.comfort import Comfort
+from comity_fis.learning.comfort import ComfortPosterior
 from comity_fis.learning.signals import SIGNALS
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ class Ours:
     """What Comity does."""
 
     def __init__(self, count: int) -> None:
-        self.known = Comfort.before_meeting(SPREAD_M, (count,))
+        self.known = ComfortPosterior.before_meeting(SPREAD_M, (count,))
 
     def places(self, people: People) -> Floats:
         """As the posterior has it."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.adaptation.observers_words import signal_in_words, situation_told
-from comity.adaptation.observing import Sight
+from comity.adaptation.observing import ObservedSignal
 from comity.people.dated import read_day
 from comity.people.profile import Profile
 from comity.tables.measurements import OPTIONAL, REQUIRED
@@ -29,7 +29,7 @@ OF_STUDIES = frozenset(
 
 def read_sights(
     path: Path, rulebook: Rulebook, *, name: str | None = None, day: date | None = None
-) -> tuple[Sight, ...]:
+) -> tuple[ObservedSignal, ...]:
     """The rows of a CSV file: `signal`, `distance_m`, and `name`, `date` and situations where they are told.
 
     Args:
@@ -69,14 +69,14 @@ def _check_heading(table: CsvTable, known: Iterable[str], name: str | None) -> N
 
 def _sights(
     table: CsvTable, rulebook: Rulebook, situations: Iterable[str], name: str | None, day: date | None
-) -> Iterator[Sight]:
+) -> Iterator[ObservedSignal]:
     place = {heading: index for index, heading in enumerate(table.heading)}
     for count, row in enumerate(table.rows):
         if count == MOST_ROWS:
             raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file.", row.line)
         where = Where(table.file, row.line)
         told = {key: row.cell(place[key]) for key in situations if key in place and row.cell(place[key])}
-        yield Sight(
+        yield ObservedSignal(
             name=_name(table, row, place, name),
             signal=signal_in_words(row.cell(place["signal"]), where),
             distance_m=table.number(row.cell(place["distance_m"]), row.line, "a distance in metres"),

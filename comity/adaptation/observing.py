@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Sight:
+class ObservedSignal:
     """One thing that was seen or heard of a person."""
 
     name: str
@@ -39,7 +39,7 @@ class Sight:
     """Of the row that says so."""
 
 
-def observe(sights: Iterable[Sight], rulebook: Rulebook) -> tuple[Observation, ...]:
+def observe(sights: Iterable[ObservedSignal], rulebook: Rulebook) -> tuple[Observation, ...]:
     """Write down what was seen and heard of people, all or nothing; of each person it is undone at once.
 
     Args:
@@ -56,7 +56,7 @@ def observe(sights: Iterable[Sight], rulebook: Rulebook) -> tuple[Observation, .
     return tuple(seen for _, seen in checked)
 
 
-def _observation(sight: Sight, rulebook: Rulebook) -> Observation:
+def _observation(sight: ObservedSignal, rulebook: Rulebook) -> Observation:
     try:
         return _checked(sight, rulebook)
     except InputError as error:
@@ -65,7 +65,7 @@ def _observation(sight: Sight, rulebook: Rulebook) -> Observation:
         raise error.at(sight.where) from None
 
 
-def _checked(sight: Sight, rulebook: Rulebook) -> Observation:
+def _checked(sight: ObservedSignal, rulebook: Rulebook) -> Observation:
     Store().require(sight.name)
     require_consent(sight.name, "learn")
     declared, day = load_profile(sight.name), sight.day or date.today()
@@ -89,7 +89,7 @@ def _checked(sight: Sight, rulebook: Rulebook) -> Observation:
     )
 
 
-def _refuse_impossible(sight: Sight, day: date, rulebook: Rulebook) -> None:
+def _refuse_impossible(sight: ObservedSignal, day: date, rulebook: Rulebook) -> None:
     if day > date.today():
         raise InputError(
             expected="a meeting that has been",

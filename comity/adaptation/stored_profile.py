@@ -8,7 +8,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.adaptation.observers_words import distance, signal_in_words
-from comity.adaptation.observing import Sight, observe
+from comity.adaptation.observing import ObservedSignal, observe
 from comity.parameters.which_rulebook import EVIDENCE
 from comity.people.dated import day_given
 from comity.people.remembered import undo
@@ -58,7 +58,9 @@ class StoredProfile:
             InputError: if the person did not agree to it, asks for a distance of their own, is a child, or
                 something given cannot be used; nothing is written.
         """
-        sight = Sight(self.name, signal_in_words(signal), distance(distance_m), day_given(at), situation)
+        sight = ObservedSignal(
+            self.name, signal_in_words(signal), distance(distance_m), day_given(at), situation
+        )
         (seen,) = observe([sight], load_rulebook(self.rulebook))
         return seen
 

@@ -14,7 +14,7 @@ from comity.people.learnt_file import PARAMETER, Learning, Observation, comfort_
 from comity.people.profile import load_profile
 from comity.people.remembered import remembered
 from comity.preparation import Prepared, prepare
-from comity.scenario import Comfort, ScenarioFile, load_scenario
+from comity.scenario import ComfortSpec, ScenarioFile, load_scenario
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class Acquaintance:
     """From earlier meetings."""
 
     def prepared(
-        self, comfort: Comfort | None = None, day: date | None = None, learnt: Learnt | None = None
+        self, comfort: ComfortSpec | None = None, day: date | None = None, learnt: Learnt | None = None
     ) -> Prepared:
         """The scenario with this person in it, planned.
 
@@ -112,7 +112,7 @@ def acquainted(
     return Acquaintance(profile, decides, every_days, first, seed, until), kept_as
 
 
-def interval_in_words(words: str) -> Comfort:
+def interval_in_words(words: str) -> ComfortSpec:
     """`0.5..0.8` as the comfort interval of a simulated person.
 
     Raises:
@@ -122,7 +122,7 @@ def interval_in_words(words: str) -> Comfort:
     try:
         near_m, far_m = float(low), float(high)
         if dots and near_m >= 0.0 and near_m + 0.05 <= far_m <= FARTHEST_M:
-            return Comfort(wants_m=(near_m, far_m))
+            return ComfortSpec(wants_m=(near_m, far_m))
     except ValueError:
         pass
     raise InputError(
@@ -133,7 +133,7 @@ def interval_in_words(words: str) -> Comfort:
     )
 
 
-def likes(acquaintance: Acquaintance) -> Comfort:
+def likes(acquaintance: Acquaintance) -> ComfortSpec:
     """The comfort interval of one of the many people whom the model's value and spread describe."""
     import numpy as np
 
@@ -143,10 +143,10 @@ def likes(acquaintance: Acquaintance) -> Comfort:
     half_m = float(parameter.spread * 0.5 * np.exp(0.4 * rng.standard_normal()))
     middle_m = model_m(prepared.values[PERSON][PARAMETER]) + float(parameter.spread * rng.standard_normal())
     middle_m = min(max(middle_m, NEAREST_M + half_m), FARTHEST_M - half_m)
-    return Comfort(wants_m=(round(middle_m - half_m, 3), round(middle_m + half_m, 3)))
+    return ComfortSpec(wants_m=(round(middle_m - half_m, 3), round(middle_m + half_m, 3)))
 
 
-def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[Meeting]:
+def meet(acquaintance: Acquaintance, comfort: ComfortSpec, times: int) -> Iterator[Meeting]:
     """Visit somebody again and again.
 
     Args:
@@ -181,7 +181,7 @@ def _require_days(acquaintance: Acquaintance, times: int) -> None:
 
 def _meet(
     acquaintance: Acquaintance,
-    comfort: Comfort,
+    comfort: ComfortSpec,
     visit: int,
     known: tuple[Learning, ...],
     parameter: NumericParameter,
@@ -209,7 +209,7 @@ def _meet(
     )
 
 
-def _with(file: ScenarioFile, comfort: Comfort | None) -> ScenarioFile:
+def _with(file: ScenarioFile, comfort: ComfortSpec | None) -> ScenarioFile:
     """The stage, with somebody who likes just that."""
     if comfort is None:
         return file

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from comity.answers import PlanAnswer
     from comity.custom_domain import Others
     from comity_domain import PlanningFailed
-    from comity_domain.custom import Bound, Clock, CustomPlan
+    from comity_domain.custom import Bound, CustomPlan, PlanningClock
 
 LEAST_S, MOST_S = 0.1, 86_400.0
 
@@ -84,13 +84,13 @@ def plan_custom_domain(ask: CustomQuestion) -> None:
     from comity.report.custom_domain.plan import no_custom_plan_answer
     from comity.report.text import show
     from comity_domain import PlanningFailed
-    from comity_domain.custom import Clock, in_one_process
+    from comity_domain.custom import PlanningClock, in_one_process
 
     _files(ask)
     plans = 1 + (ask.why is not None) + ask.diff + ask.stability
     try:
         with waiting(f"searching for a plan, {ask.limit_s:g} s at most", quiet=ask.as_json):
-            call = partial(answered, ask, Clock(ask.limit_s))
+            call = partial(answered, ask, PlanningClock(ask.limit_s))
             answer = in_one_process(call, limit_s=ask.limit_s, plans=plans)
     except PlanningFailed as ended:
         answer = no_custom_plan_answer(None, _with_limit(ended, ask.limit_s), renamed={}, files=())
@@ -106,7 +106,7 @@ def plan_custom_domain(ask: CustomQuestion) -> None:
         show(*_text(ask, answer))
 
 
-def answered(ask: CustomQuestion, clock: Clock) -> PlanAnswer:
+def answered(ask: CustomQuestion, clock: PlanningClock) -> PlanAnswer:
     """All that is asked, in this process: for `in_one_process`.
 
     Args:
@@ -119,7 +119,7 @@ def answered(ask: CustomQuestion, clock: Clock) -> PlanAnswer:
     from comity.custom_domain import AS_WRITTEN, bound_domain
     from comity.report.custom_domain.plan import custom_plan_answer, no_custom_plan_answer
     from comity_domain import PlanningFailed
-    from comity_domain.custom import Clock, planned
+    from comity_domain.custom import PlanningClock, planned
 
     domain, problem = _files(ask)
     bound = _by_engine(ask, bound_domain(domain, problem, ask.binding, ask.others))
@@ -129,7 +129,7 @@ def answered(ask: CustomQuestion, clock: Clock) -> PlanAnswer:
         found = planned(bound, clock)
         written = before = None
         if ask.diff:
-            again = Clock(ask.limit_s)
+            again = PlanningClock(ask.limit_s)
             written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN))
             before = planned(written, again)
         answer = custom_plan_answer(bound, found, renamed=renamed, files=files)

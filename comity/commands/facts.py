@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class PersonFacts:
     """A person as the command line describes them, and the rulebook that is to judge."""
 
     rulebook: Rulebook
@@ -90,7 +90,7 @@ def _wordings(parameter: str, inference: Inference) -> tuple[Wording, ...]:
 
 def told_in_words(
     profile: str | None, words: Iterable[str], rulebook: str | None, at: date | None = None
-) -> Told:
+) -> PersonFacts:
     """A profile (nothing disclosed when None) with `VARIABLE=VALUE` words, and a rulebook.
 
     Args:
@@ -102,7 +102,7 @@ def told_in_words(
     person = load_profile(profile) if profile else NOBODY
     book = load_rulebook(rulebook or which_rulebook([person]).name)
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
-    return Told(book, person, facts, day_for(at, person.profile))
+    return PersonFacts(book, person, facts, day_for(at, person.profile))
 
 
 def precise_facts_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float | str]:

@@ -108,7 +108,7 @@ def plan(
         plan_custom_domain(custom_question)
         return
     scenario = _scenario_alone(scenario, limit)
-    ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed, engine)
+    ask = PlanOptions(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed, engine)
     _require_change(diff=diff, changed=bool(ask.profiles or rulebook))
     answer = _answered(
         ask, why=why, diff=diff, stability=stability, validates=validate, pddl=pddl, as_json=as_json
@@ -119,7 +119,7 @@ def plan(
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
+class PlanOptions:
     """Which scenario is planned, and what is other than written."""
 
     scenario: str
@@ -131,7 +131,7 @@ class Question:
 
 
 def _answered(
-    ask: Question,
+    ask: PlanOptions,
     *,
     why: str | None,
     diff: bool,

@@ -13,7 +13,7 @@ from comity_fis.errors import InputError, Where
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from comity.adaptation.observing import Sight
+    from comity.adaptation.observing import ObservedSignal
     from comity.people.learnt_file import Observation
     from comity_fis import ParameterValue, Rulebook
 
@@ -94,12 +94,12 @@ def observe(
 
 def _sight(
     name: str, signal: str, distance: str | None, situation: Mapping[str, float | str], at: str | None
-) -> Sight:
+) -> ObservedSignal:
     from comity.adaptation.observers_words import distance as metres
     from comity.adaptation.observers_words import signal_in_words
-    from comity.adaptation.observing import Sight
+    from comity.adaptation.observing import ObservedSignal
 
-    return Sight(
+    return ObservedSignal(
         name=name,
         signal=signal_in_words(signal, Where("--signal")),
         distance_m=metres(distance, Where("--distance")),

@@ -47,7 +47,7 @@ def _show_day(declared: Declared, at: str | None, rulebook: str | None, as_json:
     from comity.people.profile import day_for
     from comity.people.remembered import remembered
     from comity.people.store import Store
-    from comity.report.people.profile import Shown, profile_answer, profile_text
+    from comity.report.people.profile import ShownProfile, profile_answer, profile_text
     from comity.report.text import show as show_text
     from comity.system.library import shipped
     from comity_fis import load_rulebook
@@ -64,7 +64,7 @@ def _show_day(declared: Declared, at: str | None, rulebook: str | None, as_json:
     learnt = Store().learnt(declared.kept_as) if declared.kept_as and known else None
     note = str(declared.file.data.get("about", "")) if declared.file else ""
     agreed = consents_of(declared.kept_as) if declared.kept_as else None
-    shown = Shown(declared, place, on, inference, learnt, note, agreed)
+    shown = ShownProfile(declared, place, on, inference, learnt, note, agreed)
     if as_json:
         print_json(profile_answer(shown))
     else:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from comity.report.text import console, duration_text
 
 if TYPE_CHECKING:
-    from comity.live_episode import Progress
+    from comity.live_episode import EpisodeProgress
 
 
 @contextmanager
@@ -32,7 +32,7 @@ def waiting(text: str, *, quiet: bool = False) -> Iterator[None]:
 
 
 @contextmanager
-def watching(start: str, *, quiet: bool) -> Iterator[Callable[[Progress], None] | None]:
+def watching(start: str, *, quiet: bool) -> Iterator[Callable[[EpisodeProgress], None] | None]:
     """Show how far an episode is, on standard error.
 
     Args:

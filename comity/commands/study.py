@@ -11,7 +11,7 @@ import typer
 from comity.commands.options import AsJson, print_json
 
 if TYPE_CHECKING:
-    from comity.study.carrying import Carrier
+    from comity.study.carrying import EpisodeRunner
 
 StudyName = Annotated[Path, typer.Argument(metavar="FILE", help="A study; `comity schema study`.")]
 StudyJobs = Annotated[
@@ -98,7 +98,7 @@ def _refuse_both(jobs: int | None, scheduler: str | None) -> None:
         )
 
 
-def _carrier(jobs: int | None, scheduler: str | None) -> Carrier:
+def _carrier(jobs: int | None, scheduler: str | None) -> EpisodeRunner:
     if scheduler is None:
         from comity.study.local_workers import local_carrier
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from comity.answers import DisturbanceAnswer
-    from comity.report.episodes.trace import Recorded
+    from comity.report.episodes.trace import StoredTrace
     from comity_executor import TraceEvent
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="A run folder.")]
@@ -105,7 +105,7 @@ def trace(
 
 
 def _changes(
-    recorded: Recorded,
+    recorded: StoredTrace,
     chosen: Sequence[TraceEvent],
     around: Sequence[DisturbanceAnswer],
     at: float | None,
@@ -117,7 +117,7 @@ def _changes(
     yield from end_text(recorded, (*chosen, *around), at)
 
 
-def _whole(recorded: Recorded, at: float | None) -> Iterator[str]:
+def _whole(recorded: StoredTrace, at: float | None) -> Iterator[str]:
     """The tree, where the run ended, and how much room it takes."""
     from comity.report.episodes.trace import end_text, size_text, tree_at
 

@@ -13,7 +13,7 @@ from comity.commands.options import AsJson, At, PersonsRulebookName, day, print_
 if TYPE_CHECKING:
     from comity.adaptation.visits import Acquaintance, Meeting
     from comity.answers import VisitsAnswer
-    from comity.scenario import Comfort
+    from comity.scenario import ComfortSpec
 
 Profile = Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")]
 Times = Annotated[int, typer.Option(min=1, max=200, help="How many visits.")]
@@ -98,18 +98,18 @@ def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
         refuse_foreign({picture: MARK})
 
 
-def _met(acquaintance: Acquaintance, comfort: Comfort, times: int, *, quiet: bool) -> list[Meeting]:
+def _met(acquaintance: Acquaintance, comfort: ComfortSpec, times: int, *, quiet: bool) -> list[Meeting]:
     """All meetings, with a word on how far they are where somebody watches."""
     from comity.adaptation.visits import meet
     from comity.commands.progress import watching
-    from comity.live_episode import Progress
+    from comity.live_episode import EpisodeProgress
 
     meetings = []
     with watching(f"{acquaintance.profile}: visit 1 of {times}", quiet=quiet) as watch:
         for meeting in meet(acquaintance, comfort, times):
             meetings.append(meeting)
             if watch:
-                watch(Progress(0.0, f"visit {len(meetings)} of {times}"))
+                watch(EpisodeProgress(0.0, f"visit {len(meetings)} of {times}"))
     return meetings
 
 

@@ -13,14 +13,14 @@ from comity_sim2d import Person, RouteMap, Wish, choose_pose, wrap_angle
 from comity_sim2d.navigation.docking import docked
 from comity_sim2d.navigation.past_people import PastPeople
 from comity_sim2d.pose import Pose
-from comity_sim2d.robot.motion import Reading
+from comity_sim2d.robot.motion import PersonEstimate
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.senses.sight import too_short_for
 from comity_sim2d.senses.taken_apart import off_things
 
 if TYPE_CHECKING:
-    from comity_executor import DockingPose, Localisation, MapRobot, PersonTrack
+    from comity_executor import Localisation, MapRobot, PersonTrack, RelativePose
     from comity_sim2d import Scene
 
 SILENT_S = 0.5
@@ -139,7 +139,7 @@ class KnownWorld:
         """Know how a person wants it to pass them."""
         self._seen.learn(person, distance_m=distance_m, speed_m_s=speed_m_s)
 
-    def read(self, person: str, *, told_m: float | None) -> Reading | None:
+    def read(self, person: str, *, told_m: float | None) -> PersonEstimate | None:
         """Distances and angles to a person whom the tracker sees; None otherwise.
 
         Where the sensor is too short for the pose that the robot was told to take beside them, that is how it
@@ -154,7 +154,7 @@ class KnownWorld:
             return None
         stands = docked(self.here, self.scene.robot.radius_m, seen.person)
         here_s = self.own_time_s(localised.stamp_s)
-        return Reading(
+        return PersonEstimate(
             distance_m=stands.distance_m,
             centre_distance_m=stands.centre_distance_m,
             bearing_deg=stands.bearing_deg,
@@ -176,7 +176,7 @@ class KnownWorld:
         robot = self.scene.robot
         return too_short_for(robot.sensor, robot.radius_m + distance_m)
 
-    def pose_for(self, wish: Wish) -> DockingPose | None:
+    def pose_for(self, wish: Wish) -> RelativePose | None:
         """The wanted pose if the map and the people leave it free, else the most desirable one that is."""
         if wish.person in self._seen.lost:
             return None

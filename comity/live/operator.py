@@ -33,7 +33,7 @@ UNAPPROVED = "the plan waits for the operator's approval"
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class OperatorCommand:
     """One thing that the operator said."""
 
     order: Order
@@ -43,7 +43,7 @@ class Word:
     """Of `nearer` and `farther`."""
 
 
-def word_of(line: str) -> Word:
+def word_of(line: str) -> OperatorCommand:
     """A line that the operator typed.
 
     Raises:
@@ -58,7 +58,7 @@ def word_of(line: str) -> Word:
     needs = found in (*OF_PEOPLE, "mark")
     if found is None or needs != bool(about):
         raise InputError(expected=USAGE, got=repr(line.strip()), remedy="Write one of these in a line.")
-    return Word(found, about, metres)
+    return OperatorCommand(found, about, metres)
 
 
 def _metres(text: str, line: str) -> float:
@@ -84,7 +84,7 @@ class Operator:
     """
 
     def __init__(self, *, approves: bool = False, tell: Callable[[str], None] = lambda _: None) -> None:
-        self._said: queue.SimpleQueue[Word] = queue.SimpleQueue()
+        self._said: queue.SimpleQueue[OperatorCommand] = queue.SimpleQueue()
         self._approves = approves
         self._tell = tell
         self._approved = self._plans = 0
@@ -94,45 +94,45 @@ class Operator:
 
     def approve(self) -> None:
         """Let the plan under way begin, where it waits for that."""
-        self.say(Word("approve"))
+        self.say(OperatorCommand("approve"))
 
     def skip(self, person: str) -> None:
         """Leave a person out from now on."""
-        self.say(Word("skip", person))
+        self.say(OperatorCommand("skip", person))
 
     def nearer(self, person: str, metres: float = NUDGE_M) -> None:
         """Come nearer to a person, within what they asked for and showed."""
-        self.say(Word("nearer", person, metres))
+        self.say(OperatorCommand("nearer", person, metres))
 
     def farther(self, person: str, metres: float = NUDGE_M) -> None:
         """Stay farther from a person, unless they asked for their distance."""
-        self.say(Word("farther", person, metres))
+        self.say(OperatorCommand("farther", person, metres))
 
     def consents(self, person: str) -> None:
         """Pass on that a person consents to touch in this meeting: they were asked, and said so."""
-        self.say(Word("consents", person))
+        self.say(OperatorCommand("consents", person))
 
     def withdraws(self, person: str) -> None:
         """Pass on that a person does not consent to touch, or no longer."""
-        self.say(Word("withdraws", person))
+        self.say(OperatorCommand("withdraws", person))
 
     def mark(self, text: str) -> None:
         """Put an event on record."""
-        self.say(Word("mark", text))
+        self.say(OperatorCommand("mark", text))
 
     def stop(self) -> None:
         """Stop, until `resume`."""
-        self.say(Word("stop"))
+        self.say(OperatorCommand("stop"))
 
     def resume(self) -> None:
         """Go on after a stop that is released."""
-        self.say(Word("resume"))
+        self.say(OperatorCommand("resume"))
 
-    def say(self, word: Word) -> None:
+    def say(self, word: OperatorCommand) -> None:
         """Say one word, from any thread."""
         self._said.put(word)
 
-    def words(self) -> Iterator[Word]:
+    def words(self) -> Iterator[OperatorCommand]:
         """What was said since the last call; a stop and what ends one are noted here."""
         while True:
             try:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.live.robot_on_map import RobotOnMap
 from comity.schedule import Disturbance
-from comity_sim2d.frames import Recorder, frame_row
+from comity_sim2d.frames import FrameRecorder, frame_row
 from comity_sim2d.senses.active_faults import ActiveFaults
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class RealWorld:
         self.faults = ActiveFaults()
         """None: what goes wrong here goes wrong by itself."""
         people = ((person.name, person.radius_m) for person in scene.people)
-        self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *people])
+        self._recorder = FrameRecorder([(scene.robot.name, scene.robot.radius_m), *people])
         self._recorded_s = -1.0
         self._halts: list[Disturbance] = []
         self.observe()

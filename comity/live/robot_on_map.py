@@ -16,17 +16,17 @@ if TYPE_CHECKING:
     from comity_executor import (
         ActGoal,
         Capabilities,
-        DockingPose,
         GoalId,
         GoalStatus,
         MapRobot,
         MotionGoal,
         MotionStatus,
+        RelativePose,
         Words,
     )
     from comity_fis.defuzzification.curve import Curve
     from comity_sim2d import ActEvent, Person, Pose, Scene
-    from comity_sim2d.robot.motion import Reading
+    from comity_sim2d.robot.motion import PersonEstimate
 
 
 class RobotOnMap:
@@ -138,7 +138,7 @@ class RobotOnMap:
         carried = getattr(self._base, "carried", None)
         return carried() if carried else None
 
-    def read(self, person: str) -> Reading | None:
+    def read(self, person: str) -> PersonEstimate | None:
         """Distances and angles to a person whom the tracker sees, or presumably; None otherwise."""
         return self._known.read(person, told_m=self._goals.distances_m.get(person))
 
@@ -155,7 +155,7 @@ class RobotOnMap:
         bearing_deg: float,
         distance_desirability: Curve,
         direction_desirability: Curve,
-    ) -> DockingPose | None:
+    ) -> RelativePose | None:
         """The wanted pose if the map and the people leave it free, else the most desirable one that is."""
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         return self._known.pose_for(wish)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from comity.live.driving import sleep_of
-from comity.scenario import Standing
+from comity.scenario import Placement
 from comity_fis import InputError
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ PATIENCE_S = 10.0
 EVERY_S = 0.1
 FARTHEST_REACH_M = 3.0
 """No robot's arm is longer (our choice)."""
-StandingT = TypeVar("StandingT", bound=Standing)
+PlacementT = TypeVar("PlacementT", bound=Placement)
 
 
 def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
@@ -114,14 +114,14 @@ def _sensed(base: MapRobot) -> tuple[Localisation, Sequence[PersonTrack]]:
     )
 
 
-def _as_tracked(person: StandingT, track: PersonTrack) -> StandingT:
+def _as_tracked(person: PlacementT, track: PersonTrack) -> PlacementT:
     heading = track.heading_rad
     if heading is None:
         heading = math.radians(person.facing_deg or 0.0)
     return _standing(person, track.x_m, track.y_m, heading)
 
 
-def _standing(standing: StandingT, x_m: float, y_m: float, heading_rad: float) -> StandingT:
+def _standing(standing: PlacementT, x_m: float, y_m: float, heading_rad: float) -> PlacementT:
     """To the millimetre and a tenth of a degree: what a run writes of it reads like what people write."""
     facing_deg = round(math.degrees(math.remainder(heading_rad, math.tau)), 1)
     return standing.model_copy(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from comity.monitoring.told import later_distances_m, values_at
 from comity.parameters.passing import DISTANCE
 from comity_executor import PROPER_OUTCOMES
-from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
+from comity_sim2d import Contacts, Known, Metrics, Span, TargetStop, measure
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from comity.monitoring.told import Told
+    from comity.monitoring.told import ParameterUpdate
     from comity.preparation import Prepared
     from comity_domain import Plan
     from comity_executor import Revision, TraceEvent, Visit
@@ -40,7 +40,7 @@ def figures(
     events: Sequence[TraceEvent],
     *,
     revisions: Sequence[Revision],
-    told: Sequence[Told],
+    told: Sequence[ParameterUpdate],
     undisturbed: Mapping[str, NDArray[np.float64]],
 ) -> Metrics:
     """Measure an episode.
@@ -74,7 +74,7 @@ def known_of(
     events: Sequence[TraceEvent],
     *,
     revisions: Sequence[Revision],
-    told: Sequence[Told],
+    told: Sequence[ParameterUpdate],
 ) -> Known:
     """Whose distance was what, and whom the robot visited when; the arguments are those above."""
     return Known(
@@ -119,8 +119,8 @@ def _wanted(
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
     revisions: Sequence[Revision],
-    told: Sequence[Told],
-) -> Iterator[Wanted]:
+    told: Sequence[ParameterUpdate],
+) -> Iterator[TargetStop]:
     """The visits that the robot set out for, each with its time and with where it was to stop."""
     asked = _asked(prepared.plan, events, revisions)
     ever = _distances_m(prepared.plan, events, revisions)
@@ -134,7 +134,7 @@ def _wanted(
         docked = (event for event in events if is_of(event, _DOCKED, visit.person))
         ends = (event.t for event in docked if event.status == "success")
         docked_s = next(ends, None)
-        yield Wanted(
+        yield TargetStop(
             person=visit.person,
             span=span,
             way=Span(span.start_s, span.end_s if docked_s is None else docked_s),
@@ -150,7 +150,7 @@ def _wanted(
         )
 
 
-def _own_m(prepared: Prepared, told: Sequence[Told], visit: Visit) -> float | None:
+def _own_m(prepared: Prepared, told: Sequence[ParameterUpdate], visit: Visit) -> float | None:
     """The distance of a person when the robot docked last; None where it never did, or none is known."""
     if visit.docked_s is None:
         return None

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
+class BeliefState:
     """What the robot takes the world for at a time."""
 
     people: tuple[Person, ...]
@@ -64,7 +64,7 @@ class Moment:
             return scene(people=taken_apart(people, body, floor_plan(left, self.doors)))
 
 
-def moment_of(world: Environment, values: Mapping[str, Inference], visited: Collection[str]) -> Moment:
+def moment_of(world: Environment, values: Mapping[str, Inference], visited: Collection[str]) -> BeliefState:
     """What the robot of a world takes it for now.
 
     Args:
@@ -75,4 +75,4 @@ def moment_of(world: Environment, values: Mapping[str, Inference], visited: Coll
     robot = world.robot
     lost = robot.lost()
     absent = frozenset(name for name in robot.missing if name in lost or name not in visited)
-    return Moment(robot.people, world.doors, dict(values), lost, absent, robot.walking)
+    return BeliefState(robot.people, world.doors, dict(values), lost, absent, robot.walking)

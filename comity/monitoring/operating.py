@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.live.operator import OF_PEOPLE, STOPPED, UNAPPROVED, Operator, Word
+from comity.live.operator import OF_PEOPLE, STOPPED, UNAPPROVED, Operator, OperatorCommand
 from comity.monitoring.consenting import consenting
 from comity.monitoring.nudging import nudged
 from comity.schedule import Disturbance
@@ -68,7 +68,7 @@ class Operating:
         if self._operator.has_left and self._operator.holds() == UNAPPROVED:
             self._execution.stop(LEFT)
 
-    def _done(self, word: Word, now_s: float) -> str:
+    def _done(self, word: OperatorCommand, now_s: float) -> str:
         """What came of a word, in words."""
         if word.order in OF_PEOPLE and word.about not in self._execution.values:
             return f"{word.order} {word.about}: refused, nobody is called so"
@@ -85,7 +85,7 @@ class Operating:
                 return f"the operator skipped {word.about}"
         return self._nudge(word) if word.order in ("nearer", "farther") else self._touch(word, now_s)
 
-    def _touch(self, word: Word, now_s: float) -> str:
+    def _touch(self, word: OperatorCommand, now_s: float) -> str:
         given = word.order == "consents"
         does = "consents" if given else "does not consent"
         told = f"the operator says that {word.about} {does} to touch in this meeting"
@@ -97,7 +97,7 @@ class Operating:
         self._guard.tell(word.about, values, told)
         return told
 
-    def _nudge(self, word: Word) -> str:
+    def _nudge(self, word: OperatorCommand) -> str:
         by_m = word.metres if word.order == "farther" else -word.metres
         told = f"the operator wants the robot {word.order} to {word.about} by {word.metres:.2f} m"
         visit = next((each for each in self._execution.visits if each.person == word.about), None)

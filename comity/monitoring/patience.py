@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from comity import scenario as written
 
 
-def limits_of(limits: written.Limits, *, attend_s: float) -> Limits:
+def limits_of(limits: written.LimitsSpec, *, attend_s: float) -> Limits:
     """How patient the tree is.
 
     Args:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from comity.planning.circumstances import circumstances
-from comity.planning.request import Asked, ask
+from comity.planning.request import PlanningRequest, ask
 from comity_sim2d import PastPeople, Scene
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class Remaining:
     walking: Collection[str] = ()
     """Who is going somewhere: they turn round."""
 
-    def asked(self, course: Course, scene: Scene) -> Asked:
+    def asked(self, course: Course, scene: Scene) -> PlanningRequest:
         """The request for whoever is left, from where everybody is now.
 
         What the robot has fetched is for the first who is to get such a thing and can be served; where there
@@ -58,7 +58,7 @@ class Remaining:
             if each.name not in course.done
         )
 
-    def _asked_with(self, course: Course, scene: Scene, bearer: str | None) -> Asked:
+    def _asked_with(self, course: Course, scene: Scene, bearer: str | None) -> PlanningRequest:
         return ask(
             scene,
             PastPeople(scene, self.refused, walkers=self.walking),

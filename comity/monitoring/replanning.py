@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING
 
 from comity.monitoring.hope import what_may_help
 from comity.monitoring.lateness import told_late, without_missed
-from comity.monitoring.moment import Moment, moment_of
+from comity.monitoring.moment import BeliefState, moment_of
 from comity.monitoring.news import MOVED_M, News, Watch, differences
 from comity.monitoring.remaining import Remaining
-from comity.monitoring.told import Told
+from comity.monitoring.told import ParameterUpdate
 from comity.monitoring.verdict import choices, found_again, known, other_ways, verdict
 from comity.parameters.passing import asked_speed_m_s, own_distance_m
-from comity.planning.request import Asked
+from comity.planning.request import PlanningRequest
 from comity.planning.serving import plan_for_most
 from comity_domain import (
     Plan,
@@ -61,7 +61,7 @@ class WorldPlanner:
         self._prepared = prepared
         self._world = world
         self._values = dict(prepared.values)
-        self._told: list[Told] = []
+        self._told: list[ParameterUpdate] = []
         self._watch = Watch(world)
         self._before = self._now()
         self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
@@ -87,7 +87,7 @@ class WorldPlanner:
         for news in differences(person, before, values):
             self._watch.tell(news)
         self._values[person] = values
-        self._told.append(Told(self._world.time_s, person, values, text))
+        self._told.append(ParameterUpdate(self._world.time_s, person, values, text))
         self._world.robot.learn(person, distance_m=own_distance_m(values), speed_m_s=asked_speed_m_s(values))
 
     def skip(self, person: str, reason: str) -> None:
@@ -102,7 +102,7 @@ class WorldPlanner:
         self._watch.tell(News(person, reason))
 
     @property
-    def told(self) -> tuple[Told, ...]:
+    def told(self) -> tuple[ParameterUpdate, ...]:
         """All that it was told so far, in order."""
         return tuple(self._told)
 
@@ -217,18 +217,18 @@ class WorldPlanner:
         stays = Cause("condition", f"the choices stay as planned, whether or not they are the best: {reason}")
         return self._same(plan, (*because, stays))
 
-    def _new(self, plan: Plan, asked: Asked, because: tuple[Cause, ...]) -> Revision:
+    def _new(self, plan: Plan, asked: PlanningRequest, because: tuple[Cause, ...]) -> Revision:
         values = dict(self._values)
         self._world.robot.learn_places(asked.places)
         return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
-    def _plan(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
+    def _plan(self, asked: PlanningRequest, course: Course) -> tuple[PlanningRequest, Plan]:
         limit_s = self._prepared.file.scenario.limits.planning_s
         make = partial(plan_with, self._prepared.engine, time_limit_s=limit_s)
         scene = self._scene(self._now())
         return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
 
-    def _planned_even_late(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
+    def _planned_even_late(self, asked: PlanningRequest, course: Course) -> tuple[PlanningRequest, Plan]:
         """A plan, without the deadlines that no order keeps any more; and what was asked with the others."""
         ends_s = monotonic() + self._prepared.file.scenario.limits.planning_s
         try:
@@ -239,7 +239,7 @@ class WorldPlanner:
                 raise
         return self._plan(late, course)
 
-    def _asked(self, course: Course) -> Asked:
+    def _asked(self, course: Course) -> PlanningRequest:
         """The request for whoever is left, from here and now."""
         asked = self._remaining(course).asked(course, self._scene(self._now()))
         self._met |= {visitee.name for visitee in asked.request.visitees}
@@ -248,7 +248,7 @@ class WorldPlanner:
     def _remaining(self, course: Course) -> Remaining:
         return self._remaining_in(self._now(), course)
 
-    def _remaining_in(self, moment: Moment, course: Course) -> Remaining:
+    def _remaining_in(self, moment: BeliefState, course: Course) -> Remaining:
         return Remaining(
             self._prepared,
             moment.values,
@@ -265,7 +265,7 @@ class WorldPlanner:
         fellows = [name for members in groups if not set(members).isdisjoint(alone) for name in members]
         return tuple(dict.fromkeys((*alone, *fellows)))
 
-    def _bears_on_who_is_left(self, news: Iterable[News], before: Moment, course: Course) -> bool:
+    def _bears_on_who_is_left(self, news: Iterable[News], before: BeliefState, course: Course) -> bool:
         """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
         left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
@@ -274,7 +274,7 @@ class WorldPlanner:
         return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
     def _hope(
-        self, course: Course, asked: Asked, unseen: Iterable[str], refused: Collection[str]
+        self, course: Course, asked: PlanningRequest, unseen: Iterable[str], refused: Collection[str]
     ) -> str | None:
         """What may give a way to anybody who has none."""
         moment, visitees = self._now(), self._remaining(course).visitees(course)
@@ -287,11 +287,11 @@ class WorldPlanner:
         otherwise = (f"{name}, whom it does not see, may stand otherwise by now" for name in unseen)
         return "; ".join(dict.fromkeys(filter(None, (*otherwise, *found)))) or None
 
-    def _now(self) -> Moment:
+    def _now(self) -> BeliefState:
         visited = [visitee.name for visitee in self._prepared.visitees]
         return moment_of(self._world, self._values, visited)
 
-    def _scene(self, moment: Moment) -> Scene:
+    def _scene(self, moment: BeliefState) -> Scene:
         """As everything is or was, with the robot here: where somebody was, it may stand by now."""
         return moment.scene(self._prepared.scene, self._world.robot.pose)
 

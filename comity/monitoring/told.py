@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class ParameterUpdate:
     """Somebody's parameters are others from a time on."""
 
     t: float
@@ -26,7 +26,9 @@ class Told:
     """What they said, or what else happened, in words."""
 
 
-def values_at(start: Mapping[str, Inference], told: Iterable[Told], person: str, t: float) -> Inference:
+def values_at(
+    start: Mapping[str, Inference], told: Iterable[ParameterUpdate], person: str, t: float
+) -> Inference:
     """Somebody's parameters at a time [s].
 
     Args:
@@ -42,7 +44,7 @@ def values_at(start: Mapping[str, Inference], told: Iterable[Told], person: str,
     return values
 
 
-def later_distances_m(told: Iterable[Told]) -> dict[str, tuple[tuple[float, float], ...]]:
+def later_distances_m(told: Iterable[ParameterUpdate]) -> dict[str, tuple[tuple[float, float], ...]]:
     """Since when [s] somebody likes another distance [m], by name and in order of time."""
     later: dict[str, tuple[tuple[float, float], ...]] = {}
     for one in told:

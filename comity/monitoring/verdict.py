@@ -9,7 +9,7 @@ from comity_domain import SKIP
 from comity_executor import Cause
 
 if TYPE_CHECKING:
-    from comity.planning.request import Asked
+    from comity.planning.request import PlanningRequest
     from comity_domain import Late, Plan
 
 OTHER_M = 0.5
@@ -66,7 +66,7 @@ def _left_out(plan: Plan) -> set[str]:
     return {step.person for step in plan.steps if step.action == SKIP}
 
 
-def other_ways(before: Asked, now: Asked) -> bool:
+def other_ways(before: PlanningRequest, now: PlanningRequest) -> bool:
     """Whether other people can be reached than before, or ways are longer or shorter by a good deal."""
     old, new = before.request.travel, now.request.travel
     if before.unreachable.keys() != now.unreachable.keys() or old.keys() != new.keys():

@@ -12,7 +12,7 @@ from comity.parameters.margin import MARGIN_FACTS, reads_margin_facts
 from comity.parameters.speaking import wordings_files
 from comity.parameters.used import used_of
 from comity.people.profile import Declared
-from comity.scenario import Limits, MapPlace, Person, RobotStart, Scenario
+from comity.scenario import LimitsSpec, MapPlace, PersonSpec, RobotStart, Scenario
 from comity_fis import NominalVariable
 from comity_fis.validation.yaml_file import dump_yaml
 from comity_sim2d.maps.file import FurniturePiece
@@ -55,9 +55,11 @@ def resolved_yaml(prepared: Prepared) -> str:
             for parameter, one in learnt.items()
         }
     content["limits"]["attend_s"] = prepared.attend_s
-    content["limits"] = _ordered(content["limits"], Limits)
+    content["limits"] = _ordered(content["limits"], LimitsSpec)
     content["robot"] = _ordered(content["robot"], RobotStart, FIRST)
-    content["people"] = {name: _ordered(person, Person, FIRST) for name, person in content["people"].items()}
+    content["people"] = {
+        name: _ordered(person, PersonSpec, FIRST) for name, person in content["people"].items()
+    }
     place = content["place"]["map"] if isinstance(scenario.place, MapPlace) else content["place"]
     place["furniture"] = [_ordered(piece, FurniturePiece, FIRST) for piece in place["furniture"]]
     return dump_yaml(_ordered(content, Scenario))

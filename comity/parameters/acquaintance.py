@@ -18,7 +18,7 @@ from comity_fis import Learnt, NumericParameter
 if TYPE_CHECKING:
     from comity.people.fact import Fact
     from comity.people.profile import Declared
-    from comity.scenario import Person, ScenarioFile
+    from comity.scenario import PersonSpec, ScenarioFile
     from comity_executor import Visit
     from comity_fis import Inference, ParameterValue, Rulebook
 
@@ -27,7 +27,7 @@ STANDING = "standing"
 """The posture where none is told: nobody is met lying down unless somebody says so."""
 
 
-def situation_of(person: Person) -> dict[str, Fact]:
+def situation_of(person: PersonSpec) -> dict[str, Fact]:
     """What holds around a person of a scenario, by variable."""
     return {"posture": person.posture, **person.situation}
 

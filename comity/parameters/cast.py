@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from datetime import date
 
     from comity.people.fact import Fact
-    from comity.scenario import Person, ScenarioFile
+    from comity.scenario import PersonSpec, ScenarioFile
     from comity_executor import Speaker
     from comity_fis import Inference, Learnt, Rulebook
     from comity_fis.validation.yaml_file import YamlFile
@@ -163,7 +163,7 @@ def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[st
     }
 
 
-def _own_profile(file: ScenarioFile, name: str, person: Person) -> Declared:
+def _own_profile(file: ScenarioFile, name: str, person: PersonSpec) -> Declared:
     if isinstance(person.profile, Profile):
         return Declared(person.profile, file.file.part("people", name, "profile"))
     return load_profile(person.profile, beside=file.folder, where=file.where("people", name, "profile"))

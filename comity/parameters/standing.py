@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class WeightedCulture:
     """A culture as a rulebook sees it."""
 
     label: str
@@ -35,7 +35,7 @@ class Standing:
     """What stands for it because the person said so."""
 
 
-def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
+def standing(belonging: Belonging, rulebook: Rulebook) -> WeightedCulture:
     """What follows from a culture.
 
     Raises:
@@ -60,7 +60,7 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
             facts[variable.name], sources[variable.name] = row.value, row.source
         else:
             notes.append(table.without_score(belonging.label(None)))
-    return Standing(
+    return WeightedCulture(
         belonging.label(region), belonging.weight, facts, sources, tuple(dict.fromkeys(notes)), region
     )
 

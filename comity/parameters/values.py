@@ -19,7 +19,7 @@ from comity.parameters.consent import (
 from comity.parameters.language import in_a_stated_language, stated_languages
 from comity.parameters.own_words import own_words
 from comity.parameters.perception import perceiving
-from comity.parameters.standing import Standing, reads_culture, standing
+from comity.parameters.standing import WeightedCulture, reads_culture, standing
 from comity.parameters.unread_facts import notes_of_unread_facts
 from comity.parameters.wishes import decided_here
 from comity.people.adulthood import NOTE, is_under_age
@@ -134,7 +134,7 @@ def _no_culture(rulebook: Rulebook) -> Facts:
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class CultureCase:
     """A person as one of their cultures has it."""
 
     name: str
@@ -153,7 +153,7 @@ class Case:
 
 def cases_of(
     declared: Declared, rulebook: Rulebook, *, situation: Facts | None = None, at: date | None = None
-) -> tuple[Case, ...]:
+) -> tuple[CultureCase, ...]:
     """What the rulebook is told of a person: once for every culture, or once.
 
     Raises:
@@ -180,7 +180,7 @@ def cases_of(
     notes = (*notes, *(note_of_rest(name, category) for name, category in rests.items()))
     settings = {name: wish for name, wish in wishes.items() if name not in rests}
     return tuple(
-        Case(name, weight, inputs, settings, rests, (*own, *notes), _left(sources, {**facts, **now}))
+        CultureCase(name, weight, inputs, settings, rests, (*own, *notes), _left(sources, {**facts, **now}))
         for name, weight, inputs, own, sources in told
     )
 
@@ -213,7 +213,7 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
 
 def _checked(
     declared: Declared, rulebook: Rulebook, at: date | None
-) -> tuple[Facts, tuple[str, ...], tuple[Standing, ...]]:
+) -> tuple[Facts, tuple[str, ...], tuple[WeightedCulture, ...]]:
     """Facts, notes and cultures of a profile, each looked at by itself, so that a complaint has a line."""
     profile = declared.profile
     with _placing(declared, *profile.location("age")):
@@ -234,13 +234,13 @@ def _checked(
     return facts, notes, standings
 
 
-def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[Standing]:
+def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[WeightedCulture]:
     for belonging in declared.profile.cultures(at):
         with _placing(declared, *belonging.location):
             yield standing(belonging, rulebook)
 
 
-def _refuse_idle_region(declared: Declared, standings: tuple[Standing, ...]) -> None:
+def _refuse_idle_region(declared: Declared, standings: tuple[WeightedCulture, ...]) -> None:
     """A region beside cultures that all have scores would be left aside in silence."""
     region = declared.profile.region
     if region is None or any(one.notes or one.region == region or not one.facts for one in standings):

@@ -15,7 +15,7 @@ from comity_fis import Learnt
 from comity_fis.learning.signals import AWAY, SAID, SIGNALS, WORDS, Signal
 
 if TYPE_CHECKING:
-    from comity_fis.learning.comfort import Comfort
+    from comity_fis.learning.comfort import ComfortPosterior
 
 PARAMETER = "conversational_distance"
 """What is learnt about, so far."""
@@ -59,7 +59,7 @@ class Observation(_Dated):
         """Whether the person put it in words, or somebody saw it."""
         return "said" if self.signal in WORDS else "seen"
 
-    def added_to(self, known: Comfort) -> Comfort:
+    def added_to(self, known: ComfortPosterior) -> ComfortPosterior:
         """What is known of the person's comfort interval with this."""
         return known.after(self.signal, self.distance_m - self.model_m)
 
@@ -79,7 +79,7 @@ class Stated(_Dated):
         """They put it in words."""
         return "said"
 
-    def added_to(self, known: Comfort) -> Comfort:
+    def added_to(self, known: ComfortPosterior) -> ComfortPosterior:
         """What is known of the person's comfort interval with this."""
         return known.after_answer(self.likes_m - self.model_m)
 
@@ -165,7 +165,7 @@ class LearntValue(BaseModel):
         return Learnt(self.offset, self.spread, self.text)
 
 
-def comfort_on(day: date, observations: Iterable[Learning], spread: float) -> Comfort:
+def comfort_on(day: date, observations: Iterable[Learning], spread: float) -> ComfortPosterior:
     """What is known of a person's comfort interval on a day; it depends on nothing else.
 
     Observations of one day count alike in whatever order they stand: where they contradict each other, an
@@ -176,9 +176,9 @@ def comfort_on(day: date, observations: Iterable[Learning], spread: float) -> Co
         observations: In one situation, in any order.
         spread: Of people around the model's value [m].
     """
-    from comity_fis.learning.comfort import Comfort
+    from comity_fis.learning.comfort import ComfortPosterior
 
-    known, last = Comfort.before_meeting(spread), None
+    known, last = ComfortPosterior.before_meeting(spread), None
     in_order = sorted(
         (seen for seen in observations if seen.day <= day), key=lambda seen: (seen.day, seen.caution)
     )

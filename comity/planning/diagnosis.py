@@ -35,7 +35,7 @@ Kind = Literal["hands", "noise", "consent", "setting", "side", "door", "deadline
 
 
 @dataclass(frozen=True, slots=True)
-class Condition:
+class RelaxableCondition:
     """Something that holds and might not."""
 
     kind: Kind
@@ -51,7 +51,7 @@ class Unmet:
 
     person: str
     reason: str
-    conditions: tuple[Condition, ...]
+    conditions: tuple[RelaxableCondition, ...]
     """Without any one of them the goal could be met; where `together`, without all of them."""
     together: bool = False
     complete: bool = True
@@ -84,7 +84,7 @@ def in_words(goal: Unmet) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class UnservedCase:
     """Somebody who cannot be served, and how else things could be."""
 
     scene: Scene
@@ -94,17 +94,17 @@ class Case:
     settings: Sequence[str]
 
 
-def diagnose(case: Case, reason: str) -> Unmet:
+def diagnose(case: UnservedCase, reason: str) -> Unmet:
     """What stands in the way of one person's goal."""
     found = in_the_way(tuple(_conditions(case)), lambda lifted: _served(case, lifted))
     return _unmet(case.visitee.name, reason, found)
 
 
-def _unmet(person: str, reason: str, found: InTheWay[Condition]) -> Unmet:
+def _unmet(person: str, reason: str, found: InTheWay[RelaxableCondition]) -> Unmet:
     return Unmet(person, reason, found.any_of or found.all_of, together=not found.any_of)
 
 
-def _conditions(case: Case) -> Iterator[Condition]:
+def _conditions(case: UnservedCase) -> Iterator[RelaxableCondition]:
     """All that could be otherwise and bears on what fails; the person's own wishes are put back first."""
     visitee, name = case.visitee, case.visitee.name
     nowhere = not spots_of(case.scene, RouteMap(case.scene), visitee)
@@ -113,46 +113,50 @@ def _conditions(case: Case) -> Iterator[Condition]:
     speechless = not greetings(visitee.values, visitee.now)
     for setting in case.settings:
         if speechless if setting.startswith("greeting_") else nowhere:
-            yield Condition("setting", setting, f"{name} did not ask for {setting.replace('_', ' ')}")
+            yield RelaxableCondition(
+                "setting", setting, f"{name} did not ask for {setting.replace('_', ' ')}"
+            )
     if speechless or hindered:
         yield from _of_the_moment(name, visitee.now)
     if nowhere or None in places.values():
         yield from _of_the_place(name, case.scene)
 
 
-def _of_the_moment(name: str, now: Circumstances) -> Iterator[Condition]:
+def _of_the_moment(name: str, now: Circumstances) -> Iterator[RelaxableCondition]:
     if now.noisy or now.noise_db is not None:
-        yield Condition("noise", "noise", f"it were quiet around {name}")
+        yield RelaxableCondition("noise", "noise", f"it were quiet around {name}")
     if now.robot_carries:
-        yield Condition("hands", "robot", f"the robot did not carry {now.robot_carries}")
+        yield RelaxableCondition("hands", "robot", f"the robot did not carry {now.robot_carries}")
     if now.person_carries:
-        yield Condition("hands", name, f"{name} did not carry {now.person_carries}")
+        yield RelaxableCondition("hands", name, f"{name} did not carry {now.person_carries}")
     if now.withheld:
         needed = " and ".join(dict.fromkeys(now.withheld.values())).replace("_", " ")
         otherwise = "did not ask for no touch" if now.wants_no_touch else f"said that {needed}"
-        yield Condition("consent", "consent", f"{name} {otherwise}")
+        yield RelaxableCondition("consent", "consent", f"{name} {otherwise}")
 
 
-def _of_the_place(name: str, scene: Scene) -> Iterator[Condition]:
+def _of_the_place(name: str, scene: Scene) -> Iterator[RelaxableCondition]:
     """What stands around somebody, the nearest first; on a map, nobody takes walls down to get in."""
     at = scene.person(name).xy
     shut = sorted((door for door in scene.doors if not door.is_open), key=lambda door: dist(door.start, at))
     for door in shut[:MOST_THINGS]:
-        yield Condition("door", door.name, f"the door {door.name!r} were open")
+        yield RelaxableCondition("door", door.name, f"the door {door.name!r} were open")
     for i, wall in enumerate(() if scene.doors else scene.walls[:MOST_THINGS]):
-        yield Condition("side", f"wall {i + 1}", f"the wall from {wall.start} to {wall.end} were not there")
+        yield RelaxableCondition(
+            "side", f"wall {i + 1}", f"the wall from {wall.start} to {wall.end} were not there"
+        )
     for thing in sorted(scene.furniture, key=lambda thing: _gap_m(at, thing.corners))[:MOST_THINGS]:
-        yield Condition("side", thing.name, f"{thing.name} were not there")
+        yield RelaxableCondition("side", thing.name, f"{thing.name} were not there")
     for person in scene.people:
         if person.name != name:
-            yield Condition("side", person.name, f"{person.name} stood elsewhere")
+            yield RelaxableCondition("side", person.name, f"{person.name} stood elsewhere")
 
 
 def _gap_m(at: XY, corners: Sequence[XY]) -> float:
     return min(dist(at, corner) for corner in corners)
 
 
-def _served(case: Case, lifted: Sequence[Condition]) -> bool:
+def _served(case: UnservedCase, lifted: Sequence[RelaxableCondition]) -> bool:
     """Whether somebody could be served without these conditions."""
     wishes, others = [], set[tuple[str, str]]()
     for condition in lifted:

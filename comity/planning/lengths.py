@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_domain import START, Leg, Spot, Survey, Way
 
 if TYPE_CHECKING:
-    from comity.planning.reckoning import Journey, Ways
+    from comity.planning.reckoning import Journey, TravelDistances
     from comity_sim2d import RouteMap, Scene
 
 XY = tuple[float, float]
@@ -31,7 +31,7 @@ class Lengths:
         scene: Scene,
         route_map: RouteMap,
         spots: Mapping[Spot, XY],
-        ways: Ways | None,
+        ways: TravelDistances | None,
         attend_s: float,
     ) -> None:
         self._map = route_map

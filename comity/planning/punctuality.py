@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from comity.planning.diagnosis import Condition, Unmet
+from comity.planning.diagnosis import RelaxableCondition, Unmet
 from comity_domain import Deadlines, VisitRequest, in_the_way
 
 By = Mapping[str, float]
@@ -136,11 +136,11 @@ class _Diagnosing:
         self._complete &= kept is not None
         return kept
 
-    def _condition(self, name: str, enough: float | None) -> Condition:
+    def _condition(self, name: str, enough: float | None) -> RelaxableCondition:
         """That a deadline were another one: `enough` in seconds; None: it is not known which would do."""
         own_s = self._by[name]
         by = f"later than {own_s:g} s" if enough is None else f"by {enough:g} s instead of {own_s:g} s"
-        return Condition("deadline", name, f"{name} could be greeted {by}")
+        return RelaxableCondition("deadline", name, f"{name} could be greeted {by}")
 
 
 def _without(by: By, names: Iterable[str]) -> By:

@@ -61,7 +61,7 @@ class Journey(NamedTuple):
         return fast_m / CRUISE_M_S + self.slow_m / SLOWEST_M_S + SETTLING_S + attend_s
 
 
-class Ways:
+class TravelDistances:
     """From the start, everybody and every place to everybody and every place else, by routes.
 
     Args:

@@ -13,7 +13,7 @@ from comity.planning.barring import barring
 from comity.planning.companies import companies
 from comity.planning.elbow_room import with_elbow_room
 from comity.planning.lengths import Lengths
-from comity.planning.reckoning import Ways
+from comity.planning.reckoning import TravelDistances
 from comity_domain import (
     Side,
     Spot,
@@ -46,7 +46,7 @@ NOBODY: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class PlanningRequest:
     """A request that has a plan, and the people for whom there is none."""
 
     request: VisitRequest
@@ -64,7 +64,7 @@ def ask(
     groups: Mapping[str, Sequence[str]] = NO_GROUPS,
     lost: Mapping[str, str] = NOBODY,
     attend_s: float = 0.0,
-) -> Asked:
+) -> PlanningRequest:
     """Measure the ways to everybody who is to be visited; of many people only bounds, to begin with.
 
     Args:
@@ -113,7 +113,7 @@ def ask(
         },
     )
     must = {name: reason for name, reason in unreachable.items() if name not in request.out_of_reach}
-    return Asked(request, must, places)
+    return PlanningRequest(request, must, places)
 
 
 def _ways(
@@ -122,7 +122,7 @@ def _ways(
     visitees: Sequence[Visitee],
     spots: Mapping[Spot, XY],
     places: Mapping[str, Pose],
-) -> Ways | None:
+) -> TravelDistances | None:
     """The ways without culture, where something hangs on them."""
     if all(each.by_s is None and each.skip_m is None for each in visitees):
         return None
@@ -130,7 +130,7 @@ def _ways(
     for spot, xy in spots.items():
         if spot.place in own:
             own[spot.place].append(xy)
-    return Ways(scene, route_map, own, places)
+    return TravelDistances(scene, route_map, own, places)
 
 
 def _blocked(scene: Scene, served: Sequence[Visitee], spots: Mapping[Spot, XY]) -> dict[Spot, str]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from comity.planning.request import Asked, spots_of, what_bars
+from comity.planning.request import PlanningRequest, spots_of, what_bars
 from comity_domain import PlanningFailed, parts
 from comity_sim2d import RouteMap
 from comity_sim2d.scene.surroundings import Surroundings
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 
 def plan_for_most(
-    asked: Asked, scene: Scene, route_map: RouteMap, make: Callable[[VisitRequest], Plan]
-) -> tuple[Asked, Plan]:
+    asked: PlanningRequest, scene: Scene, route_map: RouteMap, make: Callable[[VisitRequest], Plan]
+) -> tuple[PlanningRequest, Plan]:
     """The plan; where no way leads from some to others, of as many as there are ways between.
 
     Args:
@@ -46,7 +46,9 @@ def plan_for_most(
             raise failed from None
 
 
-def _only(names: tuple[str, ...], asked: Asked, scene: Scene, route_map: RouteMap) -> Asked:
+def _only(
+    names: tuple[str, ...], asked: PlanningRequest, scene: Scene, route_map: RouteMap
+) -> PlanningRequest:
     """The request for some alone; the others are as those whom no plan can serve."""
     visitees = {visitee.name: visitee for visitee in asked.request.visitees}
     left = [visitee for visitee in visitees.values() if visitee.name not in names]

@@ -54,7 +54,7 @@ KEPT_CAUSES = frozenset({"step", "parameter", "reading", "condition"})
 
 
 @dataclass(frozen=True, slots=True)
-class Names:
+class RunNames:
     """Names in a run; whatever has none here and is no word of the program's is left out."""
 
     given: Mapping[str, str]
@@ -76,7 +76,7 @@ class Names:
         renamed = replace(node, about=tuple(map(self.word, node.about)), person=person)
         return replace(renamed, name=NodeId(renamed.action, renamed.about, person).name)
 
-    def with_nodes(self, nodes: Iterable[Node]) -> Names:
+    def with_nodes(self, nodes: Iterable[Node]) -> RunNames:
         """The same, which also knows how the nodes of a trace are called."""
         return replace(self, nodes={node.name: self.node(node).name for node in nodes})
 
@@ -149,7 +149,7 @@ class Names:
         return ORDER + ", ".join(map(self.word, people.split(", "))) if order else "step"
 
 
-def names_in(scenario: Scenario, words: Collection[str]) -> Names:
+def names_in(scenario: Scenario, words: Collection[str]) -> RunNames:
     """All names of a resolved scenario.
 
     Args:
@@ -160,7 +160,7 @@ def names_in(scenario: Scenario, words: Collection[str]) -> Names:
     for kind, names in (*_of_place(scenario), *_of_goals(scenario)):
         given |= pseudonyms((name for name in names if name not in given), kind)
     given |= pseudonyms(scenario.groups, "group") | {scenario.robot.name: "robot"}
-    return Names(given | pseudonyms(scenario.people), words)
+    return RunNames(given | pseudonyms(scenario.people), words)
 
 
 def _of_place(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
@@ -180,7 +180,7 @@ def _of_goals(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
     yield "text", [name for goal in scenario.goals if (name := goal.named("text"))]
 
 
-def goal_of(goal: Goal, names: Names) -> dict[str, Any]:
+def goal_of(goal: Goal, names: RunNames) -> dict[str, Any]:
     """A goal under other names."""
     told = goal.model_dump(mode="json", by_alias=True, exclude_none=True)
     return {

@@ -19,7 +19,7 @@ from comity.recording import VIEWS, Recorded, View, record, show
 from comity.replay.frames_file import frames_of
 from comity.scenario import MapPlace, Scenario, ScenarioFile, load_scenario
 from comity.sharing.extra import Extra
-from comity.sharing.names import Names, goal_of, names_in
+from comity.sharing.names import RunNames, goal_of, names_in
 from comity.sharing.person import CLOSED, Filter, plain_words
 from comity.system.library import shipped
 from comity.system.own_files import create_private, read_regular
@@ -30,7 +30,7 @@ from comity_sim2d import FramesFile
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
-    from comity.scenario import Person
+    from comity.scenario import PersonSpec
     from comity_executor import TraceEvent
 
 FOLDER = "shared"
@@ -53,7 +53,7 @@ class _Original:
     folder: RunFolder
     account: RunAnswer
     file: ScenarioFile
-    names: Names
+    names: RunNames
     people: Filter
     title: str
     """The scenario's name, where it ships with Comity and is nobody's name."""
@@ -191,19 +191,19 @@ def _account(original: _Original, shared: RunFolder) -> RunAnswer:
     )
 
 
-def _copy_trace(source: Path, target: Path, names: Names) -> None:
+def _copy_trace(source: Path, target: Path, names: RunNames) -> None:
     nodes = [names.node(node) for node in read_nodes(source)]
     events = [_event(event, names) for event in read_trace(source)]
     with TraceFile(create_private(target), nodes) as file:
         file.keep(events, nodes)
 
 
-def _event(event: TraceEvent, names: Names) -> TraceEvent:
+def _event(event: TraceEvent, names: RunNames) -> TraceEvent:
     causes = tuple(told for cause in event.because if (told := names.cause(cause)))
     return replace(event, of=names.node(event.of), because=causes)
 
 
-def _readings(path: Path, names: Names) -> str:
+def _readings(path: Path, names: RunNames) -> str:
     """The same numbers under other names.
 
     Raises:
@@ -245,7 +245,7 @@ def _scenario(original: _Original) -> dict[str, Any]:
 
 
 def _person(original: _Original, name: str) -> dict[str, Any]:
-    person: Person = original.scenario.people[name]
+    person: PersonSpec = original.scenario.people[name]
     assert isinstance(person.profile, Profile)  # a run writes it out
     kept = {"at_m", "at", "facing_deg", "posture", "radius_m", "carrying", "noise_db", "noisy"}
     told = person.model_dump(mode="json", exclude_none=True, include=kept)
@@ -259,7 +259,7 @@ def _person(original: _Original, name: str) -> dict[str, Any]:
     }
 
 
-def _where(told: dict[str, Any], names: Names) -> dict[str, Any]:
+def _where(told: dict[str, Any], names: RunNames) -> dict[str, Any]:
     """Somebody's place, robot or person, under other names."""
     keys = [key for key in ("name", "at", "carrying") if isinstance(told.get(key), str)]
     named: dict[str, Any] = {key: names.word(told[key]) for key in keys}
@@ -268,7 +268,7 @@ def _where(told: dict[str, Any], names: Names) -> dict[str, Any]:
     return told | named
 
 
-def _place(scenario: Scenario, names: Names) -> dict[str, Any]:
+def _place(scenario: Scenario, names: RunNames) -> dict[str, Any]:
     place = scenario.place.model_dump(mode="json", by_alias=True, exclude_none=True)
     if not isinstance(scenario.place, MapPlace):
         return place | {"furniture": _renamed(place["furniture"], names)}
@@ -284,5 +284,5 @@ def _place(scenario: Scenario, names: Names) -> dict[str, Any]:
     return place | {"map": drawn | keyed | about, "doors": doors}
 
 
-def _renamed(pieces: Iterable[dict[str, Any]], names: Names) -> list[dict[str, Any]]:
+def _renamed(pieces: Iterable[dict[str, Any]], names: RunNames) -> list[dict[str, Any]]:
     return [piece | {"name": names.word(piece["name"])} for piece in pieces]

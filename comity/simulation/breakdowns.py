@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import cycle, product
 from typing import TYPE_CHECKING
 
-from comity.simulation.happenings import Walk, leading
+from comity.simulation.happenings import WalkStart, leading
 from comity.simulation.sent_way import way_of
 from comity_executor import FaultError
 from comity_sim2d import RouteMap
@@ -69,7 +69,9 @@ class WalkOff:
         if to_m is None:
             return
         with _fault(stage.world, active_faults.person(self.person), self.text):
-            walk = Walk(self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s, patience_s=PATIENCE_S)
+            walk = WalkStart(
+                self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s, patience_s=PATIENCE_S
+            )
             yield from walk.happen(stage)
             yield from _until(stage.world.time_s + NOTICED_S, stage.world)
 
@@ -109,7 +111,7 @@ class StandInTheWay:
         with _fault(world, active_faults.person(self.person), self.text), leading(lead, world) as was_led:
             if was_led:
                 yield  # they may have made a step in this tick
-            walk = Walk(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
+            walk = WalkStart(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
             yield from walk.steps(lead, stage)
             yield from _until(world.time_s + self.for_s, world, lead)
             back = replace(walk, to_m=lead.to_m, heading_rad=lead.heading_rad)
@@ -123,7 +125,7 @@ class StandInTheWay:
         person = find_person(world.people, self.person)
         return Lead(self.person, person.xy, person.heading_rad, stays=False)
 
-    def _go_back(self, back: Walk, lead: Lead, stage: Stage) -> Iterator[None]:
+    def _go_back(self, back: WalkStart, lead: Lead, stage: Stage) -> Iterator[None]:
         """As they came, or round whoever stands there: as soon as there is a way."""
         world = stage.world
         for round_people in cycle((False, True)):

@@ -11,7 +11,7 @@ from comity.parameters.acquaintance import situation_of
 from comity.parameters.passing import asked_speed_m_s, own_distance_m
 from comity.parameters.values import refuse_unknown
 from comity.schedule import Announced
-from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, Walk
+from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, WalkStart
 from comity.simulation.sent_way import way_of
 from comity_fis import InputError
 from comity_sim2d import SceneError
@@ -85,7 +85,7 @@ class Changes:
         change: Change,
         to_m: tuple[float, float],
         places: dict[str, tuple[float, float]],
-    ) -> Walk:
+    ) -> WalkStart:
         person, plan = find_person(self.scene.people, name), floor_plan(self.scene)
         blocker = plan.blocker(to_m, person.radius_m)
         somebody = replace(person, x_m=places[name][0], y_m=places[name][1])
@@ -98,7 +98,7 @@ class Changes:
             )
         places[name] = to_m
         heading_rad = None if change.facing_deg is None else math.radians(change.facing_deg)
-        return Walk(change.at_s, name, to_m, heading_rad, change.speed_m_s)
+        return WalkStart(change.at_s, name, to_m, heading_rad, change.speed_m_s)
 
 
 def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:

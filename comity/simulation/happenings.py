@@ -68,7 +68,7 @@ class EmergencyStopPressed:
 
 
 @dataclass(frozen=True, slots=True)
-class Walk:
+class WalkStart:
     """Somebody walks somewhere, around walls and furniture, and waits for whoever stands in their way.
 
     A door that bars every way is waited for, too, however long.

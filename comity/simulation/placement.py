@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from comity.scenario import ANYWHERE, MapPlace, RandomPlace, Standing
+from comity.scenario import ANYWHERE, MapPlace, Placement, RandomPlace
 from comity.simulation.place import map_of, written_map
 from comity_fis import InputError
 from comity_sim2d import SceneError
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from comity.scenario import Place, ScenarioFile
     from comity_sim2d import Area
 
-StandingT = TypeVar("StandingT", bound=Standing)
+PlacementT = TypeVar("PlacementT", bound=Placement)
 STREAM = 2
 """Keeps what is drawn here apart from the sensors' noise and from what people show."""
 
@@ -71,12 +71,12 @@ class _Stage:
         place = self._map
         return floor_plan_of(place.room, place.walls, place.furniture, place.doors)
 
-    def occupy(self, standing: Standing, radius_m: float) -> None:
+    def occupy(self, standing: Placement, radius_m: float) -> None:
         """Let nobody be drawn into somebody whose place is known."""
         if standing.at_m is not None:
             self._bodies.append((standing.at_m, radius_m))
 
-    def named(self, standing: StandingT, *section: str) -> StandingT:
+    def named(self, standing: PlacementT, *section: str) -> PlacementT:
         """The same at its point, unless that is still to be drawn."""
         at, facing = standing.at, standing.facing_deg
         if isinstance(at, RandomPlace) or at == ANYWHERE:
@@ -89,7 +89,7 @@ class _Stage:
             facing = 0.0 if spot.heading_rad is None else math.degrees(spot.heading_rad)
         return standing.model_copy(update={"at_m": spot.xy, "at": None, "facing_deg": facing})
 
-    def drawn(self, standing: StandingT, radius_m: float, *section: str) -> StandingT:
+    def drawn(self, standing: PlacementT, radius_m: float, *section: str) -> PlacementT:
         """The same at its point: where that is random, drawn now."""
         if standing.at is None:
             return standing

@@ -90,13 +90,13 @@ def scene_of(
     return scene
 
 
-def _pose(standing: written.Standing) -> tuple[float, float, float]:
+def _pose(standing: written.Placement) -> tuple[float, float, float]:
     """x, y and heading."""
     assert standing.at_m is not None  # placed before
     return (*standing.at_m, math.radians(standing.facing_deg or 0.0))
 
 
-def _sensor(sensor: written.Sensor) -> Sensor:
+def _sensor(sensor: written.SensorSpec) -> Sensor:
     return Sensor(
         sigma_m=sensor.noise_m,
         delay_s=sensor.delay_s,
@@ -106,7 +106,7 @@ def _sensor(sensor: written.Sensor) -> Sensor:
     )
 
 
-def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:
+def _comfort(name: str, person: written.PersonSpec, file: ScenarioFile) -> Comfort | None:
     if person.comfort is None:
         return None
     try:
@@ -122,7 +122,7 @@ def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort |
         ) from None
 
 
-def _walk(name: str, person: written.Person, file: ScenarioFile) -> Walk | None:
+def _walk(name: str, person: written.PersonSpec, file: ScenarioFile) -> Walk | None:
     walks = person.walks
     if walks is None:
         return None

@@ -10,7 +10,7 @@ from comity.specification.goals import Goal, greeted
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
-    from comity.specification.scenario_check import Places
+    from comity.specification.scenario_check import FilePlaces
 
 
 MOST_IN_ORDER = 12
@@ -31,7 +31,7 @@ class GoalCheck:
     goals: Sequence[Goal]
     people: Collection[str]
     done: Collection[str]
-    where: Places
+    where: FilePlaces
 
     def order(self) -> None:
         """Refuse what is to be done with nobody, before a greeting, or after leave was taken."""

@@ -39,7 +39,7 @@ class Walks(BaseModel):
     )
 
 
-class PassersBy(BaseModel):
+class PassersBySpec(BaseModel):
     """People who walk about, put there by the seed: in frames and metrics, and in no plan."""
 
     model_config = _FILE

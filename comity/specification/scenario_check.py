@@ -9,7 +9,7 @@ from typing import Protocol
 from comity_fis import InputError, Where, closest
 
 
-class Places(Protocol):
+class FilePlaces(Protocol):
     """Where in a file something is written."""
 
     def __call__(self, *location: str | int) -> Where:
@@ -27,7 +27,7 @@ class NameCheck:
     """
 
     people: Collection[str]
-    where: Places
+    where: FilePlaces
 
     def robot(self, name: str) -> None:
         """Refuse a robot that is called like a person."""

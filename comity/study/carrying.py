@@ -21,7 +21,7 @@ class Ended:
 
 
 @dataclass(frozen=True, slots=True)
-class Carrier:
+class EpisodeRunner:
     """A way to carry episodes out.
 
     Whatever leaves `carry_out` early ends what is under way.

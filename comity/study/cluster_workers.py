@@ -9,7 +9,7 @@ from queue import Empty, SimpleQueue
 from time import monotonic
 from typing import Any
 
-from comity.study.carrying import MOST_LOSSES, Carrier, Ended
+from comity.study.carrying import MOST_LOSSES, Ended, EpisodeRunner
 from comity.study.worker import (
     Installation,
     StudyTask,
@@ -38,7 +38,7 @@ class ClusterLost(ComityError):  # noqa: N818 - it says what happened; the famil
         )
 
 
-def cluster_carrier(address: str) -> Carrier:
+def cluster_carrier(address: str) -> EpisodeRunner:
     """The workers of a cluster, whatever their number; more may join later.
 
     Args:
@@ -49,7 +49,9 @@ def cluster_carrier(address: str) -> Carrier:
     """
     client = _connected(address)
     try:
-        return Carrier(_installed(client, address), lambda tasks: _Cluster(client, address).carried(tasks))
+        return EpisodeRunner(
+            _installed(client, address), lambda tasks: _Cluster(client, address).carried(tasks)
+        )
     except BaseException:
         client.close()
         raise

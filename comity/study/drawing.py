@@ -14,7 +14,7 @@ import numpy as np
 
 from comity.parameters.values import infer_for
 from comity.people.profile import declared_by
-from comity.scenario import Comfort
+from comity.scenario import ComfortSpec
 from comity.study.individual import DISTANCE, Individual, plain_fact
 from comity.study.population_file import ChosenFact, DrawnComfort, DrawnGroup, PopulationFile, UniformFact
 from comity_fis import InputError, load_rulebook
@@ -122,9 +122,9 @@ def rulebook_beside(file: YamlFile, name: str) -> str:
     return str(path.absolute()) if path.is_file() else name
 
 
-def _comfort(written: DrawnComfort, middle_m: float) -> Comfort:
+def _comfort(written: DrawnComfort, middle_m: float) -> ComfortSpec:
     """An interval of the stated width; where the draw is out of what is possible, the nearest that is."""
     half_m = written.half_width_m
     middle_m = min(max(middle_m, NEAREST_M[0] + half_m), min(NEAREST_M[1], FARTHEST_M - 2 * half_m) + half_m)
     near_m = round(middle_m - half_m, 3)
-    return Comfort(wants_m=(near_m, round(near_m + 2 * half_m, 3)), chance=written.chance)
+    return ComfortSpec(wants_m=(near_m, round(near_m + 2 * half_m, 3)), chance=written.chance)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from comity.answers import VisitAnswer
     from comity.episode import Episode
     from comity.preparation import Prepared
-    from comity.scenario import Comfort
+    from comity.scenario import ComfortSpec
     from comity.sharing.extra import Extra
 
 StudyRow = dict[str, Any]
@@ -126,7 +126,7 @@ def _visit(answer: VisitAnswer) -> StudyRow:
 
 def _comfort(episode: Episode, answer: VisitAnswer) -> StudyRow:
     """The person's comfort interval, and how far outside it the robot stopped."""
-    comfort: Comfort | None = episode.prepared.file.scenario.people[answer.person].comfort
+    comfort: ComfortSpec | None = episode.prepared.file.scenario.people[answer.person].comfort
     if comfort is None:
         return {}
     near_m, far_m = comfort.wants_m

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from comity.scenario import Comfort
+from comity.scenario import ComfortSpec
 
 DISTANCE = "conversational_distance"
 """The parameter that comfort is about, and the only one that individuals wish."""
@@ -24,7 +24,7 @@ class Individual:
     """Empty where it belongs to none."""
     profile: Mapping[str, Any]
     """As in a profile's file."""
-    comfort: Comfort | None
+    comfort: ComfortSpec | None
     line: int | None = None
     """Of its row in a table; None where it was drawn."""
 

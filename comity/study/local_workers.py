@@ -11,7 +11,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from typing import TYPE_CHECKING, Any
 
-from comity.study.carrying import MOST_LOSSES, Carrier, Ended
+from comity.study.carrying import MOST_LOSSES, Ended, EpisodeRunner
 from comity.study.worker import StudyTask, TaskDone, carried_out, installation, lost_rows
 
 if TYPE_CHECKING:
@@ -21,9 +21,9 @@ MOST_PROCESSES = 60
 """Windows waits for no more at once."""
 
 
-def local_carrier(jobs: int) -> Carrier:
+def local_carrier(jobs: int) -> EpisodeRunner:
     """So many processes here, which start clean."""
-    return Carrier(installation(), lambda tasks: _carried(tasks, min(jobs, MOST_PROCESSES)))
+    return EpisodeRunner(installation(), lambda tasks: _carried(tasks, min(jobs, MOST_PROCESSES)))
 
 
 @dataclass(slots=True)

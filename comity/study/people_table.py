@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from comity.people.profile import Profile, declared_by
-from comity.scenario import Comfort
+from comity.scenario import ComfortSpec
 from comity.sharing.person import pseudonyms
 from comity.study.individual import DISTANCE, Individual, plain_fact
 from comity_fis import InputError, closest
@@ -110,7 +110,7 @@ def _individual(
     return Individual(name, cells.get(GROUP, ""), profile, comfort, row.line)
 
 
-def _comfort(table: CsvTable, row: Row, cells: dict[str, str]) -> Comfort | None:
+def _comfort(table: CsvTable, row: Row, cells: dict[str, str]) -> ComfortSpec | None:
     if NEAR_M not in cells and FAR_M not in cells:
         return None
     near_m, far_m = (
@@ -123,4 +123,4 @@ def _comfort(table: CsvTable, row: Row, cells: dict[str, str]) -> Comfort | None
             "Correct the cells, or leave both empty.",
             row.line,
         )
-    return Comfort(wants_m=(near_m, far_m))
+    return ComfortSpec(wants_m=(near_m, far_m))

@@ -17,7 +17,7 @@ from comity_fis.validation.yaml_file import YamlFile, read_yaml
 if TYPE_CHECKING:
     from datetime import date
 
-    from comity.scenario import Comfort
+    from comity.scenario import ComfortSpec
 
 WISH_RANGE_M = (0.45, 3.0)
 """What a person may ask for [m]: a wish outside it would be refused."""
@@ -86,7 +86,7 @@ def _with_wishes(individuals: Iterator[Individual], seed: int, share: float) -> 
             yield replace(one, profile={**one.profile, "settings": {DISTANCE: wished_m(one.comfort)}})
 
 
-def wished_m(comfort: Comfort) -> float:
+def wished_m(comfort: ComfortSpec) -> float:
     """The distance that an individual asks for [m]: the middle of the interval, if that may be asked for."""
     low_m, high_m = WISH_RANGE_M
     return round(min(max(sum(comfort.wants_m) / 2, low_m), high_m), 2)

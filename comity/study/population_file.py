@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from comity.people.fact import Fact, Number
-from comity.scenario import Comfort
+from comity.scenario import ComfortSpec
 from comity.specification.matrix import Seed, Word
 from comity_fis.errors import WrongValueError
 from comity_sim2d.maps.file import Name
@@ -105,7 +105,7 @@ class PopulationFile(BaseModel):
         default=None,
         description="Instead of groups: a CSV file of individuals, one a row, beside this file.",
     )
-    comfort: Comfort | None = Field(
+    comfort: ComfortSpec | None = Field(
         default=None, description="With a table: of the individuals whose row states none."
     )
     wishes: Wishes | Literal["stated"] | None = Field(

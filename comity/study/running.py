@@ -26,7 +26,7 @@ from comity.system.own_files import write_whole, written_whole
 from comity_fis import InputError
 
 if TYPE_CHECKING:
-    from comity.study.carrying import Carrier
+    from comity.study.carrying import EpisodeRunner
     from comity.study.study_plan import StudyCell, StudyPlan
 
 Watch = Callable[[int], None]
@@ -36,7 +36,7 @@ Watch = Callable[[int], None]
 def run_study(
     plan: StudyPlan,
     out: Path,
-    connect: Callable[[], Carrier],
+    connect: Callable[[], EpisodeRunner],
     start: Callable[[int, int], Watch],
 ) -> StudyRunAnswer:
     """Carry out what is missing, and write the tables.
@@ -70,7 +70,7 @@ def run_study(
         return _finished(plan, out, carrier, account, lost=lost, ended=ended)
 
 
-def _begun(plan: StudyPlan, out: Path, carrier: Carrier) -> tuple[dict[str, StudyCell], StudyRunAnswer]:
+def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[dict[str, StudyCell], StudyRunAnswer]:
     """The episodes that the journal does not hold, by key, and an account that says so."""
     known = read_journal(out / JOURNAL).keys()
     missing: dict[str, StudyCell] = {}
@@ -103,7 +103,7 @@ def _begun(plan: StudyPlan, out: Path, carrier: Carrier) -> tuple[dict[str, Stud
 
 
 def _finished(
-    plan: StudyPlan, out: Path, carrier: Carrier, account: StudyRunAnswer, *, lost: int, ended: int
+    plan: StudyPlan, out: Path, carrier: EpisodeRunner, account: StudyRunAnswer, *, lost: int, ended: int
 ) -> StudyRunAnswer:
     """The tables of all episodes of the study, and an account of them."""
     rows = read_journal(out / JOURNAL)

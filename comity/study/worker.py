@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from comity.episode import fingerprint
 from comity.live_episode import execute
 from comity.preparation import prepare
-from comity.scenario import Comfort, Scenario, ScenarioFile
+from comity.scenario import ComfortSpec, Scenario, ScenarioFile
 from comity.study.base import EpisodeBase
 from comity.study.episode_rows import ERROR, NO_PLAN, StudyRow, episode_rows, failed_rows
 from comity.system.installed_code import installed_code
@@ -123,8 +123,8 @@ def _scenario(base: EpisodeBase) -> ScenarioFile:
     return _SCENARIOS[base.digest]
 
 
-def _comfort(task: StudyTask) -> Comfort | None:
-    return None if task.comfort is None else Comfort.model_validate(task.comfort)
+def _comfort(task: StudyTask) -> ComfortSpec | None:
+    return None if task.comfort is None else ComfortSpec.model_validate(task.comfort)
 
 
 @lru_cache(maxsize=KEPT)

@@ -11,7 +11,7 @@ from comity_fis.rulebook.selection import selected
 
 
 @dataclass(frozen=True, slots=True)
-class Basis:
+class ParameterRules:
     """One parameter, all of the rulebook's variables, and the rules that only move it."""
 
     rulebook: Rulebook
@@ -22,7 +22,7 @@ class Basis:
         return float(self.rulebook.value(self.parameter.name, inputs))
 
 
-def basis_of(rulebook: Rulebook, name: str) -> Basis:
+def basis_of(rulebook: Rulebook, name: str) -> ParameterRules:
     """The basis for learning about a parameter.
 
     Raises:
@@ -30,7 +30,7 @@ def basis_of(rulebook: Rulebook, name: str) -> Basis:
     """
     parameter = parameter_of(rulebook, name)
     part = replace(selected(rulebook, [name]), variables=rulebook.variables)
-    return Basis(with_value_rules(part, name, (), "nothing"), parameter)
+    return ParameterRules(with_value_rules(part, name, (), "nothing"), parameter)
 
 
 def parameter_of(rulebook: Rulebook, name: str) -> NumericParameter:

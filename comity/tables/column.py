@@ -14,7 +14,7 @@ MISSING = {"", "NA"}
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class TableColumn:
     """The numbers of one column."""
 
     file: str
@@ -26,7 +26,7 @@ class Column:
     """Cells that held nothing or NA, and were skipped."""
 
 
-def read_column(path: Path, name: str) -> Column:
+def read_column(path: Path, name: str) -> TableColumn:
     """The numbers of the column with this heading.
 
     Fields are separated by commas, semicolons or tabs, whichever the heading shows; with semicolons or tabs
@@ -50,7 +50,7 @@ def read_column(path: Path, name: str) -> Column:
             if len(values) > MOST_SCORES:
                 remedy = "Take a random sample of the rows: its terms are as good."
                 raise table.refusal(f"at most {MOST_SCORES} numbers", "more", remedy, row.line)
-        return Column(table.file, name, tuple(values), missing)
+        return TableColumn(table.file, name, tuple(values), missing)
 
 
 def _place(name: str, table: CsvTable) -> int:

@@ -9,15 +9,15 @@ from typing import Final
 
 import numpy as np
 
-from comity.tables.basis import Basis
-from comity.tables.examples import Example, Inputs
+from comity.tables.basis import ParameterRules
+from comity.tables.examples import ExampleRow, Inputs
 from comity.tables.proposal import cells_of, prior_of, with_cells, with_prior
 from comity_fis import InputError, NominalVariable, OrdinalVariable, Rulebook, Source
 from comity_fis.inference.column import Floats
 
-Predictor = Callable[[Example, float | None], float | None]
+Predictor = Callable[[ExampleRow, float | None], float | None]
 """From a row, and what the same person answered when first asked, to a value; None where it has none."""
-Learner = Callable[[Sequence[Example]], Predictor]
+Learner = Callable[[Sequence[ExampleRow]], Predictor]
 """From the rows that may be seen, at least one, to a predictor."""
 
 CONSTANT: Final = "constant"
@@ -33,7 +33,7 @@ UNWRITTEN = Source("table", "The table", "not yet")
 class Contenders:
     """All that can be learnt of one parameter from rows, by name."""
 
-    basis: Basis
+    basis: ParameterRules
     inputs: tuple[str, ...]
     books: Mapping[str, Rulebook]
     """Rulebooks that learn nothing, by name."""
@@ -55,32 +55,32 @@ class Contenders:
             **({PRIOR: self.prior, INDIVIDUAL: self.individual} if people else {}),
         }
 
-    def rules(self, rows: Sequence[Example]) -> Predictor:
+    def rules(self, rows: Sequence[ExampleRow]) -> Predictor:
         """The rulebook with the rules that these rows propose."""
         cells = cells_of(self.basis, self.inputs, rows)
         return self._of_book(with_cells(self.basis.rulebook, self._name, cells, UNWRITTEN))
 
-    def prior(self, rows: Sequence[Example]) -> Predictor:
+    def prior(self, rows: Sequence[ExampleRow]) -> Predictor:
         """The rulebook with the prior that these rows give."""
         prior = prior_of(self.basis, rows)
         return self._of_book(with_prior(self.basis.rulebook, self._name, prior, UNWRITTEN))
 
-    def individual(self, rows: Sequence[Example]) -> Predictor:
+    def individual(self, rows: Sequence[ExampleRow]) -> Predictor:
         """The prior, brought to the person by one answer of theirs; None where nobody gave two."""
         prior = prior_of(self.basis, rows)
 
-        def predict(row: Example, answer: float | None) -> float | None:
+        def predict(row: ExampleRow, answer: float | None) -> float | None:
             if answer is None or prior.within_person is None:
                 return None
             return row.before + prior.known(row.group, [answer - row.before])
 
         return predict
 
-    def line(self, rows: Sequence[Example]) -> Predictor:
+    def line(self, rows: Sequence[ExampleRow]) -> Predictor:
         """A straight line of least squares over the inputs; each word is a column of 0 and 1."""
         columns = [_column(self.basis.rulebook, name, rows) for name in self.inputs]
 
-        def design(some: Sequence[Example]) -> Floats:
+        def design(some: Sequence[ExampleRow]) -> Floats:
             return np.column_stack([np.ones(len(some)), *(column(some) for column in columns)])
 
         values = np.array([row.value for row in rows])
@@ -95,7 +95,7 @@ class Contenders:
         """What a rulebook says; the same of the same inputs."""
         said: dict[int, float] = {}
 
-        def predict(row: Example, _: float | None) -> float:
+        def predict(row: ExampleRow, _: float | None) -> float:
             if id(row.inputs) not in said:
                 said[id(row.inputs)] = float(book.value(self._name, _known(book, row.inputs)))
             return said[id(row.inputs)]
@@ -103,7 +103,7 @@ class Contenders:
         return predict
 
 
-def constant(rows: Sequence[Example]) -> Predictor:
+def constant(rows: Sequence[ExampleRow]) -> Predictor:
     """The mean of the rows."""
     mean = fsum(row.value for row in rows) / len(rows)
     return lambda _row, _answer: mean
@@ -126,7 +126,9 @@ def _takes(book: Rulebook, name: str, value: object) -> bool:
     return True
 
 
-def _column(rulebook: Rulebook, name: str, rows: Sequence[Example]) -> Callable[[Sequence[Example]], Floats]:
+def _column(
+    rulebook: Rulebook, name: str, rows: Sequence[ExampleRow]
+) -> Callable[[Sequence[ExampleRow]], Floats]:
     """How rows become columns of numbers, centred; what is not known counts as the mean."""
     variable = rulebook.variables[name]
     told = [row.inputs[name] for row in rows if row.inputs.get(name) is not None]
@@ -143,7 +145,7 @@ def _column(rulebook: Rulebook, name: str, rows: Sequence[Example]) -> Callable[
 
     middle = fsum(map(number, told)) / len(told) if told else 0.0
 
-    def column(some: Sequence[Example]) -> Floats:
+    def column(some: Sequence[ExampleRow]) -> Floats:
         cells = (row.inputs.get(name) for row in some)
         return np.array([[0.0 if cell is None else number(cell) - middle] for cell in cells])
 

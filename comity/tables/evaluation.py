@@ -80,7 +80,7 @@ class Numbers:
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
+class NominalEvaluation:
     """All rows on one nominal parameter."""
 
     rows: tuple[Predicted, ...]
@@ -95,7 +95,7 @@ class Evaluation:
     measurements: Measurements
     radii: Radii
     numbers: Mapping[str, Numbers]
-    words: Mapping[str, Words]
+    words: Mapping[str, NominalEvaluation]
 
     @property
     def unscored(self) -> tuple[Predicted, ...]:
@@ -122,13 +122,13 @@ def evaluate(rulebook: Rulebook, measurements: Measurements, radii: Radii = Radi
         for name in dict.fromkeys(row.parameter for row in measurements.rows)
     }
     numbers: dict[str, Numbers] = {}
-    words: dict[str, Words] = {}
+    words: dict[str, NominalEvaluation] = {}
     for name, rows in by_parameter.items():
         parameter = rulebook.parameters[name]
         if isinstance(parameter, NumericParameter):
             numbers[name] = _numbers(parameter, rows, radii)
         else:
-            words[name] = Words(rows, _agreements(rows))
+            words[name] = NominalEvaluation(rows, _agreements(rows))
     return Evaluation(rulebook.name, measurements, radii, numbers, words)
 
 

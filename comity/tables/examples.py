@@ -9,7 +9,7 @@ from typing import Literal
 
 from comity.parameters.values import infer_for
 from comity.people.profile import NOBODY
-from comity.tables.basis import Basis
+from comity.tables.basis import ParameterRules
 from comity.tables.evaluation import Radii, in_convention
 from comity.tables.measurement import Measurement
 from comity.tables.measurements import Measurements
@@ -23,7 +23,7 @@ Inputs = Mapping[str, object]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Example:
+class ExampleRow:
     """One row, as the parameter counts it."""
 
     line: int
@@ -46,7 +46,7 @@ class Examples:
 
     file: str
     parameter: NumericParameter
-    rows: tuple[Example, ...]
+    rows: tuple[ExampleRow, ...]
     others: int
     """Rows of other parameters, which are not used."""
     unstated: int
@@ -79,12 +79,12 @@ class Examples:
         return "participant" if self.named else "study" if self.studies > 1 else "row"
 
 
-def unit_of(row: Example, left_out: LeftOut) -> object:
+def unit_of(row: ExampleRow, left_out: LeftOut) -> object:
     """What a row is left out with."""
     return {"participant": row.person, "study": row.study, "row": row.line}[left_out]
 
 
-def examples(rulebook: Rulebook, basis: Basis, measured: Measurements, radii: Radii) -> Examples:
+def examples(rulebook: Rulebook, basis: ParameterRules, measured: Measurements, radii: Radii) -> Examples:
     """The rows of a table on one parameter.
 
     Args:
@@ -160,8 +160,8 @@ def chosen_inputs(rulebook: Rulebook, found: Examples, names: Sequence[str] = ()
 
 
 def _examples(
-    rulebook: Rulebook, basis: Basis, rows: Sequence[Measurement], radii: Radii, file: str
-) -> Iterator[Example]:
+    rulebook: Rulebook, basis: ParameterRules, rows: Sequence[Measurement], radii: Radii, file: str
+) -> Iterator[ExampleRow]:
     """Each distinct set of facts is looked at once."""
     known: dict[tuple[tuple[str, float | str], ...], tuple[Inputs, float]] = {}
     for row in rows:
@@ -171,7 +171,7 @@ def _examples(
             known[facts] = told, basis.value(told)
         inputs, before = known[facts]
         group = inputs.get(GROUP)
-        yield Example(
+        yield ExampleRow(
             line=row.line,
             person=(row.study, row.participant) if row.participant else (row.study, f"line {row.line}"),
             study=row.study,

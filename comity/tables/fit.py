@@ -21,7 +21,7 @@ from comity_fis.errors import InputError
 from comity_fis.variables.partitioning import RADII
 
 if TYPE_CHECKING:
-    from comity.tables.column import Column
+    from comity.tables.column import TableColumn
 
 LONGEST = 80
 """Characters of a name that a rulebook takes."""
@@ -31,7 +31,7 @@ LONGEST = 80
 class Fit:
     """What a column gave."""
 
-    column: Column
+    column: TableColumn
     radius: float
     counts: Mapping[float, int]
     """Clusters at each radius, ascending; the fit's own radius among them."""
@@ -45,7 +45,7 @@ class Fit:
 
 
 def fit_column(
-    column: Column,
+    column: TableColumn,
     *,
     radius: float = 0.5,
     domain: tuple[float, float] | None = None,

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from comity.tables.contenders import Learner
-from comity.tables.examples import Example, LeftOut, unit_of
+from comity.tables.examples import ExampleRow, LeftOut, unit_of
 from comity_fis import InputError, Where
 from comity_fis.inference.column import Floats
 
@@ -63,7 +63,7 @@ class Judgement:
 
 
 def judged(
-    rows: Sequence[Example],
+    rows: Sequence[ExampleRow],
     learners: Mapping[str, Learner],
     left_out: LeftOut,
     *,
@@ -115,7 +115,7 @@ def judged(
     )
 
 
-def _errors(rows: Sequence[Example], of_row: Floats, learners: Mapping[str, Learner]) -> dict[str, Floats]:
+def _errors(rows: Sequence[ExampleRow], of_row: Floats, learners: Mapping[str, Learner]) -> dict[str, Floats]:
     """By contender, the absolute error of each row; NaN where it says nothing."""
     answers = list(_answers(rows))
     folds = of_row % MOST_FOLDS
@@ -130,7 +130,7 @@ def _errors(rows: Sequence[Example], of_row: Floats, learners: Mapping[str, Lear
     return errors
 
 
-def _answers(rows: Sequence[Example]) -> Iterator[float | None]:
+def _answers(rows: Sequence[ExampleRow]) -> Iterator[float | None]:
     """What the person of each row had said when first asked; None of the first row itself."""
     first: dict[object, float] = {}
     for row in rows:

@@ -10,12 +10,12 @@ from types import MappingProxyType
 
 import numpy as np
 
-from comity.tables.basis import Basis, with_value_rules
-from comity.tables.examples import GROUP, Example
+from comity.tables.basis import ParameterRules, with_value_rules
+from comity.tables.examples import GROUP, ExampleRow
 from comity_fis import NominalVariable, NumericParameter, NumericVariable, Rulebook, Source, Variable
 from comity_fis.audit.order import equality_band
 from comity_fis.inference.column import Floats, read_columns
-from comity_fis.learning.pooling import Answer, PooledPrior, pooled
+from comity_fis.learning.pooling import PooledPrior, StatedOffset, pooled
 from comity_fis.learning.rule_table import Cell, rule_table
 from comity_fis.membership.function import Trapezoid
 from comity_fis.rules.antecedent import Literal
@@ -27,7 +27,7 @@ NARROWEST = 0.01
 """The same of one at an end of that range, where a wider one would not be even."""
 
 
-def cells_of(basis: Basis, inputs: Sequence[str], rows: Iterable[Example]) -> tuple[Cell, ...]:
+def cells_of(basis: ParameterRules, inputs: Sequence[str], rows: Iterable[ExampleRow]) -> tuple[Cell, ...]:
     """What people say of every combination of the inputs' terms.
 
     A person counts once in each situation, with the mean of their rows.
@@ -44,7 +44,7 @@ def cells_of(basis: Basis, inputs: Sequence[str], rows: Iterable[Example]) -> tu
     return rule_table(degrees, basis.parameter, np.array(list(told.values())))
 
 
-def is_in_terms(rulebook: Rulebook, inputs: Iterable[str], row: Example) -> bool:
+def is_in_terms(rulebook: Rulebook, inputs: Iterable[str], row: ExampleRow) -> bool:
     """Whether each input is known and one that rules can speak of; a person's own word may have no term."""
     return all(
         (value := row.inputs.get(name)) is not None
@@ -53,10 +53,10 @@ def is_in_terms(rulebook: Rulebook, inputs: Iterable[str], row: Example) -> bool
     )
 
 
-def prior_of(basis: Basis, rows: Iterable[Example]) -> PooledPrior:
+def prior_of(basis: ParameterRules, rows: Iterable[ExampleRow]) -> PooledPrior:
     """What rows say of everybody, of each culture and of people; as offsets from what stood before."""
     parameter = basis.parameter
-    answers = (Answer(row.person, row.group, row.value - row.before) for row in rows)
+    answers = (StatedOffset(row.person, row.group, row.value - row.before) for row in rows)
     span = parameter.rules.high - parameter.rules.low
     return pooled(answers, declared_spread=parameter.spread, widest=span)
 

@@ -17,7 +17,7 @@ from comity_domain.contrast import Contrast, from_other_sides
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.explanation.other_order import OtherOrder, in_order
 from comity_domain.explanation.relaxing import InTheWay, in_the_way
-from comity_domain.explanation.stability import Flip, differences, flips
+from comity_domain.explanation.stability import BreakEven, differences, flips
 from comity_domain.explanation.what_if import NextInstead, next_instead, visits_of
 from comity_domain.labelling.punctual import Deadlines
 from comity_domain.labelling.skipping import SKIP, cost_of_serving
@@ -26,7 +26,7 @@ from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.export import as_json
 from comity_domain.plans.permission import not_permitted, without
 from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, Why
-from comity_domain.plans.rest import Progress, renumbered, rest_of
+from comity_domain.plans.rest import VisitProgress, renumbered, rest_of
 from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.problem.parts import parts
@@ -46,11 +46,11 @@ __all__ = [
     "START",
     "Agenda",
     "Alternative",
+    "BreakEven",
     "Circumstances",
     "Company",
     "Contrast",
     "Deadlines",
-    "Flip",
     "Greeting",
     "InTheWay",
     "Late",
@@ -62,7 +62,6 @@ __all__ = [
     "Plan",
     "PlanStep",
     "PlanningFailed",
-    "Progress",
     "RuledOut",
     "Say",
     "Side",
@@ -73,6 +72,7 @@ __all__ = [
     "Timing",
     "Travel",
     "Validation",
+    "VisitProgress",
     "VisitRequest",
     "Visitee",
     "Wait",

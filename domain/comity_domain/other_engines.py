@@ -18,7 +18,7 @@ from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
-from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
+from comity_domain.tours.tour import PlannedVisit, Stop, best_tour, tour_cost
 from comity_fis.errors import InputError, Where
 
 
@@ -59,7 +59,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     )
 
 
-def _tied(visits: Sequence[Visit], choices: Options) -> Sequence[Visit]:
+def _tied(visits: Sequence[PlannedVisit], choices: Options) -> Sequence[PlannedVisit]:
     """Where the engine took one of several choices that cost the same, the one that ties go to."""
     stops = [Stop(visit.spot.place, visit.company, visit.bringing) for visit in visits]
     ours = best_tour(stops, choices)

@@ -23,7 +23,7 @@ from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.lateness import Late, late
-from comity_domain.tours.tour import Stop, Visit, best_tour, path, served, tour_cost
+from comity_domain.tours.tour import PlannedVisit, Stop, best_tour, path, served, tour_cost
 
 
 def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
@@ -74,7 +74,7 @@ def kept_late(plan: Plan, request: VisitRequest) -> Late | None:
     return None if kept is None or tour_cost(*kept) is None else late(*kept)
 
 
-def _kept(plan: Plan, request: VisitRequest) -> tuple[tuple[Visit, ...], Options] | None:
+def _kept(plan: Plan, request: VisitRequest) -> tuple[tuple[PlannedVisit, ...], Options] | None:
     """The visits of an old plan with the options of now; None where somebody of it is not to be visited."""
     visits = visits_of(plan)
     names = {visit.spot.place for visit in visits}
@@ -127,7 +127,7 @@ def _rebound(stops: Sequence[Stop], request: VisitRequest) -> tuple[PlanStep, ..
         request = measured(request, missing)
 
 
-def _best_in_order(stops: Sequence[Stop], choices: Options) -> tuple[Visit, ...]:
+def _best_in_order(stops: Sequence[Stop], choices: Options) -> tuple[PlannedVisit, ...]:
     """The best tour in this order; none where there is no such tour any more, or it is late."""
     known = all(
         stop.person in choices.people and (stop.company is None or stop.company in choices.companies)

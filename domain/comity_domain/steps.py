@@ -27,10 +27,12 @@ from comity_domain.plans.actions import (
 from comity_domain.plans.plan import PlanStep, Why
 from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot, location
-from comity_domain.tours.tour import Visit, farewell_cost, greeting_parts, served
+from comity_domain.tours.tour import PlannedVisit, farewell_cost, greeting_parts, served
 
 
-def steps_of(visits: Sequence[Visit], choices: Options, around: Callable[[], Options]) -> Iterator[PlanStep]:
+def steps_of(
+    visits: Sequence[PlannedVisit], choices: Options, around: Callable[[], Options]
+) -> Iterator[PlanStep]:
     """The steps of a tour.
 
     Args:
@@ -48,12 +50,12 @@ class _Steps:
     """The steps of one visit."""
 
     index: int
-    visits: Sequence[Visit]
+    visits: Sequence[PlannedVisit]
     choices: Options
     around: Callable[[], Options]
 
     @property
-    def visit(self) -> Visit:
+    def visit(self) -> PlannedVisit:
         return self.visits[self.index]
 
     @property

@@ -22,12 +22,12 @@ from comity_executor.robots.goals import (
     STATES,
     ActGoal,
     ActStatus,
-    DockingPose,
     GoalId,
     GoalStatus,
     Motion,
     MotionGoal,
     MotionStatus,
+    RelativePose,
 )
 from comity_executor.robots.map_robot import Localisation, MapGoal, MapRobot, PersonTrack
 from comity_executor.robots.noticed import Noticed
@@ -46,7 +46,7 @@ from comity_executor.tracing.blackboard_file import BlackboardFile, read_blackbo
 from comity_executor.tracing.coverage import LeafCoverage, leaf_coverage
 from comity_executor.tracing.divergence import Divergence, first_divergence
 from comity_executor.tracing.file import TraceFile
-from comity_executor.tracing.history import History, Why
+from comity_executor.tracing.history import History, NodeExplanation
 from comity_executor.tracing.intervention import Intervention
 from comity_executor.tracing.reader import read_nodes, read_trace
 from comity_executor.tracing.switch import Switch, switches
@@ -74,7 +74,6 @@ __all__ = [
     "Deed",
     "Diagnosed",
     "Divergence",
-    "DockingPose",
     "Execution",
     "ExecutionStatus",
     "FaultError",
@@ -98,6 +97,7 @@ __all__ = [
     "MotionStatus",
     "NoRevision",
     "Node",
+    "NodeExplanation",
     "NodeId",
     "Noticed",
     "Overrun",
@@ -107,6 +107,7 @@ __all__ = [
     "Reading",
     "ReadingSeries",
     "ReadingsFile",
+    "RelativePose",
     "Revision",
     "Robot",
     "RobotCheck",
@@ -123,7 +124,6 @@ __all__ = [
     "VisitSubtree",
     "Watchdog",
     "WatchdogError",
-    "Why",
     "Wording",
     "Words",
     "Write",

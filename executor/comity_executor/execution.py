@@ -16,7 +16,7 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.give_up import why_failed
 from comity_executor.memory.asking import Asking
 from comity_executor.memory.board import Shared
-from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
+from comity_executor.memory.meeting import NO_ACTS, MakeAct, VisitContext
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.progress import progress_of
 from comity_executor.memory.visit import PROPER_OUTCOMES, Visit, skipped_visit
@@ -481,7 +481,7 @@ class Execution:
         """Put on record what became of the plan itself; it stands at `plan_holds?`."""
         self._recorder.note(self._trees[-1].holds, status, because)
 
-    def _meetings(self) -> Iterator[Meeting]:
+    def _meetings(self) -> Iterator[VisitContext]:
         return (meeting for tree in self._trees for meeting in tree.meetings)
 
     def _course(self, t: float) -> Course:

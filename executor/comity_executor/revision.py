@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from comity_domain.plans.plan import Plan
-from comity_domain.plans.rest import Progress
+from comity_domain.plans.rest import VisitProgress
 from comity_executor.nodes.cause import Cause
 from comity_fis.inference.value import Inference
 
@@ -28,7 +28,7 @@ class Course:
     """Whose visit was given up, and why."""
     may_replan: bool
     """Whether another plan because of a change would be within the cap."""
-    progress: Mapping[str, Progress] = field(default_factory=dict)
+    progress: Mapping[str, VisitProgress] = field(default_factory=dict)
     """How far the visits are that are not over, of everybody with an agenda."""
     unserved: Mapping[str, str] = field(default_factory=dict)
     """Who is left and not in the plan, and why."""

@@ -7,7 +7,7 @@ from comity_fis.errors import ComityError, InputError, Where, closest
 from comity_fis.explanation.disclosure import Outvoting, facts_first, kept_back, outvoting, rests_on_facts
 from comity_fis.explanation.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.explanation.sensitivity import Sensitivity
-from comity_fis.explanation.what_if import Alternative, Flip
+from comity_fis.explanation.what_if import Counterfactual, Flip
 from comity_fis.inference.known import Known, MixedFact
 from comity_fis.inference.value import Contribution, FiredRule, Inference, Origin, ParameterValue, PartValue
 from comity_fis.learning.learnt import Learnt
@@ -31,12 +31,12 @@ from comity_fis.variables.variable import NominalVariable, NumericVariable, Ordi
 
 __all__ = [
     "HEDGES",
-    "Alternative",
     "CategoryAccount",
     "Choice",
     "Coercion",
     "ComityError",
     "Contribution",
+    "Counterfactual",
     "Country",
     "Curve",
     "Explanation",

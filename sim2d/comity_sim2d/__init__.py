@@ -15,7 +15,7 @@ from comity_sim2d.metrics import (
     Span,
     Spread,
     Stopping,
-    Wanted,
+    TargetStop,
     clearances_m,
     measure,
     of_episode,
@@ -38,7 +38,7 @@ from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pose import Pose, wrap_angle
 from comity_sim2d.robot.acts import HAND_OVER, PICK_UP, ActEvent
 from comity_sim2d.robot.carrying import carried_at, carryings
-from comity_sim2d.robot.motion import Motion, Reading
+from comity_sim2d.robot.motion import MotionProgress, PersonEstimate
 from comity_sim2d.robot.sim_robot import SimRobot
 from comity_sim2d.scene.area import Area, Location
 from comity_sim2d.scene.comfort import Comfort
@@ -78,15 +78,15 @@ __all__ = [
     "Location",
     "Metric",
     "Metrics",
-    "Motion",
+    "MotionProgress",
     "OSpace",
     "PassersBy",
     "PastPeople",
     "Person",
+    "PersonEstimate",
     "PlaceMap",
     "PlannedRoute",
     "Pose",
-    "Reading",
     "Ring",
     "RobotBody",
     "RobotReaction",
@@ -101,10 +101,10 @@ __all__ = [
     "Span",
     "Spread",
     "Stopping",
+    "TargetStop",
     "Touch",
     "Walk",
     "Wall",
-    "Wanted",
     "Wish",
     "World",
     "carried_at",

@@ -86,7 +86,7 @@ def frame_row(pose: Pose) -> Row:
     return (pose.x_m, pose.y_m, wrap_angle(pose.heading_rad))
 
 
-class Recorder:
+class FrameRecorder:
     """Collects frames, compactly."""
 
     def __init__(self, bodies: Iterable[tuple[str, float]]) -> None:
@@ -182,7 +182,7 @@ def _read(path: str | Path) -> Frames:
         rows = list(csv.DictReader(line for line in file if line.endswith("\n")))
     entities = list(dict.fromkeys(row["entity"] for row in rows))
     whole = len(rows) - len(rows) % max(1, len(entities))
-    recorder = Recorder((name, float(rows[i]["radius_m"])) for i, name in enumerate(entities))
+    recorder = FrameRecorder((name, float(rows[i]["radius_m"])) for i, name in enumerate(entities))
     for k in range(0, whole, max(1, len(entities))):
         block = rows[k : k + len(entities)]
         _require_everybody(block, entities, k + 2)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_fis.errors import WrongValueError
 from comity_sim2d.base.physics import Physics, Touch
 from comity_sim2d.clock import Clock
-from comity_sim2d.frames import Frames, Recorder, frame_row
+from comity_sim2d.frames import FrameRecorder, Frames, frame_row
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.maps.doorways import DoorTurn, Doorways
 from comity_sim2d.maps.topology import topology
@@ -30,7 +30,7 @@ from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene_error import is_near, require_between, require_finite, require_whole, shown
 from comity_sim2d.senses.active_faults import ActiveFaults
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 from comity_sim2d.senses.sight import Sight
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ class World:
         sight = Sight(scene.robot.sensor, self._plan)
         self.faults = ActiveFaults()
         """Faults that are active now; a schedule begins and ends them here."""
-        self._senses = Senses(
+        self._senses = SensedPeople(
             scene.robot.sensor,
             sight,
             scene.people,
@@ -107,7 +107,7 @@ class World:
         self.leads = Leads(self._traffic)
         """Who is sent somewhere; whoever sends somebody begins and ends it here."""
         self.robot = self._robot_in(route_map or RouteMap(scene), places or {})
-        self._recorder = Recorder(self._bodies())
+        self._recorder = FrameRecorder(self._bodies())
         self._felt = 0
         """So many of the robot's contacts its senses have taken in."""
         self._observe()

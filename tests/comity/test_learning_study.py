@@ -15,7 +15,7 @@ import pytest
 from comfort_study import BEYOND, POPULATIONS, mean_of_samples, study
 
 from comity.adaptation.visits import Acquaintance, meet
-from comity.scenario import Comfort as Wish
+from comity.scenario import ComfortSpec as Wish
 from comity_fis.learning.showing import shown
 from comity_fis.learning.signals import SIGNALS
 from comity_sim2d import Comfort, Person, RobotBody, Room, Scene, World

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import comity as front_door
 from comity.adaptation.learning import keep, observed
 from comity.adaptation.observers_words import PAST
-from comity.adaptation.observing import Sight, observe
+from comity.adaptation.observing import ObservedSignal, observe
 from comity.adaptation.stored_profile import StoredProfile
 from comity.adaptation.visits import acquainted, interval_in_words, meet
 from comity.live_episode import execute
@@ -165,7 +165,7 @@ def test_undo_takes_back_one_entry_after_the_other_and_nothing_else(entries):
         remember("amal", [Observation(day=DAY, situation={}, model_m=1.0, distance_m=1.0, signal="lean_in")])
         states = [remembered("amal")]
         for entry in entries:
-            observe([Sight("amal", signal, metres, DAY) for signal, metres in entry], BOOK)
+            observe([ObservedSignal("amal", signal, metres, DAY) for signal, metres in entry], BOOK)
             states.append(remembered("amal"))
         profile = StoredProfile("amal")
         for before in reversed(states[:-1]):

@@ -11,7 +11,7 @@ import yaml
 
 from comity.live_episode import execute
 from comity.planning.diagnosis import GoalsUnmet
-from comity.planning.reckoning import Ways
+from comity.planning.reckoning import TravelDistances
 from comity.planning.request import spots_of
 from comity.preparation import prepare
 from comity.scenario import load_scenario
@@ -128,7 +128,7 @@ def test_nobody_is_greeted_later_than_deadlines_reckon_where_nothing_comes_betwe
     request = prepared.asked.request
     scene, routes = prepared.scene, prepared.route_map
     own = {each.name: [*spots_of(scene, routes, each).values()] for each in request.visitees}
-    ways = Ways(scene, routes, own, prepared.asked.places)
+    ways = TravelDistances(scene, routes, own, prepared.asked.places)
     durations = {way: journey.seconds(prepared.attend_s) for way, journey in ways.all_measured().items()}
     visits = visits_of(prepared.plan)
     reckoned = end_times_s(visits, replace(options(request), durations_s=durations))

@@ -14,7 +14,7 @@ import yaml
 
 from comity.output.resolved import resolved_yaml
 from comity.preparation import prepare
-from comity.scenario import Limits, Person, Scenario, load_scenario
+from comity.scenario import LimitsSpec, PersonSpec, Scenario, load_scenario
 
 
 def run_apart(hash_seed: str, folder: Path, *words: str) -> dict[str, object]:
@@ -82,9 +82,9 @@ def test_the_scenario_of_a_run_is_in_the_order_in_which_people_write(name):
     assert "at" in written
     assert "attend_s" in limits
     assert list(written) == [key for key in Scenario.model_fields if key in written]
-    assert list(limits) == [key for key in Limits.model_fields if key in limits]
+    assert list(limits) == [key for key in LimitsSpec.model_fields if key in limits]
     for person in written["people"].values():
-        where = [key for key in Person.model_fields if key in person and key != "profile"]
+        where = [key for key in PersonSpec.model_fields if key in person and key != "profile"]
         assert list(person) == ["profile", *where]
     for piece in (place.get("map") or place)["furniture"]:
         assert next(iter(piece)) == "name"

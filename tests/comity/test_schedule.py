@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity.schedule import Schedule, Stage
-from comity.simulation.happenings import EmergencyStopPressed, Walk
+from comity.simulation.happenings import EmergencyStopPressed, WalkStart
 from comity_sim2d import Person, RobotBody, Room, Scene, Wall, World
 
 
@@ -84,7 +84,7 @@ def test_the_button_is_held_for_its_time_and_two_are_held_until_both_are_release
 def test_a_walk_goes_round_walls_at_its_speed_and_ends_as_it_should() -> None:
     stage = stage_of(Person("anna", 3.0, 5.0, 0.0), walls=(Wall((4.0, 6.0), (4.0, 3.0)),))
     positions = []
-    schedule = Schedule([Walk(0.0, "anna", (5.0, 5.0), math.pi / 2, 1.0)])
+    schedule = Schedule([WalkStart(0.0, "anna", (5.0, 5.0), math.pi / 2, 1.0)])
     for _ in range(160):
         schedule.step(stage)
         positions.append(stage.world.people[0].xy)
@@ -100,7 +100,7 @@ def test_whoever_walks_waits_for_the_robot_and_touches_nobody() -> None:
     """The robot stands in the corridor: Anna stops before it and goes on when it is gone."""
     walls = (Wall((0.0, 1.6), (8.0, 1.6)), Wall((0.0, 0.4), (8.0, 0.4)))
     stage = stage_of(Person("anna", 4.0, 1.0, math.pi), walls=walls)
-    play(stage, Schedule([Walk(0.0, "anna", (0.5, 1.0), None, 1.0)]), 6.0)
+    play(stage, Schedule([WalkStart(0.0, "anna", (0.5, 1.0), None, 1.0)]), 6.0)
     assert stage.world.robot_touches == ()
     gap_m = stage.world.people[0].xy[0] - 1.0 - 0.25 - 0.20
     assert 0.10 - 1e-6 <= gap_m < 0.16

@@ -14,7 +14,7 @@ from shapely import LineString, distance, points
 
 from comity.schedule import Schedule, Stage
 from comity.simulation.breakdowns import DoorTurns, StandInTheWay, WalkOff
-from comity.simulation.happenings import Walk as Sent
+from comity.simulation.happenings import WalkStart as Sent
 from comity.simulation.sent_way import DOOR_GAP_M
 from comity_sim2d import DockingPose, Door, PassersBy, Person, RobotBody, Room, Scene, Wall, World
 

@@ -16,7 +16,7 @@ import comity as front_door
 from comity.schedule import Happening, Schedule, Stage
 from comity.simulation.breakdowns import StandInTheWay, WalkOff
 from comity.simulation.happenings import GAP_M
-from comity.simulation.happenings import Walk as Sent
+from comity.simulation.happenings import WalkStart as Sent
 from comity_sim2d import (
     Comfort,
     DockingPose,

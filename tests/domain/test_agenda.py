@@ -18,11 +18,11 @@ from comity_domain import (
     Circumstances,
     Offer,
     PlanningFailed,
-    Progress,
     Say,
     Spot,
     TakeLeave,
     Visitee,
+    VisitProgress,
     Wait,
     Weights,
     greetings,
@@ -188,7 +188,7 @@ def test_the_rest_of_a_cheapest_visit_is_the_cheapest_rest(agenda_request, seed)
         tasks_left = sum(step.action in AGENDA_ACTIONS.values() for step in left)
         if not tasks_left:
             continue
-        progress = Progress(
+        progress = VisitProgress(
             greeted=any(step.action == "Greet_person" for step in past),
             tasks_left=tasks_left,
             taken=holding(past),

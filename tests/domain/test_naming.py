@@ -5,9 +5,9 @@ import re
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_domain.classical.naming import RESERVED, Word, name_all
+from comity_domain.classical.naming import RESERVED, PddlWord, name_all
 
-words = st.lists(st.builds(Word, st.sampled_from(["user", "side", "gesture"]), st.text(max_size=8)))
+words = st.lists(st.builds(PddlWord, st.sampled_from(["user", "side", "gesture"]), st.text(max_size=8)))
 
 
 @given(words)
@@ -21,7 +21,7 @@ def test_every_name_becomes_one_word_of_its_own_and_comes_back(given_words):
 
 def test_a_plain_name_keeps_itself_and_others_stay_readable():
     names = ["johanna", "Johanna", "Zoë", "Anna-Lena", "front", "robot", "3", "東京"]
-    ids = name_all([Word("side", "front"), *(Word("user", name) for name in names)])
+    ids = name_all([PddlWord("side", "front"), *(PddlWord("user", name) for name in names)])
     assert [ids.id("user", name) for name in names] == [
         *("johanna", "johanna_1", "zoe", "anna_lena", "front_1", "robot_1", "user_3", "user_1"),
     ]

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from comity_fis import individualism_scores, load_rulebook, shipped_rulebooks
 from comity_fis.audit import (
-    Group,
+    StudyGroup,
     attributes,
     audit,
     conflicts,
@@ -234,11 +234,11 @@ def test_a_finding_is_held_against_two_people_of_whom_only_that_is_known(case2):
 def test_what_several_studies_find_of_a_pair_counts_once(case2):
     """Three studies have men farther apart than women, and one has both alike: one pair, men farther."""
     found = held_to(case2, shipped_findings(), attributes(case2))
-    rows = [row for row in found.rows if row.finding.larger == Group("gender", "male")]
+    rows = [row for row in found.rows if row.finding.larger == StudyGroup("gender", "male")]
     assert [row.finding.relation for row in rows] == [">", ">", ">", "="]
     assert found.by_attribute["gender"] == OrderCounts(agreeing=1)
     assert found.findings_by_attribute["gender"] == OrderCounts(agreeing=3, contradicting=3)
-    assert found.disputed == ((Group("gender", "male"), Group("gender", "female")),)
+    assert found.disputed == ((StudyGroup("gender", "male"), StudyGroup("gender", "female")),)
 
 
 @given(st.lists(st.sampled_from([">", "<", "="]), min_size=1, max_size=6))

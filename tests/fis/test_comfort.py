@@ -19,7 +19,7 @@ from comity_fis.learning.comfort import (
     STEP_FARTHER,
     STEP_NEARER,
     WITHIN,
-    Comfort,
+    ComfortPosterior,
 )
 from comity_fis.learning.showing import drawn, misread, noticed, shown
 from comity_fis.learning.signals import AWAY, SIGNALS
@@ -30,27 +30,27 @@ OBSERVATIONS = st.lists(st.tuples(st.sampled_from(SIGNALS), OFFSETS, st.integers
 few = settings(max_examples=40)
 
 
-def learnt(observations) -> Comfort:
-    known = Comfort.before_meeting(SPREAD)
+def learnt(observations) -> ComfortPosterior:
+    known = ComfortPosterior.before_meeting(SPREAD)
     for signal, offset, days in observations:
         known = known.later(days).after(signal, offset)
     return known
 
 
-def mean(known: Comfort) -> float:
+def mean(known: ComfortPosterior) -> float:
     return float(known.weights.sum(axis=(-2, -1)) @ MIDDLES) * SPREAD
 
 
-def away_from_the_prior(known: Comfort) -> float:
+def away_from_the_prior(known: ComfortPosterior) -> float:
     """The Kullback-Leibler divergence from the prior."""
-    prior, weights = Comfort.before_meeting(SPREAD).weights, known.weights
+    prior, weights = ComfortPosterior.before_meeting(SPREAD).weights, known.weights
     inside = weights > 0
     return float((weights[inside] * np.log(weights[inside] / prior[inside])).sum())
 
 
 def test_before_any_meeting_the_models_value_stands():
     """The interval is a little wider than the rulebook's spread makes it: the model may be wrong."""
-    known = Comfort.before_meeting(SPREAD)
+    known = ComfortPosterior.before_meeting(SPREAD)
     assert float(known.offset) == 0.0
     assert SPREAD < float(known.deviation) < 1.2 * SPREAD
     low, high = known.interval()
@@ -60,7 +60,7 @@ def test_before_any_meeting_the_models_value_stands():
 
 def test_who_insists_is_met_as_far_out_as_the_offset_goes():
     """And while they do, the robot allows for their meaning the opposite: the interval holds both."""
-    known, stood = Comfort.before_meeting(SPREAD), []
+    known, stood = ComfortPosterior.before_meeting(SPREAD), []
     for _ in range(12):
         stood.append(float(known.offset))
         known = known.later(30).after("step_back", stood[-1])
@@ -73,7 +73,7 @@ def test_who_insists_is_met_as_far_out_as_the_offset_goes():
 @given(OFFSETS, st.integers(0, 400))
 def test_evidence_of_one_end_moves_the_interval_the_right_way(offset, days):
     """Too close never makes the liked distance nearer on the mean, and too far never farther."""
-    known = Comfort.before_meeting(SPREAD).later(days)
+    known = ComfortPosterior.before_meeting(SPREAD).later(days)
     for signal in ("step_back", "ask_farther"):
         assert mean(known.after(signal, offset)) >= mean(known) - 1e-9
     for signal in ("lean_in", "ask_closer"):
@@ -101,7 +101,7 @@ def test_the_same_holds_after_any_history(history, offset, evidence):
 @given(st.lists(OFFSETS, max_size=30))
 def test_silence_never_rules_anything_out(offsets):
     """Some people never show anything: no middle falls below their share of its prior."""
-    known = Comfort.before_meeting(SPREAD)
+    known = ComfortPosterior.before_meeting(SPREAD)
     prior = known.weights.sum(axis=(-2, -1))
     for offset in offsets:
         known = known.after("nothing", offset)
@@ -114,7 +114,7 @@ def test_silence_alone_leaves_a_wide_interval(offset, times):
     known = learnt([("nothing", offset, 0)] * times)
     low, high = known.interval()
     quantile = MANNER_WEIGHTS[0] * 0.05
-    prior = Comfort.before_meeting(SPREAD)
+    prior = ComfortPosterior.before_meeting(SPREAD)
     assert float(high - low) > 0.0
     # At least the share of the silent lies as the prior does beyond either end of any narrower interval.
     outside = known.weights.sum(axis=(-2, -1))[np.abs(MIDDLES * SPREAD) > 1.645 * SPREAD].sum()
@@ -138,7 +138,7 @@ def test_what_is_known_widens_with_time(history, days):
     A posterior about as wide as the prior may narrow a little before it widens.
     """
     known = learnt(history)
-    if float(known.deviation) < 0.8 * float(Comfort.before_meeting(SPREAD).deviation):
+    if float(known.deviation) < 0.8 * float(ComfortPosterior.before_meeting(SPREAD).deviation):
         assert float(known.later(days).deviation) >= float(known.deviation) - 1e-9
 
 
@@ -270,7 +270,7 @@ def test_the_personal_offset_is_bounded(history):
 )
 def test_who_asked_it_nearer_and_is_at_ease_there_finds_it_there_a_month_later(at, pauses):
     """Within 3 cm, at every further visit at which they show nothing; years later it may have gone back."""
-    known = Comfort.before_meeting(SPREAD).after("ask_closer", at)
+    known = ComfortPosterior.before_meeting(SPREAD).after("ask_closer", at)
     asked = float(known.later(30).offset)
     assert asked == pytest.approx(-STEP_NEARER * SPREAD, abs=WITHIN * SPREAD)
     for days in pauses:
@@ -292,7 +292,7 @@ def test_no_end_of_an_interval_is_below_what_is_possible(history, nearest, share
 @settings(max_examples=30)
 @given(st.permutations([("step_back", 0.0), ("nothing", 0.2), ("turn_away", 0.1), ("lean_in", 0.4)]))
 def test_the_order_of_signals_does_not_change_what_is_believed(signals):
-    known = Comfort.before_meeting(SPREAD)
+    known = ComfortPosterior.before_meeting(SPREAD)
     for signal, offset in signals:
         known = known.after(signal, offset)
     usual = learnt([("step_back", 0.0, 0), ("nothing", 0.2, 0), ("turn_away", 0.1, 0), ("lean_in", 0.4, 0)])
@@ -312,7 +312,7 @@ def test_the_same_history_gives_the_same_answer(history):
 def test_many_people_at_once_are_learnt_about_one_by_one(one, other):
     """Nobody's history touches anybody else's."""
     length = min(len(one), len(other))
-    together = Comfort.before_meeting(SPREAD, (2,))
+    together = ComfortPosterior.before_meeting(SPREAD, (2,))
     for (signal, offset, days), (signal_2, offset_2, _) in zip(one, other, strict=False):
         numbers = np.array([SIGNALS.index(signal), SIGNALS.index(signal_2)])
         together = together.later(days).after(numbers, np.array([offset, offset_2]))
@@ -324,7 +324,7 @@ def test_many_people_at_once_are_learnt_about_one_by_one(one, other):
 @given(OFFSETS, st.integers(0, 400))
 def test_what_is_believed_after_an_answer_lies_between_the_model_and_the_answer(answer, days):
     """And it is nearer to the answer: one honest word counts more than where somebody is from."""
-    known = Comfort.before_meeting(SPREAD).later(days).after_answer(answer)
+    known = ComfortPosterior.before_meeting(SPREAD).later(days).after_answer(answer)
     low, high = sorted((0.5 * answer, answer))
     assert low - 1e-9 <= mean(known) <= high + 1e-9
     assert float(known.deviation) < 0.7 * SPREAD
@@ -332,7 +332,7 @@ def test_what_is_believed_after_an_answer_lies_between_the_model_and_the_answer(
 
 @given(OFFSETS, OFFSETS, st.integers(0, 400))
 def test_a_farther_answer_never_leads_nearer(one, other, days):
-    known = Comfort.before_meeting(SPREAD).later(days)
+    known = ComfortPosterior.before_meeting(SPREAD).later(days)
     near, far = (known.after_answer(answer) for answer in sorted((one, other)))
     assert mean(near) <= mean(far) + 1e-9
     assert float(near.offset) <= float(far.offset) + 1e-9
@@ -354,7 +354,7 @@ def test_the_robot_comes_no_nearer_than_the_person_said_uninvited(before, answer
 def test_an_answer_is_one_more_observation_whatever_the_order(history, answer):
     """On one day it counts as much before what was shown as after it, and never rules anything out."""
     shown_first = learnt([(signal, at, 0) for signal, at, _ in history]).after_answer(answer)
-    asked_first = Comfort.before_meeting(SPREAD).after_answer(answer)
+    asked_first = ComfortPosterior.before_meeting(SPREAD).after_answer(answer)
     for signal, offset, _ in history:
         asked_first = asked_first.after(signal, offset)
     assert np.allclose(shown_first.weights, asked_first.weights, atol=1e-12)
@@ -363,7 +363,7 @@ def test_an_answer_is_one_more_observation_whatever_the_order(history, answer):
 
 def test_an_answer_is_followed_all_the_way_out_and_with_caution_in():
     """Who likes it farther is met there; who likes it nearer is met at most 5 cm farther out than that."""
-    known = Comfort.before_meeting(SPREAD)
+    known = ComfortPosterior.before_meeting(SPREAD)
     for answer in (0.1, 0.2, 0.3, 0.4):
         assert float(known.after_answer(answer).offset) == pytest.approx(answer)
         assert -answer - 1e-9 <= float(known.after_answer(-answer).offset) <= -answer + 0.05
@@ -371,8 +371,8 @@ def test_an_answer_is_followed_all_the_way_out_and_with_caution_in():
 
 def test_many_people_are_asked_at_once():
     answers = np.array([-0.2, 0.1, 0.4])
-    together = Comfort.before_meeting(SPREAD, (3,)).after_answer(answers)
-    apart = [float(Comfort.before_meeting(SPREAD).after_answer(answer).offset) for answer in answers]
+    together = ComfortPosterior.before_meeting(SPREAD, (3,)).after_answer(answers)
+    apart = [float(ComfortPosterior.before_meeting(SPREAD).after_answer(answer).offset) for answer in answers]
     assert together.offset == pytest.approx(apart, abs=1e-12)
 
 

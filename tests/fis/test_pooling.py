@@ -8,14 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_fis.audit.order import BAND_M
-from comity_fis.learning.pooling import Answer, pooled
+from comity_fis.learning.pooling import StatedOffset, pooled
 
 SPREAD_M, WIDEST_M = 0.3, 0.75
 """What the shipped rulebooks declare of people's distances, and what their rules can give."""
 
 offsets = st.floats(-1, 1).map(lambda x: round(x, 3))
 answers = st.lists(
-    st.builds(Answer, st.integers(0, 8), st.sampled_from(["JPN", "DEU", "Kurdish", None]), offsets),
+    st.builds(StatedOffset, st.integers(0, 8), st.sampled_from(["JPN", "DEU", "Kurdish", None]), offsets),
     min_size=1,
     max_size=30,
 )
@@ -54,7 +54,9 @@ def test_the_order_of_the_answers_does_not_matter(given_answers, source):
 def test_centimetres_give_what_metres_give(given_answers):
     metres = prior(given_answers)
     centimetres = prior(
-        [Answer(a.person, a.group, 100 * a.offset) for a in given_answers], 100 * SPREAD_M, 100 * WIDEST_M
+        [StatedOffset(a.person, a.group, 100 * a.offset) for a in given_answers],
+        100 * SPREAD_M,
+        100 * WIDEST_M,
     )
     assert centimetres.everybody == pytest.approx(100 * metres.everybody, abs=1e-6)
     assert centimetres.between_people == pytest.approx(100 * metres.between_people)
@@ -72,18 +74,18 @@ def test_a_person_lies_between_their_group_and_their_own_answers_and_nearer_with
 
 
 def test_somebody_of_a_place_that_nobody_told_of_is_anybody():
-    found = prior([Answer(i, group, 0.2) for group in ("JPN", "DEU") for i in range(9)])
+    found = prior([StatedOffset(i, group, 0.2) for group in ("JPN", "DEU") for i in range(9)])
     assert found.expected("KEN") == found.expected(None) == found.everybody
 
 
 def test_one_place_alone_says_nothing_about_the_others():
-    found = prior([Answer(i, "JPN", 0.25) for i in range(20)])
+    found = prior([StatedOffset(i, "JPN", 0.25) for i in range(20)])
     assert found.expected("KEN") == 0
     assert found.expected("JPN") > 0.2
 
 
 def test_people_whose_culture_is_not_known_are_everybody():
-    found = prior([Answer(i, None, 0.25) for i in range(20)])
+    found = prior([StatedOffset(i, None, 0.25) for i in range(20)])
     assert found.everybody > 0.2
     assert dict(found.groups) == {}
 
@@ -91,7 +93,9 @@ def test_people_whose_culture_is_not_known_are_everybody():
 def drawn(people, wrong, seed, spread=SPREAD_M):
     """What is expected of a place whose people want so much more than what stood before."""
     random = np.random.default_rng(seed)
-    return prior([Answer(i, "JPN", random.normal(wrong, spread)) for i in range(people)]).expected("JPN")
+    return prior([StatedOffset(i, "JPN", random.normal(wrong, spread)) for i in range(people)]).expected(
+        "JPN"
+    )
 
 
 def harm(expected, wrong, spread=SPREAD_M):
@@ -122,7 +126,7 @@ def test_what_varies_is_told_apart(seed):
     random = np.random.default_rng(seed)
     found = prior(
         [
-            Answer((place, person), f"place {place}", of_place + of_person + random.normal(0, 0.06))
+            StatedOffset((place, person), f"place {place}", of_place + of_person + random.normal(0, 0.06))
             for place in range(8)
             for of_place in [random.normal(0, 0.15)]
             for person in range(40)

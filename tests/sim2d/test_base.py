@@ -8,7 +8,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
-from comity_sim2d.base.base import Wanted
+from comity_sim2d.base.base import VelocityCommand
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.omnidirectional import Omnidirectional
 from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_ticks
@@ -150,7 +150,7 @@ def test_two_wheels_keep_their_acceleration_whatever_they_are_told(
     base, pose, velocities = Differential(body, DT_S), body.pose, [(0.0, 0.0)]
     for off, speed, ticks in wishes:
         way = pose.heading_rad + off
-        wanted = Wanted((speed * math.cos(way), speed * math.sin(way)), way)
+        wanted = VelocityCommand((speed * math.cos(way), speed * math.sin(way)), way)
         for _ in range(ticks):
             twist = base.command(base.base(pose), wanted, 0.7)
             velocities.append(twist.xy)

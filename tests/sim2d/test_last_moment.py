@@ -12,13 +12,13 @@ from judging import Body, touches_lines
 
 from comity_sim2d import Furniture, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall, World
 from comity_sim2d.avoidance.last_moment import NEARLY_M, LastMoment
-from comity_sim2d.base.base import Base, BaseControl, Wanted
+from comity_sim2d.base.base import Base, BaseControl, VelocityCommand
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.drive import hardest_braking
 from comity_sim2d.base.omnidirectional import Omnidirectional
 from comity_sim2d.navigation.docking import DockingPose
 from comity_sim2d.navigation.yielding import Walker
-from comity_sim2d.robot.approach import Approach, Goal
+from comity_sim2d.robot.approach import Approach, MovingTarget
 from comity_sim2d.scene.obstacles import FloorPlan
 
 STEP_S = 0.05
@@ -30,7 +30,7 @@ DRIVES: dict[str, type[Omnidirectional | Differential]] = {
 }
 
 
-def moved(pose: Pose, control: BaseControl, base: Base, wanted: Wanted, *, brakes: bool) -> Pose:
+def moved(pose: Pose, control: BaseControl, base: Base, wanted: VelocityCommand, *, brakes: bool) -> Pose:
     """The pose a tick later; a base turns evenly during it."""
     twist = control.brake() if brakes else control.command(base, wanted, 1.5)
     turned = pose.heading_rad + twist.turn_rad_s * STEP_S
@@ -59,7 +59,7 @@ def test_a_robot_that_is_steered_at_a_thing_stops_before_it(
 ) -> None:
     body = RobotBody(1.0, 3.0, drive=drive, max_speed_m_s=speed)
     control, moment, pose = DRIVES[drive](body, STEP_S), LastMoment(body), Pose(1.0, 3.0, 0.0)
-    wanted = Wanted((speed * math.cos(aside), speed * math.sin(aside)), aside)
+    wanted = VelocityCommand((speed * math.cos(aside), speed * math.sin(aside)), aside)
     for _ in range(400):
         base = control.base(pose)
         if brakes := moment.has_come(base, plan):
@@ -84,7 +84,7 @@ def test_a_robot_that_is_steered_at_a_passer_by_stops_before_them(
     body = RobotBody(1.0, 3.0, drive=drive, max_speed_m_s=speed)
     control, moment, pose = DRIVES[drive](body, STEP_S), LastMoment(body), Pose(1.0, 3.0, 0.0)
     people, reach_m = np.array([5.0 + (3.0 + aside_m) * 1j, 5.0 + 9.0j]), np.array([0.45, 0.45])
-    wanted = Wanted((speed, 0.0), 0.0)
+    wanted = VelocityCommand((speed, 0.0), 0.0)
     for _ in range(600):
         base = control.base(pose)
         if brakes := moment.has_come_before(base, people, reach_m):
@@ -155,8 +155,8 @@ def test_a_robot_that_lets_somebody_pass_brakes_on_its_way(seed: int, speed: flo
         omar = Walker(Person("omar", pose.x_m + 1.5, 3.0, math.pi), (-0.8, 0.0))
         vx, vy = rng.normal(0.0, 0.005, 2).tolist()
         walkers = (omar,) if tick >= 40 else ()
-        velocity = approach.steer(base, Goal((8.65, 3.0), (vx, vy)), routes, walkers)
-        pose = moved(pose, control, base, Wanted(velocity, math.pi / 2), brakes=False)
+        velocity = approach.steer(base, MovingTarget((8.65, 3.0), (vx, vy)), routes, walkers)
+        pose = moved(pose, control, base, VelocityCommand(velocity, math.pi / 2), brakes=False)
         assert abs(pose.y_m - 3.0) < 0.01
     assert approach.gives_way_to == "omar"
     assert control.base(pose).speed_m_s < 1e-6
@@ -167,9 +167,9 @@ def test_two_wheels_come_to_rest_before_they_turn_to_whom_they_are_to_look_at(tu
     body = RobotBody(1.0, 3.0, drive="differential")
     control, pose = Differential(body, STEP_S), Pose(1.0, 3.0, 0.0)
     for _ in range(40):
-        pose = moved(pose, control, control.base(pose), Wanted((0.6, 0.0), 0.0), brakes=False)
+        pose = moved(pose, control, control.base(pose), VelocityCommand((0.6, 0.0), 0.0), brakes=False)
     for _ in range(80):
-        wanted = Wanted((0.0, 0.0), turns * math.pi / 2)
+        wanted = VelocityCommand((0.0, 0.0), turns * math.pi / 2)
         pose = moved(pose, control, control.base(pose), wanted, brakes=False)
     assert pose.heading_rad == pytest.approx(turns * math.pi / 2, abs=1e-3)
     assert abs(pose.y_m - 3.0) < 0.01

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
 from comity_sim2d.people.said import GO_AHEAD, Said
-from comity_sim2d.robot.acts import ASK_TO_PASS, NORMAL, Manner, Spoken
+from comity_sim2d.robot.acts import ASK_TO_PASS, NORMAL, ActManner, Spoken
 from comity_sim2d.scene.margin_facts import MarginFacts
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
@@ -33,7 +33,7 @@ class Question:
     act: str = ASK_TO_PASS
     text: str = "Excuse me, may I pass?"
     thing: str | None = None
-    manner: Manner = NORMAL
+    manner: ActManner = NORMAL
     latin: str | None = None
     utterance: Spoken | None = None
 

@@ -20,7 +20,7 @@ from comity_sim2d import (
     Metrics,
     Span,
     Stopping,
-    Wanted,
+    TargetStop,
     measure,
     of_episode,
     of_person,
@@ -77,7 +77,7 @@ def test_turning_adds_up_both_ways_and_across_the_half_turn():
 def test_standing_counts_as_stalled_only_on_the_way():
     """Two of four seconds still, the last of them after the visit's way had ended."""
     robot = line(0, 1, 1, 2, 2)
-    visit = Wanted("anna", Span(0, 4), Span(0, 3), distance_m=1.0, bearing_deg=0.0)
+    visit = TargetStop("anna", Span(0, 4), Span(0, 3), distance_m=1.0, bearing_deg=0.0)
     assert measure(frames(robot, (9, 9)), Known(visits=(visit,))).stalled_s == pytest.approx(1.0)
 
 
@@ -96,7 +96,7 @@ def test_what_the_robot_does_about_somebody_else_in_between_is_no_part_of_a_visi
     """It stands 0.55 m from anna for three seconds, of which two are about ben."""
     robot = line(0, 1, 1, 1, 1, 1.3)
     span = Span(0, 5)
-    whole = Wanted("anna", span, span, distance_m=0.25, bearing_deg=180.0)
+    whole = TargetStop("anna", span, span, distance_m=0.25, bearing_deg=180.0)
     halved = replace(whole, breaks=(Span(2, 4),))
     walk = frames(robot, (2, 0), (9, 9))
     one, other = (measure(walk, Known(own_m={"anna": 0.9}, visits=(visit,))) for visit in (whole, halved))
@@ -107,7 +107,7 @@ def test_what_the_robot_does_about_somebody_else_in_between_is_no_part_of_a_visi
 def test_no_progress_for_three_seconds_counts_once_until_the_robot_gets_away():
     """Ten seconds at one place are one failure, five more at another place a second one."""
     robot = line(*[0.0] * 10, *[1.0] * 6)
-    visit = Wanted("anna", Span(0, 15), Span(0, 15), distance_m=1.0, bearing_deg=0.0)
+    visit = TargetStop("anna", Span(0, 15), Span(0, 15), distance_m=1.0, bearing_deg=0.0)
     assert measure(frames(robot, (9, 9)), Known(visits=(visit,))).failures_to_progress == 2
 
 
@@ -235,7 +235,7 @@ def test_space_compliance_leaves_out_whom_the_robot_visits_at_that_time():
     found = measure(walk, Known(own_m=own))
     assert found.space_compliance_share == pytest.approx(0.75)
     assert found.compliance_share == pytest.approx({"anna": 0.75})
-    visit = Wanted("anna", Span(0.5, 1.5), Span(0.5, 1.5), distance_m=0.5, bearing_deg=180.0)
+    visit = TargetStop("anna", Span(0.5, 1.5), Span(0.5, 1.5), distance_m=0.5, bearing_deg=180.0)
     found = measure(walk, Known(own_m=own, visits=(visit,)))
     assert found.space_compliance_share == 1.0
     assert found.compliance_share == {"anna": 1.0}
@@ -280,7 +280,7 @@ def test_the_longest_intrusion_is_one_stretch_of_time():
 
 def leaves(*gaps: float) -> Metrics:
     """At gaps [m] a second apart; Anna likes 1 m, and the visit to her is over after the first second."""
-    visit = Wanted("anna", Span(0.0, 1.0), Span(0.0, 1.0), distance_m=gaps[0], bearing_deg=180.0)
+    visit = TargetStop("anna", Span(0.0, 1.0), Span(0.0, 1.0), distance_m=gaps[0], bearing_deg=180.0)
     walk = frames(line(*(9 - 0.45 - gap for gap in gaps)), (9, 0))
     return measure(walk, Known(own_m={"anna": 1.0}, visits=(visit,)))
 
@@ -353,7 +353,7 @@ def approach(xs, *, wanted_m=1.0, every_s=0.1, person=(5.0, 0.0, math.pi), beari
     """The robot on the x axis comes to Anna, who looks at it."""
     walk = frames(line(*xs), person, every_s=every_s)
     span = Span(0.0, float(walk.time_s[-1]))
-    visit = Wanted("anna", span, span, wanted_m, bearing_deg, arrives=arrives)
+    visit = TargetStop("anna", span, span, wanted_m, bearing_deg, arrives=arrives)
     return measure(walk, Known(visits=(visit,))).stopping["anna"]
 
 
@@ -389,7 +389,7 @@ def test_a_pause_on_the_way_is_no_stop_however_near(pause_m):
     xs = [*before, *[pause_m] * 10, *rest, *[3.55] * 20]
     walk = frames(line(*map(float, xs)), (5.0, 0.0, math.pi), every_s=0.1)
     docked_s, end_s = 0.1 * (len(xs) - 18), float(walk.time_s[-1])
-    visit = Wanted("anna", Span(0.0, end_s), Span(0.0, docked_s), 1.0, 0.0)
+    visit = TargetStop("anna", Span(0.0, end_s), Span(0.0, docked_s), 1.0, 0.0)
     found = measure(walk, Known(visits=(visit,))).stopping["anna"]
     assert found.stop_distance_error_m == pytest.approx(0.0, abs=1e-9)
     assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
@@ -399,7 +399,7 @@ def test_where_it_docked_before_it_rested_the_next_rest_is_the_stop():
     """It is told that it has docked at a gap of 1.05 m, still at 0.5 m/s, and rests at 1 m."""
     xs = [2.0 + 0.05 * k for k in range(32)]
     walk = frames(line(*xs, *[xs[-1]] * 10), (5.0, 0.0, math.pi), every_s=0.1)
-    visit = Wanted("anna", Span(0.0, 4.1), Span(0.0, 3.0), 1.0, 0.0)
+    visit = TargetStop("anna", Span(0.0, 4.1), Span(0.0, 3.0), 1.0, 0.0)
     found = measure(walk, Known(visits=(visit,))).stopping["anna"]
     assert found.stop_distance_error_m == pytest.approx(0.0, abs=1e-9)
 
@@ -411,7 +411,7 @@ def test_a_robot_that_still_turns_on_the_spot_has_not_come_to_rest(turns_deg):
     turning = [(3.55, 0.0, math.radians(turns_deg * (1 - k / 10))) for k in range(1, 11)]
     walk = frames([*coming, *turning, *[(3.55, 0.0, 0.0)] * 10], (5.0, 0.0, math.pi), every_s=0.1)
     span = Span(0.0, 5.1)
-    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, 0.0),))).stopping["anna"]
+    found = measure(walk, Known(visits=(TargetStop("anna", span, span, 1.0, 0.0),))).stopping["anna"]
     assert found.robot_facing_error_deg == pytest.approx(0.0, abs=1e-6)
 
 
@@ -419,7 +419,7 @@ def test_the_way_past_somebody_after_their_visit_is_no_overshoot():
     """It stops at a gap of 1 m for 6 s; later it passes at half of that."""
     coming = [2.0 + 0.05 * k for k in range(32)]
     walk = frames(line(*coming, *[3.55] * 60, 3.8, 4.05), (5.0, 0.0, math.pi), every_s=0.1)
-    visit = Wanted("anna", Span(0.0, 9.0), Span(0.0, 3.1), 1.0, 0.0)
+    visit = TargetStop("anna", Span(0.0, 9.0), Span(0.0, 3.1), 1.0, 0.0)
     found = measure(walk, Known(visits=(visit,))).stopping["anna"]
     assert found.overshoot_m == pytest.approx(0.0, abs=1e-9)
     assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
@@ -429,7 +429,7 @@ def overshoot_m(gaps, wanted):
     """Of a robot that is so far from Anna at seconds 0, 1, 2 ..., with what she wants from when on."""
     walk = frames(line(*(4.55 - gap for gap in gaps)), (5.0, 0.0, math.pi))
     span = Span(0.0, len(gaps) - 1.0)
-    visit = Wanted("anna", span, span, wanted[-1][1], 0.0, distances_m=tuple(wanted))
+    visit = TargetStop("anna", span, span, wanted[-1][1], 0.0, distances_m=tuple(wanted))
     return measure(walk, Known(visits=(visit,))).stopping["anna"].overshoot_m
 
 
@@ -473,7 +473,7 @@ def test_the_hold_error_ends_with_the_visit():
     coming = [2.0 + 0.05 * k for k in range(32)]
     leaving = [3.55 - 0.05 * k for k in range(30)]
     walk = frames(line(*coming, *[3.55] * 10, *leaving), (5.0, 0.0, math.pi), every_s=0.1)
-    visit = Wanted("anna", Span(0.0, 4.1), Span(0.0, 3.1), 1.0, 0.0)
+    visit = TargetStop("anna", Span(0.0, 4.1), Span(0.0, 3.1), 1.0, 0.0)
     assert measure(walk, Known(visits=(visit,))).stopping["anna"].hold_error_rms_m == pytest.approx(
         0.0, abs=1e-9
     )
@@ -493,7 +493,7 @@ def test_bearing_and_facing_errors_are_those_of_the_geometry():
     west = [(3.9, 0.0, math.radians(30))]
     walk = frames([*west, *east * 10], (5.0, 0.0, math.pi / 2), every_s=0.1)
     span = Span(0.0, 1.0)
-    visit = Wanted("anna", span, span, 0.55, 60.0)
+    visit = TargetStop("anna", span, span, 0.55, 60.0)
     found = measure(walk, Known(visits=(visit,))).stopping["anna"]
     assert found.bearing_error_deg == pytest.approx(30.0)
     assert found.robot_facing_error_deg == pytest.approx(30.0)
@@ -508,7 +508,7 @@ def test_a_wanted_side_is_no_error(bearing_deg):
     place = (5.0 + 1.45 * math.cos(angle), 1.45 * math.sin(angle), math.pi + angle)
     walk = frames([place] * 12, (5.0, 0.0, 0.0), every_s=0.1)
     span = Span(0.0, 1.0)
-    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, bearing_deg),))).stopping["anna"]
+    found = measure(walk, Known(visits=(TargetStop("anna", span, span, 1.0, bearing_deg),))).stopping["anna"]
     for error in (found.bearing_error_deg, found.person_facing_error_deg, found.robot_facing_error_deg):
         assert error == pytest.approx(0.0, abs=1e-6)
 
@@ -519,7 +519,7 @@ def test_a_distance_that_is_wished_for_on_the_way_is_no_error_of_what_was_held_b
     walk = frames(robot, (5.0, 0.0, math.pi), every_s=0.1)
     span = Span(0.0, float(walk.time_s[-1]))
     docked = Span(0.0, 0.5)
-    visit = Wanted("anna", span, docked, 1.0, 0.0, distances_m=((0.0, 1.0), (1.0, 1.5)))
+    visit = TargetStop("anna", span, docked, 1.0, 0.0, distances_m=((0.0, 1.0), (1.0, 1.5)))
     found = measure(walk, Known(visits=(visit,))).stopping["anna"]
     assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
 
@@ -530,7 +530,7 @@ def test_the_hold_error_is_the_root_mean_square_over_five_seconds():
     anna = [(5.0, 0.0, math.pi)] * 32 + [(5.03, 0.0, math.pi)] * 30
     walk = frames(robot, anna, every_s=0.1)
     span = Span(0.0, 6.1)
-    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, 0.0),))).stopping["anna"]
+    found = measure(walk, Known(visits=(TargetStop("anna", span, span, 1.0, 0.0),))).stopping["anna"]
     after = [0.0] * 30 + [0.03] * 21  # the rest begins in the third frame; 5 s are 51 frames
     assert found.hold_error_rms_m == pytest.approx(math.sqrt(np.mean(np.square(after))))
 
@@ -560,7 +560,7 @@ def test_figures_do_not_depend_on_where_the_origin_is_and_where_north_is(turn, d
     turned[..., 2] = np.pi - np.remainder(np.pi - turned[..., 2], 2 * np.pi)
     poses[..., 2] = np.pi - np.remainder(np.pi - poses[..., 2], 2 * np.pi)
     time = np.arange(40) * 0.05
-    visit = Wanted("anna", Span(0, 2), Span(0, 2), 1.0, 20.0)
+    visit = TargetStop("anna", Span(0, 2), Span(0, 2), 1.0, 20.0)
     known = Known(own_m={"anna": 1.2, "ben": 0.7}, visits=(visit,))
     one, two = (
         measure(Frames(("robot", "anna", "ben"), (R, 0.2, 0.2), time, each), known)
@@ -579,7 +579,7 @@ def test_an_empty_world_has_figures_too():
 
 def test_every_figure_is_defined_and_every_definition_is_a_figure():
     walk = frames(line(0, 1, 2, 3.1, *[3.1] * 5), (5, 0, math.pi))
-    visit = Wanted("anna", Span(0, 8), Span(0, 8), 1.45, 0.0)
+    visit = TargetStop("anna", Span(0, 8), Span(0, 8), 1.45, 0.0)
     plan = {"plan_cost_m": 3.0, "plan_gap": 0.0}
     alone = {"anna": np.array([(0.0, 5.0, 0.0)])}
     known = Known(Contacts(), own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0, undisturbed=alone, **plan)
@@ -595,7 +595,7 @@ def test_the_docking_error_is_the_gap_of_the_last_docking_against_the_person_s_o
     """Docked at 1 m of gap where 1.2 m would have been theirs; what was chosen and when is passed on."""
     walk = frames(line(0, 1, 2, 2.55), (4, 0, math.pi))
     docked = {"docked_s": 3.0, "own_m": 1.2, "chosen_distance_m": 1.1, "chosen_bearing_deg": -10.0}
-    visit = Wanted("anna", Span(0, 3), Span(0, 3), 1.0, 0.0, **docked)
+    visit = TargetStop("anna", Span(0, 3), Span(0, 3), 1.0, 0.0, **docked)
     found = of_person(measure(walk, Known(visits=(visit,))), "anna")
     assert found["docking_error_m"] == pytest.approx(0.2)
     assert (found["docking_time_s"], found["chosen_distance_m"], found["chosen_bearing_deg"]) == (
@@ -606,7 +606,7 @@ def test_the_docking_error_is_the_gap_of_the_last_docking_against_the_person_s_o
 
 
 def test_without_a_docking_there_is_no_docking_error():
-    visit = Wanted("anna", Span(0, 3), Span(0, 3), 1.0, 0.0, arrives=False)
+    visit = TargetStop("anna", Span(0, 3), Span(0, 3), 1.0, 0.0, arrives=False)
     found = of_person(measure(frames(line(0, 1, 2, 2.5), (4, 0, math.pi)), Known(visits=(visit,))), "anna")
     assert not {"docking_error_m", "docking_time_s"} & found.keys()
 
@@ -629,6 +629,6 @@ def test_the_longest_intrusion_of_the_run_is_the_longest_of_a_person():
 
 
 def test_a_visit_to_nobody_is_a_mistake():
-    visit = Wanted("zoe", Span(0, 1), Span(0, 1), 1.0, 0.0)
+    visit = TargetStop("zoe", Span(0, 1), Span(0, 1), 1.0, 0.0)
     with pytest.raises(ValueError, match="zoe"):
         measure(frames(line(0, 1), (5, 0)), Known(visits=(visit,)))

@@ -28,7 +28,7 @@ from comity_sim2d import (
     RouteMap,
     Scene,
     Span,
-    Wanted,
+    TargetStop,
     Wish,
     World,
     measure,
@@ -65,7 +65,7 @@ WORLD = World(SCENE)
 WORLD.run(0.2)
 FRAMES = WORLD.frames
 SPAN = Span(0.0, 0.2)
-WANTED = Wanted("anna", SPAN, SPAN, 0.6, 0.0)
+WANTED = TargetStop("anna", SPAN, SPAN, 0.6, 0.0)
 WISH = Wish("anna", 0.6, 0.0, CURVE, CURVE)
 EVENT = ActEvent(0.0, 0.1, "say", "anna", "Hello.")
 ROBOT_PARTS = {
@@ -112,7 +112,7 @@ CALLS: Mapping[str, Mapping[str, Any]] = {
     "Span": {"start_s": 0.0, "end_s": 1.0},
     "Walk": {"route": ((1.0, 1.0), (2.0, 1.0))},
     "Wall": {"start": (0.0, 0.0), "end": (1.0, 0.0)},
-    "Wanted": {"person": "anna", "span": SPAN, "way": SPAN, "distance_m": 0.6, "bearing_deg": 0.0},
+    "TargetStop": {"person": "anna", "span": SPAN, "way": SPAN, "distance_m": 0.6, "bearing_deg": 0.0},
     "Wish": {
         "person": "anna",
         "distance_m": 0.6,

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall
 from comity_sim2d.base.base import Base
-from comity_sim2d.robot.approach import Approach, Goal
+from comity_sim2d.robot.approach import Approach, MovingTarget
 
 STEP_S = 0.05
 ANNA = Person("anna", 8.0, 3.0, math.pi)
@@ -21,7 +21,7 @@ ROUTES = RouteMap(
         walls=(Wall((5.0, 0.0), (5.0, 2.4)), Wall((5.0, 3.6), (5.0, 6.0))),
     )
 )
-GOAL = Goal((6.5, 3.0), (0.0, 0.0))
+GOAL = MovingTarget((6.5, 3.0), (0.0, 0.0))
 
 
 def base(xy: tuple[float, float], velocity: tuple[float, float]) -> Base:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, Pose, RobotBody, Room, RouteMap, Scene, Sensor, Wall, World
 from comity_sim2d.base.base import Base
-from comity_sim2d.robot.approach import Approach, Goal
+from comity_sim2d.robot.approach import Approach, MovingTarget
 
 STEP_S = 0.05
 GAP = (5.0, 4.5)
@@ -132,7 +132,7 @@ def changes_of_mind(aside_m: float, period_s: float) -> int:
     """How often a robot that has yet to set out takes the other way round Bob, who shifts to and fro."""
     anna, approach = Person("anna", 9.0, 3.0, math.pi), Approach("anna", DockingPose(0.8, 0.0), 0.7)
     base = Base(Pose(2.0, 3.0, 0.0), (0.0, 0.0), 0.0, 0.5, STEP_S, 0.0)
-    goal, sides = Goal((7.65, 3.0), (0.0, 0.0)), list[bool]()
+    goal, sides = MovingTarget((7.65, 3.0), (0.0, 0.0)), list[bool]()
     for tick in range(round(30.0 / STEP_S)):
         y = 3.0 + aside_m * math.sin(math.tau * tick * STEP_S / period_s)
         bob = Person("bob", 4.5, y, 0.0, personal_distance_m=1.2)

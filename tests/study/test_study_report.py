@@ -151,7 +151,7 @@ def test_without_repeats_an_outlier_is_unlike_the_others_in_its_room(tmp_path):
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
     """The folder of a study of eight episodes, carried out in this process."""
-    from comity.study.carrying import Carrier, Ended
+    from comity.study.carrying import Ended, EpisodeRunner
     from comity.study.worker import carried_out, installation
 
     base = tmp_path_factory.mktemp("ran")
@@ -166,7 +166,7 @@ def ran(tmp_path_factory):
     def carry_out(tasks):
         yield from (Ended((carried_out(task),)) for task in tasks)
 
-    run_study(plan, base / "out", lambda: Carrier(installation(), carry_out), lambda *_: lambda _: None)
+    run_study(plan, base / "out", lambda: EpisodeRunner(installation(), carry_out), lambda *_: lambda _: None)
     return base / "out"
 
 

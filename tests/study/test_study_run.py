@@ -15,7 +15,7 @@ import pytest
 from study.writing import population, study
 
 from comity.study import Study
-from comity.study.carrying import MOST_LOSSES, Carrier, Ended
+from comity.study.carrying import MOST_LOSSES, Ended, EpisodeRunner
 from comity.study.journal import opened_journal, read_journal
 from comity.study.local_workers import local_carrier
 from comity.study.running import run_study
@@ -53,7 +53,9 @@ def whole(tmp_path_factory):
     for seeds in (2, 3):
         folder = tmp_path_factory.mktemp("whole")
         plan = load_study(written(folder, seeds))
-        run_study(plan, folder / "out", lambda: Carrier(installation(), carry_out), lambda *_: lambda _: None)
+        run_study(
+            plan, folder / "out", lambda: EpisodeRunner(installation(), carry_out), lambda *_: lambda _: None
+        )
         found[seeds] = tables(folder / "out")
     return found
 

@@ -25,23 +25,23 @@ MARK = ",".join(COLUMNS).encode()
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
+class MeasuredRun:
     """One run with its account."""
 
     folder: RunFolder
     account: RunAnswer
 
 
-def measured(folder: RunFolder) -> Measured:
+def measured(folder: RunFolder) -> MeasuredRun:
     """The account of a run.
 
     Raises:
         InputError: if it is missing or damaged.
     """
-    return Measured(folder, folder.read(RUN, RunAnswer))
+    return MeasuredRun(folder, folder.read(RUN, RunAnswer))
 
 
-def metrics_answer(runs: Sequence[Measured]) -> MetricsAnswer:
+def metrics_answer(runs: Sequence[MeasuredRun]) -> MetricsAnswer:
     """Everything in long form, with what each figure means."""
     figures = tuple(figure for run in runs for figure in _figures(run))
     return MetricsAnswer(
@@ -65,7 +65,7 @@ def metrics_csv(answer: MetricsAnswer) -> str:
     return text.getvalue()
 
 
-def metrics_text(runs: Sequence[Measured], answer: MetricsAnswer) -> Iterator[RenderableType]:
+def metrics_text(runs: Sequence[MeasuredRun], answer: MetricsAnswer) -> Iterator[RenderableType]:
     """Run by run: the whole episode, then each person; of several runs means by profile; then the sources."""
     for run in runs:
         account = run.account
@@ -121,7 +121,7 @@ def _by_profile(figures: Iterable[FigureAnswer]) -> dict[str, dict[str, float]]:
     }
 
 
-def _figures(run: Measured) -> Iterator[FigureAnswer]:
+def _figures(run: MeasuredRun) -> Iterator[FigureAnswer]:
     account = run.account
     about = {
         "run": str(run.folder.path),

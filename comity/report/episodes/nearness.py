@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from comity.episode import Episode
     from comity_sim2d.metrics.episode import Known
-    from comity_sim2d.metrics.intrusion import Stay
+    from comity_sim2d.metrics.intrusion import IntrusionSpan
 
     XY = tuple[float, float]
 
@@ -65,7 +65,7 @@ def nearness_answers(episode: Episode) -> Iterator[DisturbanceAnswer]:
         )
 
 
-def _text(stay: Stay, episode: Episode, known: Known) -> str:
+def _text(stay: IntrusionSpan, episode: Episode, known: Known) -> str:
     """How near, how near they would have it, and why."""
     frames, person = episode.frames, stay.person
     gaps = clearances_m(frames)[:, frames.entities.index(person) - 1]
@@ -86,7 +86,7 @@ class _Why:
     """What led to one stay."""
 
     episode: Episode
-    stay: Stay
+    stay: IntrusionSpan
     own_m: float
     nearest_s: float
     """When the robot was nearest to the person."""

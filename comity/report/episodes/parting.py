@@ -15,11 +15,11 @@ from comity.specification.fault import in_words
 from comity_executor import Cause
 
 if TYPE_CHECKING:
-    from comity.report.episodes.trace import Recorded
+    from comity.report.episodes.trace import StoredTrace
     from comity_executor import Divergence
 
 
-def parting(one: Recorded, other: Recorded) -> tuple[Divergence, ...]:
+def parting(one: StoredTrace, other: StoredTrace) -> tuple[Divergence, ...]:
     """Where two runs part: first in the numbers behind what they do, then in what they do, and when.
 
     A fault may make a run late without a cause at any node: those that one run alone had by then are told.
@@ -27,7 +27,7 @@ def parting(one: Recorded, other: Recorded) -> tuple[Divergence, ...]:
     return tuple(_with_faults(found, one, other) for found in differences(one.history, other.history))
 
 
-def _with_faults(found: Divergence, one: Recorded, other: Recorded) -> Divergence:
+def _with_faults(found: Divergence, one: StoredTrace, other: StoredTrace) -> Divergence:
     mine, theirs = (dict.fromkeys(_faults_until(found.t, recorded)) for recorded in (one, other))
     told = {cause.text for pair in found.causes for cause in pair if cause}
     pairs = zip_longest(
@@ -37,7 +37,7 @@ def _with_faults(found: Divergence, one: Recorded, other: Recorded) -> Divergenc
     return replace(found, causes=(*found.causes, *pairs))
 
 
-def _faults_until(t: float, recorded: Recorded) -> Iterator[str]:
+def _faults_until(t: float, recorded: StoredTrace) -> Iterator[str]:
     scenario = Path(recorded.episode) / SCENARIO
     if scenario.is_file():
         faults = load_scenario(str(scenario)).scenario.faults

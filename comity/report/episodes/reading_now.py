@@ -12,7 +12,7 @@ from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
-    from comity_executor import Why
+    from comity_executor import NodeExplanation
 
 
 def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswer]:
@@ -41,7 +41,7 @@ def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswe
     return last
 
 
-def reading_for(why: Why, readings: Mapping[str, ReadingAnswer]) -> ReadingAnswer | None:
+def reading_for(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -> ReadingAnswer | None:
     """The reading of the person that a node is about; None where it is about nobody who was read."""
     return readings.get(why.event.person) if why.event.person else None
 

@@ -15,7 +15,15 @@ from comity.output.run_folder import INTERRUPTED, RUN, TRACE
 from comity.report.episodes.blackboard import blackboard_answer
 from comity.report.episodes.times import check_time, check_times, time_of
 from comity.report.episodes.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
-from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
+from comity_executor import (
+    Divergence,
+    History,
+    NodeExplanation,
+    TraceEvent,
+    read_nodes,
+    read_trace,
+    tree_text,
+)
 from comity_fis import InputError, Where, closest
 
 if TYPE_CHECKING:
@@ -30,7 +38,7 @@ NO_READINGS: Mapping[str, ReadingAnswer] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
-class Recorded:
+class StoredTrace:
     """A trace as it was read back."""
 
     episode: str
@@ -40,7 +48,7 @@ class Recorded:
     """What became of a run that is not done."""
 
 
-def load(folder: RunFolder) -> Recorded:
+def load(folder: RunFolder) -> StoredTrace:
     """The trace of a run folder.
 
     Raises:
@@ -58,7 +66,7 @@ def load(folder: RunFolder) -> Recorded:
     history = History(read_nodes(path), read_trace(path))
     if account.status == "done":
         _refuse_other(path, account.trace_sha256)
-    return Recorded(str(folder.path), history, account, _ending(folder, account))
+    return StoredTrace(str(folder.path), history, account, _ending(folder, account))
 
 
 def _ending(folder: RunFolder, account: RunAnswer) -> str | None:
@@ -85,7 +93,7 @@ def _refuse_other(path: Path, digest: str | None) -> None:
 
 
 def selected(
-    recorded: Recorded, *, node: str | None, between: tuple[float, float] | None, until: float | None
+    recorded: StoredTrace, *, node: str | None, between: tuple[float, float] | None, until: float | None
 ) -> tuple[TraceEvent, ...]:
     """The events of some nodes and times.
 
@@ -108,7 +116,7 @@ def selected(
 
 
 def selected_disturbances(
-    recorded: Recorded, *, node: str | None, between: tuple[float, float] | None, until: float | None
+    recorded: StoredTrace, *, node: str | None, between: tuple[float, float] | None, until: float | None
 ) -> tuple[DisturbanceAnswer, ...]:
     """What happened around the tree at some times; as `selected`, which refuses what is no node or time."""
     first, last = _span(between, until)
@@ -123,11 +131,11 @@ def _span(between: tuple[float, float] | None, until: float | None) -> tuple[flo
 
 
 def trace_answer(
-    recorded: Recorded,
+    recorded: StoredTrace,
     events: Iterable[TraceEvent],
     disturbances: Iterable[DisturbanceAnswer],
     *,
-    whys: Iterable[Why] | None = None,
+    whys: Iterable[NodeExplanation] | None = None,
     differences: Iterable[Divergence] | None = None,
     entries: Iterable[Write] | None = None,
     readings: Mapping[str, ReadingAnswer] = NO_READINGS,
@@ -145,13 +153,13 @@ def trace_answer(
     )
 
 
-def _check_node(recorded: Recorded, node: str | None) -> None:
+def _check_node(recorded: StoredTrace, node: str | None) -> None:
     names = _names(recorded)
     if node is not None and not (node.strip() and any(node in name for name in names)):
         raise _unknown_node(node, names, "--node")
 
 
-def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ...]:
+def reasons(recorded: StoredTrace, word: str, until: float | None) -> tuple[NodeExplanation, ...]:
     """Why the tree did what it did.
 
     Args:
@@ -183,7 +191,7 @@ def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ..
     return tuple(found)
 
 
-def _names(recorded: Recorded) -> set[str]:
+def _names(recorded: StoredTrace) -> set[str]:
     history = recorded.history
     about = {one.about for one in recorded.account.disturbances}
     return {node.name for node in history.nodes} | {event.node for event in history.events} | about
@@ -217,7 +225,7 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
         )
 
 
-def after_end_text(recorded: Recorded, why: str) -> Iterator[str]:
+def after_end_text(recorded: StoredTrace, why: str) -> Iterator[str]:
     """What needs to be said where somebody asks about a time beyond the end."""
     t = time_of(why)
     if t is None or t <= recorded.history.end_s:
@@ -228,7 +236,7 @@ def after_end_text(recorded: Recorded, why: str) -> Iterator[str]:
         yield f"At t={t:.2f} s nothing runs; the last that happened:"
 
 
-def end_text(recorded: Recorded, chosen: Sized, until: float | None) -> Iterator[str]:
+def end_text(recorded: StoredTrace, chosen: Sized, until: float | None) -> Iterator[str]:
     """What needs to be said where a time is beyond the end, or nothing was chosen."""
     end = f"the run ended at t={recorded.history.end_s:.2f} s"
     if recorded.ending:
@@ -272,7 +280,7 @@ def _event_text(event: TraceEvent) -> str:
     return f"t={event.t:6.2f}  {event.node} {event.status}{halt}{because}"
 
 
-def tree_at(recorded: Recorded, until: float | None) -> str:
+def tree_at(recorded: StoredTrace, until: float | None) -> str:
     """The tree as it was at a time (at the end when None), with how often each node changed."""
     history = recorded.history
     states = history.states(until)

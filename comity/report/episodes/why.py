@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.report.episodes.undisclosed import Undisclosed
-    from comity_executor import Cause, Divergence, History, TraceEvent, Why
+    from comity_executor import Cause, Divergence, History, NodeExplanation, TraceEvent
 
 OF_PLANS = {
     "rebound": "bound to new numbers",
@@ -25,7 +25,7 @@ OF_PLANS = {
 _STATES = {"running": "is running", "success": "succeeded", "failure": "failed"}
 
 
-def reason_answer(why: Why, readings: Mapping[str, ReadingAnswer]) -> ReasonAnswer:
+def reason_answer(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -> ReasonAnswer:
     """A reason as `comity trace --json` has it, with the readings of the time that is asked about."""
     return ReasonAnswer(
         event=event_answer(why.event),
@@ -51,7 +51,7 @@ def difference_answer(divergence: Divergence) -> DifferenceAnswer:
 
 
 def why_text(
-    reasons: Iterable[Why], readings: Mapping[str, ReadingAnswer], undisclosed: Undisclosed
+    reasons: Iterable[NodeExplanation], readings: Mapping[str, ReadingAnswer], undisclosed: Undisclosed
 ) -> Iterator[str]:
     """For every node, what it does and the results that it stands on; each result down to the facts, once.
 
@@ -111,7 +111,7 @@ def _side_by_side(mine: Cause | None, theirs: Cause | None) -> tuple[str, str, s
     return (kind, mine.text if mine else "", theirs.text if theirs else "")
 
 
-def _grounds(why: Why) -> Iterator[tuple[str, TraceEvent]]:
+def _grounds(why: NodeExplanation) -> Iterator[tuple[str, TraceEvent]]:
     if why.switched_by:
         yield "because", why.switched_by
     for result in why.standing_on:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class ShownProfile:
     """A person to be shown."""
 
     declared: Declared
@@ -40,7 +40,7 @@ class Shown:
     """What they agreed to; None where nothing was recorded."""
 
 
-def profile_answer(shown: Shown) -> ProfileAnswer:
+def profile_answer(shown: ShownProfile) -> ProfileAnswer:
     """The answer of `comity profile show --json`."""
     inference, file = shown.inference.as_json(), shown.declared.file
     return ProfileAnswer.model_validate(
@@ -69,7 +69,7 @@ def profile_answer(shown: Shown) -> ProfileAnswer:
     )
 
 
-def profile_text(shown: Shown) -> Iterator[RenderableType]:
+def profile_text(shown: ShownProfile) -> Iterator[RenderableType]:
     """The person's own words, then each value with its contributions, rules, sources and grades."""
     profile, file = shown.declared.profile, shown.declared.file
     where = {"shipped": "ships with Comity", "kept": f"kept in {file.path if file else ''}"}
@@ -98,7 +98,7 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
         yield from _value(value, shown.inference)
 
 
-def _consents(shown: Shown) -> Iterator[tuple[str, str]]:
+def _consents(shown: ShownProfile) -> Iterator[tuple[str, str]]:
     for one in shown.consents.consents if shown.consents else ():
         yield one.scope, one.in_words(date.today())
 
@@ -115,7 +115,7 @@ def _learnt(learnt: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
                 yield f"{where}, {how}", in_words(told)
 
 
-def _declared(shown: Shown) -> Iterator[tuple[str, str]]:
+def _declared(shown: ShownProfile) -> Iterator[tuple[str, str]]:
     profile = shown.declared.profile
     cultures = profile.cultures(shown.day)
     total = sum(one.weight for one in cultures)

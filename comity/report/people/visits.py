@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.adaptation.visits import Acquaintance, Meeting
-    from comity.scenario import Comfort
+    from comity.scenario import ComfortSpec
 
 
 def visits_answer(
     acquaintance: Acquaintance,
-    comfort: Comfort,
+    comfort: ComfortSpec,
     meetings: Sequence[Meeting],
     *,
     rulebook: str,

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity_fis import Rulebook
-    from comity_fis.audit import Audit, Coverage, Effect, Held, Pairs, Reached
+    from comity_fis.audit import Audit, Coverage, Effect, FindingCheck, Pairs, Reached
     from comity_fis.audit.order import OrderCounts
 
 LABELS_SHOWN = 6
@@ -227,11 +227,11 @@ def _order(counts: OrderCounts) -> str:
     return f"{counts.agreeing} agree, {counts.contradicting} contradict, {counts.equal} are made equal"
 
 
-def _rules(rows: Iterable[Held]) -> str:
+def _rules(rows: Iterable[FindingCheck]) -> str:
     return ", ".join(str(number) for number in sorted({number for row in rows for number in row.rules}))
 
 
-def _reasons(rows: Iterable[Held]) -> Mapping[str, str]:
+def _reasons(rows: Iterable[FindingCheck]) -> Mapping[str, str]:
     """By reason, the findings."""
     reasons: dict[str, str] = {}
     for row in rows:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.tables.evaluation import Evaluation, Numbers, Predicted, Words
+    from comity.tables.evaluation import Evaluation, NominalEvaluation, Numbers, Predicted
     from comity_fis.audit.accuracy import StudyAccuracy
     from comity_fis.audit.rank_correlation import RankCorrelation
 
@@ -197,7 +197,7 @@ def _won(studies: Mapping[str, StudyAccuracy], baseline: str) -> tuple[int, int]
     return sum(own < other for own, other in pairs), len(pairs)
 
 
-def _words_text(name: str, said: Words) -> Iterator[RenderableType]:
+def _words_text(name: str, said: NominalEvaluation) -> Iterator[RenderableType]:
     yield f"\n{words(name).capitalize()}"
     yield table(
         [

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from comity_fis import Explanation, FiredRule, ParameterValue, Rule, RuleAccount, Sensitivity
     from comity_fis.explanation.explanation import CategoryAccount
     from comity_fis.explanation.removal import Without
-    from comity_fis.explanation.what_if import Alternative, Flip
+    from comity_fis.explanation.what_if import Counterfactual, Flip
 
 
 def explain_answer(explanation: Explanation) -> ExplainAnswer:
@@ -54,7 +54,7 @@ def _category(category: CategoryAccount) -> dict[str, object]:
     }
 
 
-def _alternative(other: Alternative) -> dict[str, object]:
+def _alternative(other: Counterfactual) -> dict[str, object]:
     return {
         "input": other.input,
         "given": other.given,

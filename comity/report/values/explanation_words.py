@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from comity_fis import (
-        Alternative,
+        Counterfactual,
         Explanation,
         FiredRule,
         Flip,
@@ -132,7 +132,7 @@ def _slope(slope: float, unit: str | None) -> str:
     return ("+" if slope > 0 else "") + fine(slope, unit, 3)
 
 
-def alternative_row(other: Alternative, value: ParameterValue, unit: str | None) -> tuple[str, ...]:
+def alternative_row(other: Counterfactual, value: ParameterValue, unit: str | None) -> tuple[str, ...]:
     """The input, what it would be, what that gives, how far off that is, and for a number what leads."""
     given = number(other.value.value, value.unit)
     row = (words(other.input), stated(other.given, unit), given, difference(other.value.value, value))
@@ -166,7 +166,7 @@ def _with(unit: str | None, text: str) -> str:
     return f"{text} {unit}" if unit else text
 
 
-def flip_text(there: Flip | Alternative, explanation: Explanation) -> str:
+def flip_text(there: Flip | Counterfactual, explanation: Explanation) -> str:
     """`makes close lead instead of medium (0.738 m there)`."""
     given = number(there.value.value, there.value.unit)
     if not there.leads:

@@ -11,7 +11,7 @@ from comity.report.rulebooks import fit_picture
 from comity.report.values import variable_picture
 from comity.report.values.mapping_picture import Line, mapping_picture, parameter_picture
 from comity.report.values.paper import DISTANCE, PRINTED, Printed
-from comity.tables.column import Column
+from comity.tables.column import TableColumn
 from comity.tables.fit import Fit, fit_column
 from comity_fis import (
     Level,
@@ -164,7 +164,7 @@ def _fit() -> Fit:
     coercion = _numeric("bruno2017", "individualism").coercion
     scores = tuple(float(row.value) for row in individualism_scores())
     return fit_column(
-        Column("individualism.csv", "individualism", scores, 0),
+        TableColumn("individualism.csv", "individualism", scores, 0),
         domain=(0, 100),
         level=Level.ORDINAL,
         coercion=coercion.reason if coercion else None,

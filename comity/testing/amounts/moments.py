@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.scenario import Scenario
     from comity_sim2d import Frames
-    from comity_sim2d.metrics.intrusion import Intrusion, Stay
+    from comity_sim2d.metrics.intrusion import Intrusion, IntrusionSpan
 
 
 _NEAR = (*MOTIONS, "Keep_distance", "Wait_for_way")
@@ -108,7 +108,7 @@ def of_their_way(scenario: Scenario, person: str | None, until_s: float) -> Iter
         yield f"walks     {', '.join(keys)}"
 
 
-def of_stay(episode: Episode, stay: Stay) -> Iterator[str]:
+def of_stay(episode: Episode, stay: IntrusionSpan) -> Iterator[str]:
     """How near the robot was during a stay within a person's distance, why, and what the distance goes by."""
     frames = episode.frames
     during = (frames.time_s >= stay.start_s) & (frames.time_s <= stay.start_s + stay.length_s)

@@ -21,7 +21,7 @@ FRONT_DEG, BESIDE_DEG = 22.5, 112.5
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class DockedPose:
     """The robot beside a person."""
 
     t: float
@@ -40,7 +40,7 @@ class Standing:
         return "left" if self.bearing_deg > 0 else "right"
 
 
-def standing(frames: Frames, visits: Iterable[Visit], person: str) -> Standing | None:
+def standing(frames: Frames, visits: Iterable[Visit], person: str) -> DockedPose | None:
     """Where the robot stood at its last docking before somebody; None where it never docked."""
     visit = visit_of(visits, person)
     if visit is None or visit.docked_s is None:
@@ -50,4 +50,4 @@ def standing(frames: Frames, visits: Iterable[Visit], person: str) -> Standing |
     (x, y, _), (px, py, facing) = frames.poses[now, 0], frames.poses[now, other]
     bearing = math.degrees(math.remainder(math.atan2(y - py, x - px) - facing, math.tau))
     gap = math.hypot(x - px, y - py) - frames.radius_m[0] - frames.radius_m[other]
-    return Standing(float(frames.time_s[now]), float(gap), float(bearing))
+    return DockedPose(float(frames.time_s[now]), float(gap), float(bearing))

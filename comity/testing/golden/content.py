@@ -14,7 +14,7 @@ from comity.parameters.cast import cast_of, rulebook_of
 from comity.scenario import MapPlace
 from comity.simulation.changes import changes_of_values
 from comity.simulation.place import written_map
-from comity.testing.golden.leaves import Source, source_of
+from comity.testing.golden.leaves import SourceFile, source_of
 
 if TYPE_CHECKING:
     from comity.parameters.cast import Cast
@@ -51,7 +51,7 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
     yield "learnt", {name: repr(about) for name, about in cast.learnt.items()}
 
 
-def sources_of(case: Case) -> Iterator[tuple[str, Source]]:
+def sources_of(case: Case) -> Iterator[tuple[str, SourceFile]]:
     """The files that a case reads, flat, by what golden episodes call them; without rules and without prose.
 
     A profile that stands in the scenario is none apart, and one that the case replaces is left out there.

@@ -10,7 +10,7 @@ from comity.testing.golden.edit import Edit, bears_on, edits
 from comity_executor import Cause, Divergence, TraceEvent, first_divergence
 
 if TYPE_CHECKING:
-    from comity.testing.golden.leaves import Source
+    from comity.testing.golden.leaves import SourceFile
     from comity.testing.golden.record import Golden
 
 MOST = 3
@@ -19,7 +19,7 @@ _UNSEEN = "one that differs in digits or words which golden episodes do not keep
 
 
 def differing(
-    before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
+    before: Golden, now: Golden, sources: Mapping[str, SourceFile], kept: Mapping[str, str]
 ) -> Iterator[Finding]:
     """At most one finding: what is kept and differs; or, on the same platform, that the trace does.
 

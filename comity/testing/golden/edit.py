@@ -14,7 +14,7 @@ from comity.testing.golden.leaves import BETWEEN
 from comity.testing.trials.case import from_here
 
 if TYPE_CHECKING:
-    from comity.testing.golden.leaves import Source
+    from comity.testing.golden.leaves import SourceFile
     from comity.testing.golden.record import Golden
 
 MOST = 6
@@ -51,7 +51,7 @@ class Edit:
 
 
 def edits(
-    before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
+    before: Golden, now: Golden, sources: Mapping[str, SourceFile], kept: Mapping[str, str]
 ) -> tuple[Edit, ...]:
     """Every edit, and what moved by less than is kept.
 
@@ -111,7 +111,7 @@ def _given(rule: str) -> set[str]:
 
 
 def _files(
-    before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
+    before: Golden, now: Golden, sources: Mapping[str, SourceFile], kept: Mapping[str, str]
 ) -> Iterator[Edit]:
     """A file that only one of both reads is named by the scenario, whose edit says so."""
     for name in {**before.read, **now.read}:
@@ -129,7 +129,7 @@ def _files(
             yield Edit(f"edited    {name}{more}", name)
 
 
-def _in_file(was: Mapping[str, Any], source: Source) -> Iterator[tuple[str, str]]:
+def _in_file(was: Mapping[str, Any], source: SourceFile) -> Iterator[tuple[str, str]]:
     """The places that are other ones, in the order of lines, each with what is said of it."""
     now = source.leaves
     both = (place for place in now if place in was and was[place] != now[place])

@@ -32,14 +32,14 @@ from comity.testing.golden.content import (
 )
 from comity.testing.golden.difference import differing
 from comity.testing.golden.place import place_of
-from comity.testing.golden.record import Golden, Step, StoredEvent
+from comity.testing.golden.record import Golden, StoredEvent, StoredStep
 from comity_executor import TraceEvent
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.testing.expectation import Finding
-    from comity.testing.golden.leaves import Source
+    from comity.testing.golden.leaves import SourceFile
     from comity.testing.trials.case import Case
     from comity_domain import Plan
 
@@ -53,7 +53,7 @@ _FILES = ("scenario", "map")
 """Of what a case reads, what is one file; of the rulebook its rules count, too."""
 
 
-def golden_of(case: Case, episode: Episode, sources: Mapping[str, Source]) -> Golden:
+def golden_of(case: Case, episode: Episode, sources: Mapping[str, SourceFile]) -> Golden:
     """A case carried out and the files that it read, quantised."""
     prepared = episode.prepared
     return Golden(
@@ -77,7 +77,7 @@ def golden_of(case: Case, episode: Episode, sources: Mapping[str, Source]) -> Go
             for person, values in prepared.values.items()
         },
         plan=tuple(
-            Step(text=f"{step.action}({', '.join(step.arguments)})", cost_m=step.cost / 100.0)
+            StoredStep(text=f"{step.action}({', '.join(step.arguments)})", cost_m=step.cost / 100.0)
             for step in prepared.plan.steps
         ),
         ruled_out=_ruled_out(prepared.plan),

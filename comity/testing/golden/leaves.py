@@ -22,7 +22,7 @@ BETWEEN = " / "
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class SourceFile:
     """A file that a case reads, flat."""
 
     leaves: Mapping[str, Any]
@@ -38,7 +38,7 @@ class Source:
         return self.places.get(place, Where(self.file))
 
 
-def source_of(file: YamlFile, data: Any, prose: Sequence[str]) -> Source:
+def source_of(file: YamlFile, data: Any, prose: Sequence[str]) -> SourceFile:
     """A file, flat.
 
     Args:
@@ -49,7 +49,7 @@ def source_of(file: YamlFile, data: Any, prose: Sequence[str]) -> Source:
     found = list(_walked(data, prose))
     leaves = {place: json.loads(json.dumps(part, default=str)) for place, _, part in found if _is_leaf(part)}
     places = {place: file.where(location) for place, location, _ in found if location}
-    return Source(dict(sorted(leaves.items())), places, file.name)
+    return SourceFile(dict(sorted(leaves.items())), places, file.name)
 
 
 def _walked(

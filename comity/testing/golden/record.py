@@ -14,7 +14,7 @@ from comity_executor.tracing.trace import EventStatus, Halt
 from comity_fis.errors import WrongValueError
 
 
-class Step(BaseModel):
+class StoredStep(BaseModel):
     """One step of the plan."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -54,7 +54,7 @@ class Golden(BaseModel):
     parameters: Mapping[str, Mapping[str, float | str]]
     exact: Mapping[str, Mapping[str, float]]
     """Those that are numbers, to the last digit."""
-    plan: tuple[Step, ...]
+    plan: tuple[StoredStep, ...]
     ruled_out: Mapping[str, Mapping[str, str]]
     """By step and choice, why a way to do it was not open."""
     path_length_m: float

@@ -12,7 +12,7 @@ from comity.parameters.passing import DISTANCE
 from comity.testing.amounts.course import actions
 from comity.testing.amounts.moments import intrusion
 from comity.testing.amounts.ordering import visited
-from comity.testing.amounts.standing import Standing, standing
+from comity.testing.amounts.standing import DockedPose, standing
 from comity.testing.measuring.safety import Danger, dangers
 from comity.testing.trials.visits import approached, outcome_of, values_when_judged, visit_of
 from comity_executor.memory.meeting import SAY_ACT
@@ -136,7 +136,7 @@ def _covered(spans: list[tuple[float, float]]) -> float:
     return total
 
 
-def _detour_m(frames: Frames, path_length_m: float, stops: list[Standing]) -> float:
+def _detour_m(frames: Frames, path_length_m: float, stops: list[DockedPose]) -> float:
     ordered = sorted(stops, key=lambda stop: stop.t)
     moments = [0, *(int(abs(frames.time_s - stop.t).argmin()) for stop in ordered)]
     places = [frames.poses[moment, 0, :2] for moment in moments]

@@ -29,7 +29,7 @@ def by_case(results: Sequence[Result]) -> Mapping[tuple[str, str], Sequence[Resu
 
 
 @dataclass(frozen=True, slots=True)
-class Shared:
+class SharedCases:
     """The profiles that are compared, and the cases that all of them were tried in."""
 
     profiles: tuple[str, ...]
@@ -40,14 +40,14 @@ class Shared:
     """Cases that were not tried with just these profiles."""
 
 
-def shared(results: Sequence[Result]) -> Shared:
+def shared(results: Sequence[Result]) -> SharedCases:
     """The most profiles that were tried in one case, and every case of theirs; of as many, the most tried."""
     groups = list(by_case(results).values())
     tried = [frozenset(result.profile for result in group if result.profile) for group in groups]
     often = Counter(tried)
     together = max(often, key=lambda names: (len(names), often[names]), default=frozenset[str]())
     theirs = [group for group, names in zip(groups, tried, strict=True) if names == together]
-    return Shared(
+    return SharedCases(
         profiles=tuple(sorted(together)),
         tests=tuple(result for group in theirs for result in group),
         cases=len(theirs),

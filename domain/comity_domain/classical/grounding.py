@@ -14,24 +14,24 @@ from comity_domain.classical.initial_state import (
     turns_of,
     way_words,
 )
-from comity_domain.classical.naming import Word
+from comity_domain.classical.naming import PddlWord
 from comity_domain.plans import actions
 from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot
-from comity_domain.tours.tour import Visit, served
+from comity_domain.tours.tour import PlannedVisit, served
 
-Ground = tuple[str, Sequence[Word]]
+Ground = tuple[str, Sequence[PddlWord]]
 """The name of an action, and all its arguments but the robot."""
 
 
-def grounded(visits: Sequence[Visit], choices: Options) -> Iterator[tuple[str, Sequence[Word]]]:
+def grounded(visits: Sequence[PlannedVisit], choices: Options) -> Iterator[tuple[str, Sequence[PddlWord]]]:
     """Each action by its name, with all its arguments.
 
     Args:
         visits: A tour.
         choices: What it was chosen from.
     """
-    robot, ground = Word("robot", choices.robot), _Grounding(choices)
+    robot, ground = PddlWord("robot", choices.robot), _Grounding(choices)
     for visit in visits:
         for action, words in ground.visit(visit):
             yield action, (robot, *words)
@@ -45,13 +45,13 @@ class _Grounding:
         self._turns = turns_of(choices)
         self._here, self._holds, self._greeted = START, held(choices), 0
 
-    def visit(self, visit: Visit) -> Iterator[Ground]:
+    def visit(self, visit: PlannedVisit) -> Iterator[Ground]:
         person = self._choices.people[visit.spot.place]
-        user, words, things = Word("user", person.name), tasks(person), dict(brought(person))
+        user, words, things = PddlWord("user", person.name), tasks(person), dict(brought(person))
         if visit.bringing and not person.in_hand:
             first = next(word for word in words if word in things)
             yield self._fetch(user, first, things[first], person.fetched_at[0])
-        yield actions.REACH, (user, Word("side", visit.spot.side), *spot_words(self._here), self._holds)
+        yield actions.REACH, (user, PddlWord("side", visit.spot.side), *spot_words(self._here), self._holds)
         self._here = visit.spot
         if visit.way is not None:
             yield self._greet(user, visit, visit.way)
@@ -62,25 +62,28 @@ class _Grounding:
             if isinstance(task, Offer) and self._holds == NOTHING:
                 kept, spot = next(trips)
                 yield self._fetch(user, word, things[word], kept)
-                yield actions.RETURN, (user, Word("side", spot.side), word, self._holds, *spot_words(kept))
+                yield (
+                    actions.RETURN,
+                    (user, PddlWord("side", spot.side), word, self._holds, *spot_words(kept)),
+                )
                 self._here = spot
             yield self._task(user, task, word, visit)
 
-    def _fetch(self, user: Word, task: Word, thing: Word, kept: Spot) -> Ground:
+    def _fetch(self, user: PddlWord, task: PddlWord, thing: PddlWord, kept: Spot) -> Ground:
         origin, self._here, self._holds = self._here, kept, thing
         return actions.FETCH, (user, task, thing, *spot_words(kept), *spot_words(origin), NOTHING)
 
-    def _greet(self, user: Word, visit: Visit, way: tuple[str, str]) -> Ground:
+    def _greet(self, user: PddlWord, visit: PlannedVisit, way: tuple[str, str]) -> Ground:
         people = len(served(visit, self._choices))
         last, before = len(self._turns) - 1, self._greeted
         self._greeted += people
         turns = self._turns[min(before, last)], self._turns[min(self._greeted, last)]
         if visit.company is None:
             return actions.GREET, (user, *way_words(way), *turns, self._holds)
-        company, side = Word("company", visit.company), Word("side", visit.spot.side)
+        company, side = PddlWord("company", visit.company), PddlWord("side", visit.spot.side)
         return actions.GREET_TOGETHER, (company, user, side, *way_words(way), *turns)
 
-    def _task(self, user: Word, task: Task, word: Word, visit: Visit) -> Ground:
+    def _task(self, user: PddlWord, task: Task, word: PddlWord, visit: PlannedVisit) -> Ground:
         match task:
             case PlainTask():
                 return task.action, (user, word)

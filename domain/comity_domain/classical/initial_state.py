@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from comity_domain.choices.companies import CompanyOptions
 from comity_domain.choices.options import Options, PersonOptions
-from comity_domain.classical.naming import Names, Word, name_all
+from comity_domain.classical.naming import PddlNames, PddlWord, name_all
 from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.circumstances import FREE_OF_HANDS
 from comity_domain.problem.spot import START, THERE, Spot
@@ -16,33 +16,33 @@ from comity_domain.problem.spot import START, THERE, Spot
 ROBOT, PLACE, USER, LOCATION = "robot", "place", "user", "location"
 SIDE, MODALITY, GESTURE = "side", "modality", "gesture"
 COMPANY, TURN, TASK, THING = "company", "turn", "task", "thing"
-NOTHING = Word(THING, "nothing")
+NOTHING = PddlWord(THING, "nothing")
 
 
 class Fact(NamedTuple):
     """The value of one grounded fluent in the initial state."""
 
     fluent: str
-    arguments: tuple[Word, ...]
+    arguments: tuple[PddlWord, ...]
     value: bool | int = True
 
 
-def visit_names(options: Options) -> Names:
+def visit_names(options: Options) -> PddlNames:
     """The PDDL words of all that a request names; the domain's own come first and so keep theirs."""
     sides = (START.side, "front", "left", "right", *([THERE] if options.locations else []))
     modalities = {greeting.modality for person in options.people.values() for greeting in person.greetings}
     things = [thing for person in options.people.values() for _, thing in brought(person)]
     return name_all(
         [
-            Word(PLACE, START.place),
+            PddlWord(PLACE, START.place),
             NOTHING,
-            *(Word(SIDE, side) for side in sides),
-            *(Word(MODALITY, modality) for modality in sorted(modalities)),
-            *(Word(GESTURE, gesture) for gesture in _gestures(options)),
-            Word(ROBOT, options.robot),
-            *(Word(USER, person) for person in options.people),
-            *(Word(COMPANY, company) for company in options.companies),
-            *(Word(LOCATION, at.place) for at in options.locations),
+            *(PddlWord(SIDE, side) for side in sides),
+            *(PddlWord(MODALITY, modality) for modality in sorted(modalities)),
+            *(PddlWord(GESTURE, gesture) for gesture in _gestures(options)),
+            PddlWord(ROBOT, options.robot),
+            *(PddlWord(USER, person) for person in options.people),
+            *(PddlWord(COMPANY, company) for company in options.companies),
+            *(PddlWord(LOCATION, at.place) for at in options.locations),
             *(task for person in options.people.values() for task in tasks(person)),
             *things,
             *turns_of(options),
@@ -55,9 +55,11 @@ def _gestures(options: Options) -> list[str]:
     return sorted({greeting.gesture for person in people for greeting in person.greetings})
 
 
-def tasks(person: PersonOptions) -> tuple[Word, ...]:
+def tasks(person: PersonOptions) -> tuple[PddlWord, ...]:
     """What is on somebody's agenda, as objects."""
-    return tuple(Word(TASK, f"{_label(task)} {i} {person.name}") for i, task in enumerate(person.agenda, 1))
+    return tuple(
+        PddlWord(TASK, f"{_label(task)} {i} {person.name}") for i, task in enumerate(person.agenda, 1)
+    )
 
 
 def _label(task: Task) -> str:
@@ -70,11 +72,11 @@ def _label(task: Task) -> str:
             return "farewell"
 
 
-def brought(person: PersonOptions) -> Iterator[tuple[Word, Word]]:
+def brought(person: PersonOptions) -> Iterator[tuple[PddlWord, PddlWord]]:
     """The offers on somebody's agenda, each with the thing that is handed over."""
     for i, (task, word) in enumerate(zip(person.agenda, tasks(person), strict=True), 1):
         if isinstance(task, Offer):
-            yield word, Word(THING, f"{task.thing} {i} for {person.name}")
+            yield word, PddlWord(THING, f"{task.thing} {i} for {person.name}")
 
 
 def initial_state(options: Options) -> Iterator[Fact]:
@@ -86,19 +88,19 @@ def initial_state(options: Options) -> Iterator[Fact]:
 
 def state_and_costs(options: Options) -> Iterator[Fact]:
     """The same without the parameters: all that a search looks at."""
-    robot, turns = Word(ROBOT, options.robot), turns_of(options)
+    robot, turns = PddlWord(ROBOT, options.robot), turns_of(options)
     yield Fact("at", (robot, *spot_words(START)))
     yield Fact("free", (robot,))
     yield Fact("holds", (robot, held(options)))
     yield Fact("empty", (NOTHING,))
-    yield from (Fact("leaves_open", (NOTHING, Word(GESTURE, gesture))) for gesture in _gestures(options))
+    yield from (Fact("leaves_open", (NOTHING, PddlWord(GESTURE, gesture))) for gesture in _gestures(options))
     yield Fact("now", turns[:1])
     yield from (Fact("then", pair) for pair in _steps(turns, 1))
     for person in options.people.values():
         yield from _person(person, turns)
         if person.after is not None and person.after in options.people:
-            yield Fact("waits", (Word(USER, person.name),))
-            yield Fact("after", (Word(USER, person.name), Word(USER, person.after)))
+            yield Fact("waits", (PddlWord(USER, person.name),))
+            yield Fact("after", (PddlWord(USER, person.name), PddlWord(USER, person.after)))
         yield from _agenda(person, _gestures(options))
     for company in options.companies.values():
         yield from _company(company, options, turns)
@@ -112,23 +114,23 @@ def state_and_costs(options: Options) -> Iterator[Fact]:
 def goals(options: Options) -> Iterator[Fact]:
     """Everybody is greeted, and everything on their agendas done."""
     for person in options.people.values():
-        yield Fact("greeted", (Word(USER, person.name),))
+        yield Fact("greeted", (PddlWord(USER, person.name),))
         yield from (Fact("done", (task,)) for task in tasks(person))
 
 
-def held(options: Options) -> Word:
+def held(options: Options) -> PddlWord:
     """What the robot holds at first."""
     bearer = options.people.get(options.bearer_of or "")
     return NOTHING if bearer is None else next(thing for _, thing in brought(bearer))
 
 
-def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
-    user = Word(USER, person.name)
+def _person(person: PersonOptions, turns: Sequence[PddlWord]) -> Iterator[Fact]:
+    user = PddlWord(USER, person.name)
     yield Fact("suits", (NOTHING, user))
     if person.greeted:
         yield Fact("greeted", (user,))
         yield Fact("begun", (user,))
-    yield from (Fact("reachable", (user, Word(SIDE, name))) for name in person.sides)
+    yield from (Fact("reachable", (user, PddlWord(SIDE, name))) for name in person.sides)
     for greeting, cost in person.greetings.items():
         words = (user, *way_words(greeting.way))
         yield Fact("permitted", words)
@@ -138,16 +140,16 @@ def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
 
 def _parameters(person: PersonOptions) -> Iterator[Fact]:
     """What the actions bind, rounded: no condition and no cost depends on it."""
-    user, values = Word(USER, person.name), person.values
+    user, values = PddlWord(USER, person.name), person.values
     yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
     yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
     for name, side in person.sides.items():
         # Without its sign, which Fast Downward would refuse: the side says it.
-        yield Fact("direction_mdeg", (user, Word(SIDE, name)), _thousandths(abs(side.bearing_deg)))
+        yield Fact("direction_mdeg", (user, PddlWord(SIDE, name)), _thousandths(abs(side.bearing_deg)))
 
 
 def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
-    user, words = Word(USER, person.name), tasks(person)
+    user, words = PddlWord(USER, person.name), tasks(person)
     if not words:
         yield Fact("only_greeted", (user,))
         return
@@ -160,15 +162,17 @@ def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
     for number, (word, thing) in enumerate(brought(person)):
         yield Fact("brings", (word, thing))
         yield Fact("suits", (thing, user))
-        yield from (Fact("leaves_open", (thing, Word(GESTURE, g))) for g in gestures if g in FREE_OF_HANDS)
+        yield from (
+            Fact("leaves_open", (thing, PddlWord(GESTURE, g))) for g in gestures if g in FREE_OF_HANDS
+        )
         if not number and person.in_hand:
             continue  # it was fetched
-        yield Fact("kept", (thing, Word(LOCATION, person.fetched_at[number - person.in_hand].place)))
+        yield Fact("kept", (thing, PddlWord(LOCATION, person.fetched_at[number - person.in_hand].place)))
         if not number:
             yield Fact("first_brought", (word,))
 
 
-def _task(task: Task, word: Word, person: PersonOptions) -> Iterator[Fact]:
+def _task(task: Task, word: PddlWord, person: PersonOptions) -> Iterator[Fact]:
     match task:
         case PlainTask():
             yield Fact(task.fact, (word,))
@@ -177,16 +181,16 @@ def _task(task: Task, word: Word, person: PersonOptions) -> Iterator[Fact]:
         case TakeLeave():
             yield Fact("farewell", (word,))
             for greeting, cost in person.greetings.items():
-                yield Fact("leave_cost", (Word(USER, person.name), *way_words(greeting.way)), cost)
+                yield Fact("leave_cost", (PddlWord(USER, person.name), *way_words(greeting.way)), cost)
         case Offer():
             return
 
 
-def _company(company: CompanyOptions, options: Options, turns: Sequence[Word]) -> Iterator[Fact]:
-    together = Word(COMPANY, company.name)
+def _company(company: CompanyOptions, options: Options, turns: Sequence[PddlWord]) -> Iterator[Fact]:
+    together = PddlWord(COMPANY, company.name)
     waiting = sum(options.people[member].priority for member in company.members)
     yield Fact("whole", (together,))
-    yield from (Fact("member", (Word(USER, member), together)) for member in company.members)
+    yield from (Fact("member", (PddlWord(USER, member), together)) for member in company.members)
     yield from (Fact("welcome", (together, *way_words(way))) for way in company.greetings)
     for pair in _steps(turns, len(company.members)):
         yield Fact("then_together", (together, *pair))
@@ -198,29 +202,29 @@ def _company(company: CompanyOptions, options: Options, turns: Sequence[Word]) -
                 yield Fact("greet_together_cost", (together, *spot_words(spot), *way_words(way), turn), cost)
 
 
-def turns_of(options: Options) -> tuple[Word, ...]:
+def turns_of(options: Options) -> tuple[PddlWord, ...]:
     """One for each number of people who were greeted; a single one where that number is no matter."""
     count = len(options.people) + 1 if options.has_priorities else 1
-    return tuple(Word(TURN, f"after {before}") for before in range(count))
+    return tuple(PddlWord(TURN, f"after {before}") for before in range(count))
 
 
-def _steps(turns: Sequence[Word], people: int) -> Iterator[tuple[Word, Word]]:
+def _steps(turns: Sequence[PddlWord], people: int) -> Iterator[tuple[PddlWord, PddlWord]]:
     """From each turn to the one after so many people."""
     if len(turns) == 1:
         return iter([(turns[0], turns[0])])
     return zip(turns, turns[people:], strict=False)
 
 
-def way_words(way: tuple[str, str]) -> tuple[Word, Word]:
+def way_words(way: tuple[str, str]) -> tuple[PddlWord, PddlWord]:
     """A modality and a gesture."""
     modality, gesture = way
-    return Word(MODALITY, modality), Word(GESTURE, gesture)
+    return PddlWord(MODALITY, modality), PddlWord(GESTURE, gesture)
 
 
-def spot_words(spot: Spot) -> tuple[Word, Word]:
+def spot_words(spot: Spot) -> tuple[PddlWord, PddlWord]:
     """A place and a side."""
     kind = PLACE if spot == START else LOCATION if spot.side == THERE else USER
-    return Word(kind, spot.place), Word(SIDE, spot.side)
+    return PddlWord(kind, spot.place), PddlWord(SIDE, spot.side)
 
 
 def _thousandths(value: float) -> int:

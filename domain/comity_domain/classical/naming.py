@@ -44,7 +44,7 @@ unified-planning lets no two things share a name, and PDDL is blind to case.
 """
 
 
-class Word(NamedTuple):
+class PddlWord(NamedTuple):
     """A name and what it names: a person and a gesture may share one."""
 
     kind: str
@@ -52,37 +52,37 @@ class Word(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Names:
+class PddlNames:
     """One PDDL word for each name, and back."""
 
-    ids: Mapping[Word, str]
-    words: Mapping[str, Word]
+    ids: Mapping[PddlWord, str]
+    words: Mapping[str, PddlWord]
 
     def id(self, kind: str, name: str) -> str:
         """The PDDL word of a name."""
-        return self.ids[Word(kind, name)]
+        return self.ids[PddlWord(kind, name)]
 
     def name(self, word: str) -> str:
         """The name behind a PDDL word."""
         return self.words[word].name
 
 
-def name_all(words: Iterable[Word]) -> Names:
+def name_all(words: Iterable[PddlWord]) -> PddlNames:
     """Give each word an id that no other has; a plain lower-case name keeps itself where it can."""
-    words_by_id: dict[str, Word] = {}
+    words_by_id: dict[str, PddlWord] = {}
     for word in dict.fromkeys(words):
         words_by_id[_free_id(_plain(word), words_by_id)] = word
-    return Names({word: id_ for id_, word in words_by_id.items()}, words_by_id)
+    return PddlNames({word: id_ for id_, word in words_by_id.items()}, words_by_id)
 
 
-def _plain(word: Word) -> str:
+def _plain(word: PddlWord) -> str:
     """The name in the letters that every PDDL tool reads."""
     ascii_only = unicodedata.normalize("NFKD", word.name).encode("ascii", "ignore").decode()
     plain = re.sub(r"[^a-z0-9]+", "_", ascii_only.lower()).strip("_")
     return plain if plain[:1].isalpha() else f"{word.kind}_{plain}".rstrip("_")
 
 
-def _free_id(wanted: str, taken: Mapping[str, Word]) -> str:
+def _free_id(wanted: str, taken: Mapping[str, PddlWord]) -> str:
     candidate, count = wanted, 0
     while candidate in RESERVED or candidate in taken:
         count += 1

@@ -11,7 +11,7 @@ from functools import cache
 
 from comity_domain.choices.options import Options, options
 from comity_domain.classical.initial_state import Fact, goals, initial_state, tasks, visit_names
-from comity_domain.classical.naming import Names
+from comity_domain.classical.naming import PddlNames
 from comity_domain.labelling.skipping import left_out
 from comity_domain.problem.agenda import Say
 from comity_domain.problem.measuring import fully_measured
@@ -34,7 +34,7 @@ def plan_pddl(request: VisitRequest) -> tuple[str, str]:
     return domain_pddl(), "".join(f"; {line}\n" for line in comments) + problem_pddl(choices, names)
 
 
-def problem_pddl(choices: Options, names: Names) -> str:
+def problem_pddl(choices: Options, names: PddlNames) -> str:
     """The problem alone."""
     lines = (
         "(define (problem visit)",
@@ -54,12 +54,12 @@ def problem_pddl(choices: Options, names: Names) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _assigned(fact: Fact, names: Names) -> str:
+def _assigned(fact: Fact, names: PddlNames) -> str:
     atom = _atom(fact, names)
     return atom if fact.value is True else f"(= {atom} {fact.value})"
 
 
-def _atom(fact: Fact, names: Names) -> str:
+def _atom(fact: Fact, names: PddlNames) -> str:
     return f"({' '.join((fact.fluent, *(names.ids[word] for word in fact.arguments)))})"
 
 
@@ -71,7 +71,7 @@ def domain_pddl() -> str:
     return files("comity_domain").joinpath("visit.pddl").read_text(encoding="ascii")
 
 
-def _messages(choices: Options, names: Names) -> Iterator[str]:
+def _messages(choices: Options, names: PddlNames) -> Iterator[str]:
     """What is said, which PDDL has no place for."""
     for person in choices.people.values():
         for task, word in zip(person.agenda, tasks(person), strict=True):
@@ -86,7 +86,7 @@ def _deadlines(choices: Options) -> Iterator[str]:
             yield f"not stated below: {name!a} must be greeted within {person.by_s:g} s"
 
 
-def _legend(names: Names) -> Iterator[str]:
+def _legend(names: PddlNames) -> Iterator[str]:
     """Who is who, where PDDL could not keep a name."""
     for id_, word in names.words.items():
         if id_ != word.name:

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 from comity_domain.choices.options import Options, options
 from comity_domain.classical.grounding import grounded
 from comity_domain.classical.initial_state import Fact, goals, initial_state, visit_names
-from comity_domain.classical.naming import Names
+from comity_domain.classical.naming import PddlNames
 from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.skipping import left_out
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.tours.tour import Visit
+from comity_domain.tours.tour import PlannedVisit
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -52,7 +52,7 @@ def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, Seq
 
 
 def sequential_plan(
-    problem: Problem, visits: Sequence[Visit], choices: Options, names: Names
+    problem: Problem, visits: Sequence[PlannedVisit], choices: Options, names: PddlNames
 ) -> SequentialPlan:
     """A tour as a plan for the problem that states its choices."""
     from unified_planning.plans import ActionInstance, SequentialPlan
@@ -70,7 +70,7 @@ def _choices(request: VisitRequest) -> Options:
     return options(fully_measured(request.without(left_out(request))))
 
 
-def _problem(choices: Options, names: Names) -> Problem:
+def _problem(choices: Options, names: PddlNames) -> Problem:
     from unified_planning.model import Object
 
     from comity_domain.classical.visit_domain import empty_problem
@@ -85,5 +85,5 @@ def _problem(choices: Options, names: Names) -> Problem:
     return problem
 
 
-def _atom(problem: Problem, fact: Fact, names: Names) -> Any:
+def _atom(problem: Problem, fact: Fact, names: PddlNames) -> Any:
     return problem.fluent(fact.fluent)(*(problem.object(names.ids[word]) for word in fact.arguments))

@@ -21,7 +21,7 @@ from comity_domain.classical.initial_state import (
     tasks,
     turns_of,
 )
-from comity_domain.classical.naming import Names, Word
+from comity_domain.classical.naming import PddlNames, PddlWord
 from comity_domain.classical.timing import NO_TIMING, Timing
 from comity_domain.problem.agenda import PLAIN, Agenda, Offer, TakeLeave, Task
 from comity_domain.problem.spot import Spot
@@ -41,7 +41,7 @@ NO_VALUES = Inference("none", "exact", {}, {})
 """A problem says what everything costs, and not why."""
 
 
-def choices_of(problem: Problem, timing: Timing = NO_TIMING) -> tuple[Options, Names]:
+def choices_of(problem: Problem, timing: Timing = NO_TIMING) -> tuple[Options, PddlNames]:
     """What a plan may be made of, and what each choice is called in the problem.
 
     Args:
@@ -95,15 +95,15 @@ class _Stated:
         legs = dict(self._legs())
         return Options(robot, people, companies, legs, dict.fromkeys(spots, 0), timing.durations_s)
 
-    def names(self, choices: Options) -> Names:
+    def names(self, choices: Options) -> PddlNames:
         """What each word of the choices is called: all but tasks, things and turns call themselves so."""
-        ids = {Word(kind, name): name for name, kind in self._kinds.items()}
+        ids = {PddlWord(kind, name): name for name, kind in self._kinds.items()}
         ids |= zip(turns_of(choices), self._turns, strict=False)
         for person in choices.people.values():
             ids |= zip(tasks(person), self._agendas[person.name], strict=True)
             for task, thing in brought(person):
                 ids[thing] = self._one("brings", ids[task])
-        return Names(ids, {name: word for word, name in ids.items()})
+        return PddlNames(ids, {name: word for word, name in ids.items()})
 
     def _facts(self, fluent: str, *first: str) -> Iterator[tuple[tuple[str, ...], int]]:
         """The other arguments and the value wherever the first arguments are these."""

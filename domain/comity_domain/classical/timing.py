@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from comity_domain.choices.options import Options, options
 from comity_domain.classical.initial_state import tasks, visit_names
-from comity_domain.classical.naming import Word
+from comity_domain.classical.naming import PddlWord
 from comity_domain.labelling.skipping import left_out
 from comity_domain.problem.agenda import PlainTask
 from comity_domain.problem.request import VisitRequest
@@ -54,7 +54,7 @@ def timing_of(request: VisitRequest) -> Timing:
     )
 
 
-def _details(choices: Options, ids: Mapping[Word, str]) -> Iterator[tuple[str, str]]:
+def _details(choices: Options, ids: Mapping[PddlWord, str]) -> Iterator[tuple[str, str]]:
     for person in choices.people.values():
         for task, word in zip(person.agenda, tasks(person), strict=True):
             if isinstance(task, PlainTask) and task.detail:

@@ -6,16 +6,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from comity_domain.choices.options import Options
-from comity_domain.classical.naming import Names
+from comity_domain.classical.naming import PddlNames
 from comity_domain.plans import actions
 from comity_domain.problem.spot import Spot
-from comity_domain.tours.tour import Visit
+from comity_domain.tours.tour import PlannedVisit
 
 Grounded = tuple[str, Sequence[str]]
 """The name of an action, in whatever case, and the words of its arguments."""
 
 
-def tour_of(steps: Iterable[Grounded], choices: Options, names: Names) -> tuple[Visit, ...]:
+def tour_of(steps: Iterable[Grounded], choices: Options, names: PddlNames) -> tuple[PlannedVisit, ...]:
     """The visits, in order.
 
     Args:
@@ -23,7 +23,7 @@ def tour_of(steps: Iterable[Grounded], choices: Options, names: Names) -> tuple[
         choices: What it may be made of.
         names: What the problem's words name.
     """
-    visits: list[Visit] = []
+    visits: list[PlannedVisit] = []
     brought = {name for name, person in choices.people.items() if person.in_hand}
     for name, words in steps:
         _, *said = (names.name(word) for word in words)
@@ -33,7 +33,9 @@ def tour_of(steps: Iterable[Grounded], choices: Options, names: Names) -> tuple[
                     brought.add(said[0])  # before they are reached
             case actions.REACH:
                 person, side = said[:2]
-                visits.append(Visit(Spot(person, side), company=None, way=None, bringing=person in brought))
+                visits.append(
+                    PlannedVisit(Spot(person, side), company=None, way=None, bringing=person in brought)
+                )
             case actions.RETURN:
                 visits[-1] = replace(visits[-1], returns=(*visits[-1].returns, Spot(said[0], said[1])))
             case actions.GREET:

@@ -5,11 +5,11 @@ into them, and `plan_custom` finds the plan.
 """
 
 from comity_domain.custom.binding.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
-from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.people import BoundPeople
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location
-from comity_domain.custom.clock import Clock, planned
+from comity_domain.custom.clock import PlanningClock, planned
 from comity_domain.custom.export import CustomPddl, custom_pddl
-from comity_domain.custom.forbidding import Without, without
+from comity_domain.custom.forbidding import PlanWithout, without
 from comity_domain.custom.process import in_one_process
 from comity_domain.custom.reading.reading import CustomProblem, read_custom
 from comity_domain.custom.solving.bound import Bound, bind
@@ -22,7 +22,7 @@ __all__ = [
     "Binding",
     "BindingRefusedError",
     "Bound",
-    "Clock",
+    "BoundPeople",
     "CustomFlip",
     "CustomPddl",
     "CustomPlan",
@@ -31,9 +31,9 @@ __all__ = [
     "Location",
     "Option",
     "OptionValue",
-    "People",
+    "PlanWithout",
+    "PlanningClock",
     "Stability",
-    "Without",
     "bind",
     "custom_pddl",
     "diagnosed",

@@ -17,7 +17,7 @@ LEAST_S, HANDING_OVER_S = 0.1, 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Clock:
+class PlanningClock:
     """The time of one plan. It goes on while the request is handed to another process."""
 
     limit_s: float
@@ -35,7 +35,7 @@ class Clock:
         return self.started_s + self.limit_s + LATEST_S - GRACE_S - HANDING_OVER_S - time.time()
 
 
-def planned(bound: Bound, clock: Clock) -> CustomPlan:
+def planned(bound: Bound, clock: PlanningClock) -> CustomPlan:
     """The plan within the limit, or why there is none.
 
     Raises:

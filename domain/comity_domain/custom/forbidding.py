@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Without:
+class PlanWithout:
     """The best plan without a choice."""
 
     forbidden: str
@@ -33,7 +33,7 @@ class Without:
     """Steps of this one that are not in the plan."""
 
 
-def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float = 30.0) -> Without:
+def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float = 30.0) -> PlanWithout:
     """The best plan without what one step chooses: the options of its person, or else the step as it is.
 
     Args:
@@ -51,12 +51,12 @@ def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float 
     try:
         plan = plan_custom(other, time_limit_s=time_limit_s, diagnose=False).plan
     except NoPlan:
-        return Without(forbidden, None, True, (), ())
+        return PlanWithout(forbidden, None, True, (), ())
     except PlanningFailed:
-        return Without(forbidden, None, False, (), ())
+        return PlanWithout(forbidden, None, False, (), ())
     were = Counter(f"{one.action}({', '.join(one.arguments)})" for one in found.plan.steps)
     are = Counter(f"{one.action}({', '.join(one.arguments)})" for one in plan.steps)
-    return Without(
+    return PlanWithout(
         forbidden,
         plan.cost - found.plan.cost,
         plan.optimal and found.plan.optimal,

@@ -11,7 +11,7 @@ from comity_domain.problem.agenda import Offer, PlainTask, offers
 from comity_domain.problem.circumstances import FREE_OF_HANDS
 from comity_domain.problem.spot import Spot
 from comity_domain.tours.lateness import late
-from comity_domain.tours.tour import Stop, Visit, stays, tour_cost, visit_as
+from comity_domain.tours.tour import PlannedVisit, Stop, stays, tour_cost, visit_as
 from comity_fis.inference.value import Inference
 
 NO_SOURCE = "that this holds for handing over is a design choice without a source"
@@ -19,7 +19,7 @@ _HANDS_FULL = f"with full hands only {' or '.join(sorted(FREE_OF_HANDS - {'none'
 BEFORE, AFTER = "before the greeting", "after the greeting"
 
 
-def why_this_fetching(offer: Offer, index: int, visits: Sequence[Visit], options: Options) -> Why:
+def why_this_fetching(offer: Offer, index: int, visits: Sequence[PlannedVisit], options: Options) -> Why:
     """Why a thing is fetched before its person is greeted, or after; of a later one there is no choice."""
     visit = visits[index]
     person = options.people[visit.spot.place]
@@ -44,7 +44,7 @@ def why_this_fetching(offer: Offer, index: int, visits: Sequence[Visit], options
     )
 
 
-def _otherwise(index: int, visits: Sequence[Visit], options: Options) -> int | str | None:
+def _otherwise(index: int, visits: Sequence[PlannedVisit], options: Options) -> int | str | None:
     """What the best visit with the other time of fetching would cost on top.
 
     Or who would be greeted too late; None where no route leads that way.

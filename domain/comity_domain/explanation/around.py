@@ -9,10 +9,10 @@ from comity_domain.choices.options import Options, options
 from comity_domain.explanation.together import from_elsewhere, one_by_one
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
-from comity_domain.tours.tour import Stay, Stop, Visit, path, stays
+from comity_domain.tours.tour import PlannedVisit, Stay, Stop, path, stays
 
 
-def options_around(request: VisitRequest, visits: Sequence[Visit]) -> Callable[[], Options]:
+def options_around(request: VisitRequest, visits: Sequence[PlannedVisit]) -> Callable[[], Options]:
     """What may be chosen, with all measured that one visit made otherwise would take; once it is asked for.
 
     Reasons are told of few of the plans that are made, and to measure what else there was takes as long as to
@@ -25,14 +25,14 @@ def options_around(request: VisitRequest, visits: Sequence[Visit]) -> Callable[[
     return cache(lambda: options(_measured_around(request, visits)))
 
 
-def _measured_around(request: VisitRequest, visits: Sequence[Visit]) -> VisitRequest:
+def _measured_around(request: VisitRequest, visits: Sequence[PlannedVisit]) -> VisitRequest:
     if request.survey is None:
         return request
     choices = options(request)
     for index, visit in enumerate(visits):
         for stay in stays(Stop(visit.spot.place, visit.company), choices):
             before, after = visits[max(0, index - 1) : index], visits[index + 1 : index + 2]
-            tour: tuple[Stay | Visit, ...] = (*before, stay, *after)
+            tour: tuple[Stay | PlannedVisit, ...] = (*before, stay, *after)
             spots = path(tour, choices)
             request = measured(request, unmeasured(request, spots if index < 2 else spots[1:]))
         if visit.company is not None:
@@ -40,7 +40,7 @@ def _measured_around(request: VisitRequest, visits: Sequence[Visit]) -> VisitReq
     return request
 
 
-def _measured_otherwise(request: VisitRequest, index: int, visits: Sequence[Visit]) -> VisitRequest:
+def _measured_otherwise(request: VisitRequest, index: int, visits: Sequence[PlannedVisit]) -> VisitRequest:
     """The request with all measured that a group met from elsewhere, or one by one, would take."""
     choices = options(request)
     for _, tour in from_elsewhere(index, visits, choices):

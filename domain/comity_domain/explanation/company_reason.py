@@ -9,13 +9,13 @@ from comity_domain.explanation.reason import in_words, liked_side, waited, wishe
 from comity_domain.explanation.together import MOST_ORDERS_OF, from_elsewhere, one_by_one
 from comity_domain.plans.plan import Alternative, RuledOut, Why
 from comity_domain.tours.lateness import late
-from comity_domain.tours.tour import Visit, greeting_cost, tour_cost
+from comity_domain.tours.tour import PlannedVisit, greeting_cost, tour_cost
 
 ONE_BY_ONE = "one by one"
 """What stands in the place of a choice where nobody is greeted at once."""
 
 
-def why_this_company(index: int, visits: Sequence[Visit], options: Options, cost: int) -> Why:
+def why_this_company(index: int, visits: Sequence[PlannedVisit], options: Options, cost: int) -> Why:
     """Why a company is greeted in this way at once, and not otherwise, from elsewhere or one by one.
 
     Args:
@@ -50,12 +50,12 @@ def why_this_company(index: int, visits: Sequence[Visit], options: Options, cost
 
 
 def _otherwise(
-    index: int, visits: Sequence[Visit], options: Options
+    index: int, visits: Sequence[PlannedVisit], options: Options
 ) -> tuple[list[Alternative], list[RuledOut]]:
     """What the whole plan would cost more with the group met otherwise; and what comes too late."""
     visit, planned = visits[index], tour_cost(visits, options)
     assert visit.company is not None
-    tours: dict[tuple[str, ...], tuple[tuple[Visit, ...], str]] = {}
+    tours: dict[tuple[str, ...], tuple[tuple[PlannedVisit, ...], str]] = {}
     for spot, tour in from_elsewhere(index, visits, options):
         person = options.people[spot.place]
         because = f"all at once from there: {liked_side(person.sides[spot.side], person)}"
@@ -100,7 +100,7 @@ def _runner_up(alternatives: Sequence[Alternative], reached: str) -> str:
     return f"{name} would cost {price} with the rest as it is"
 
 
-def _not_for_all(visit: Visit, options: Options) -> tuple[RuledOut, ...]:
+def _not_for_all(visit: PlannedVisit, options: Options) -> tuple[RuledOut, ...]:
     """Greetings that suit some of a company and are out for another one."""
     assert visit.company is not None
     company = options.companies[visit.company]

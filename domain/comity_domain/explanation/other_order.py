@@ -15,7 +15,7 @@ from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.tours.lateness import Late, late
-from comity_domain.tours.tour import Visit, best_tour, farewell_cost, greeting_parts, path
+from comity_domain.tours.tour import PlannedVisit, best_tour, farewell_cost, greeting_parts, path
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +71,9 @@ def _with_fewer_deadlines(request: VisitRequest, order: Sequence[str]) -> Iterat
         yield replace(request, visitees=tuple(visitees))
 
 
-def _cheapest(request: VisitRequest, order: Sequence[str]) -> tuple[tuple[Visit, ...], VisitRequest] | None:
+def _cheapest(
+    request: VisitRequest, order: Sequence[str]
+) -> tuple[tuple[PlannedVisit, ...], VisitRequest] | None:
     """The visits, and the request with all measured that they take."""
     while True:
         choices = options(request)
@@ -85,7 +87,7 @@ def _cheapest(request: VisitRequest, order: Sequence[str]) -> tuple[tuple[Visit,
         request = measured(request, missing)
 
 
-def _extra(visits: Sequence[Visit], choices: Options, plan: Plan) -> dict[str, int]:
+def _extra(visits: Sequence[PlannedVisit], choices: Options, plan: Plan) -> dict[str, int]:
     """By part, what the visits cost more than those of a plan."""
     before = _summed(step.cost_parts for step in plan.steps if step.action != SKIP)
     legs = (choices.leg_parts(start, end) for start, end in pairwise(path(visits, choices)))

@@ -12,11 +12,11 @@ from comity_domain.explanation.evidence import because
 from comity_domain.plans.plan import Alternative, RuledOut, Why
 from comity_domain.problem.agenda import Offer
 from comity_domain.problem.spot import Spot
-from comity_domain.tours.tour import Visit, tour_cost
+from comity_domain.tours.tour import PlannedVisit, tour_cost
 from comity_fis.defuzzification.curve import Choice
 
 
-def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
+def why_this_side(index: int, visits: Sequence[PlannedVisit], options: Options) -> Why:
     """Why the visit at this index is on its side; with another one, the next leg changes, too."""
     visit = visits[index]
     tours = {
@@ -26,7 +26,9 @@ def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
     return _why_here(visit.spot, tours, options)
 
 
-def why_this_return(offer: Offer, trip: int, index: int, visits: Sequence[Visit], options: Options) -> Why:
+def why_this_return(
+    offer: Offer, trip: int, index: int, visits: Sequence[PlannedVisit], options: Options
+) -> Why:
     """Why the robot comes back on this side.
 
     Args:
@@ -49,7 +51,7 @@ def why_this_return(offer: Offer, trip: int, index: int, visits: Sequence[Visit]
     return replace(why, text=f"back with {offer.thing}; {why.text}")
 
 
-def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Options) -> Why:
+def _why_here(here: Spot, tours: Mapping[Spot, Sequence[PlannedVisit]], options: Options) -> Why:
     """Why the robot stands here and not on another side.
 
     Args:
@@ -74,7 +76,7 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Option
     return Why(text, tuple(alternatives), ruled_out, chosen=reason)
 
 
-def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
+def why_this_greeting(visit: PlannedVisit, options: Options, cost: int) -> Why:
     """Why a person is greeted this way.
 
     Args:
@@ -94,7 +96,7 @@ def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
     return Why("; ".join(parts), alternatives, _out(ruled_out, start), chosen=parts[0])
 
 
-def why_this_farewell(visit: Visit, options: Options) -> Why:
+def why_this_farewell(visit: PlannedVisit, options: Options) -> Why:
     """Why leave is taken this way: as a person would be greeted, with what is in the hands by then."""
     person = options.people[visit.spot.place]
     chosen = next(greeting for greeting in person.greetings if greeting.way == visit.farewell)

@@ -18,7 +18,7 @@ from comity_domain.labelling.skipping import served_part
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest, Weights
-from comity_domain.tours.tour import Visit, best_tour, path, tour_cost
+from comity_domain.tours.tour import PlannedVisit, best_tour, path, tour_cost
 
 LOWEST, HIGHEST = 0.25, 4.0
 STEPS = 4
@@ -38,17 +38,17 @@ SCALES: dict[Weight, Scale] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Flip:
+class BreakEven:
     """Where another plan becomes cheaper."""
 
     weight: Weight
     factor: float
     """Of the weight, in [0.25, 4]."""
-    visits: tuple[Visit, ...]
+    visits: tuple[PlannedVisit, ...]
     """What is cheaper there."""
 
 
-def flips(request: VisitRequest, plan: Plan) -> tuple[Flip, ...] | None:
+def flips(request: VisitRequest, plan: Plan) -> tuple[BreakEven, ...] | None:
     """The nearest factors at which the plan is no longer among the cheapest; empty: it is stable.
 
     Returns:
@@ -73,22 +73,22 @@ class _Weighing:
         visits: The plan.
     """
 
-    def __init__(self, request: VisitRequest, visits: Sequence[Visit]) -> None:
+    def __init__(self, request: VisitRequest, visits: Sequence[PlannedVisit]) -> None:
         self._request = measured(request, unmeasured(request, path(visits, options(request))))
         self._visits = visits
 
-    def first_flip(self, weight: Weight, limit: float) -> Flip | None:
+    def first_flip(self, weight: Weight, limit: float) -> BreakEven | None:
         """The nearest factor towards this limit at which another plan is cheaper; None: none is."""
         last = 1.0
         for step in range(1, STEPS + 1):
             factor = limit ** (step / STEPS)
             cheaper = self._cheaper(weight, factor)
             if cheaper is not None:
-                return self._narrowed(Flip(weight, factor, cheaper), last)
+                return self._narrowed(BreakEven(weight, factor, cheaper), last)
             last = factor
         return None
 
-    def _narrowed(self, flip: Flip, stays: float) -> Flip:
+    def _narrowed(self, flip: BreakEven, stays: float) -> BreakEven:
         """Halve the distance until the factor is known well enough.
 
         Args:
@@ -101,10 +101,10 @@ class _Weighing:
             if cheaper is None:
                 stays = middle
             else:
-                flip = Flip(flip.weight, middle, cheaper)
+                flip = BreakEven(flip.weight, middle, cheaper)
         return flip
 
-    def _cheaper(self, weight: Weight, factor: float) -> tuple[Visit, ...] | None:
+    def _cheaper(self, weight: Weight, factor: float) -> tuple[PlannedVisit, ...] | None:
         """A plan that is cheaper at this factor; None where these visits are still among the cheapest.
 
         With bounds no plan costs more than it does: where none is cheaper then, none is.
@@ -123,7 +123,7 @@ class _Weighing:
             self._request = measured(self._request, missing)
 
 
-def differences(before: Sequence[Visit], after: Sequence[Visit]) -> Iterator[str]:
+def differences(before: Sequence[PlannedVisit], after: Sequence[PlannedVisit]) -> Iterator[str]:
     """What another plan does otherwise, in words."""
     order, other = ([visit.spot.place for visit in visits] for visits in (before, after))
     if order != other:

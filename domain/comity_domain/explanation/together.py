@@ -10,15 +10,17 @@ from itertools import permutations
 from comity_domain.choices.options import Options
 from comity_domain.problem.spot import Spot
 from comity_domain.tours.lateness import late
-from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
+from comity_domain.tours.tour import PlannedVisit, Stop, best_tour, tour_cost
 
 MOST_ORDERS_OF = 4
 """Members whose every order is looked at; of more only as they are named, back, and by deadlines."""
 
-Tour = tuple[Visit, ...]
+Tour = tuple[PlannedVisit, ...]
 
 
-def from_elsewhere(index: int, visits: Sequence[Visit], options: Options) -> Iterator[tuple[Spot, Tour]]:
+def from_elsewhere(
+    index: int, visits: Sequence[PlannedVisit], options: Options
+) -> Iterator[tuple[Spot, Tour]]:
     """The tours in which the group is greeted from another place, before any of them, all else being alike.
 
     Args:
@@ -33,7 +35,7 @@ def from_elsewhere(index: int, visits: Sequence[Visit], options: Options) -> Ite
             yield spot, (*visits[:index], replace(visit, spot=spot), *visits[index + 1 :])
 
 
-def one_by_one(index: int, visits: Sequence[Visit], options: Options) -> Tour | None:
+def one_by_one(index: int, visits: Sequence[PlannedVisit], options: Options) -> Tour | None:
     """The cheapest tour that greets the members one after the other in the group's place; None: none does.
 
     It keeps all deadlines wherever one that is looked at does.

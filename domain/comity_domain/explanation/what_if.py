@@ -13,7 +13,7 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.spot import START, Spot
-from comity_domain.tours.tour import Visit, best_tour, path, served, tour_cost
+from comity_domain.tours.tour import PlannedVisit, best_tour, path, served, tour_cost
 
 MOST_PEOPLE = 12
 """Beyond so many the answers would not be exact, and slow."""
@@ -28,7 +28,7 @@ class NextInstead:
     """In plan cost units; None where a deadline or a route rules it out."""
 
 
-def visits_of(plan: Plan) -> tuple[Visit, ...]:
+def visits_of(plan: Plan) -> tuple[PlannedVisit, ...]:
     """The stops of a plan with their choices."""
     by_person: dict[str, list[PlanStep]] = {}
     for step in plan.steps:
@@ -37,12 +37,12 @@ def visits_of(plan: Plan) -> tuple[Visit, ...]:
     return tuple(_visit(person, steps) for person, steps in by_person.items())
 
 
-def _visit(person: str, steps: Sequence[PlanStep]) -> Visit:
+def _visit(person: str, steps: Sequence[PlanStep]) -> PlannedVisit:
     """One stop: all the steps before one person."""
     sides = [step.arguments[2] for step in steps if step.action in (REACH, RETURN)]
     greet = next((step for step in steps if step.action in (GREET, GREET_TOGETHER)), None)
     leave = next((step for step in steps if step.action == LEAVE), None)
-    return Visit(
+    return PlannedVisit(
         Spot(person, sides[0]),
         greet.arguments[2] if greet is not None and greet.action == GREET_TOGETHER else None,
         None if greet is None else (greet.arguments[-2], greet.arguments[-1]),
@@ -83,7 +83,7 @@ def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInst
     return tuple(sorted(found, key=lambda each: (each.extra_cost is None, each.extra_cost)))
 
 
-def _rest(request: VisitRequest, begun: Sequence[Visit], name: str) -> tuple[int | None, VisitRequest]:
+def _rest(request: VisitRequest, begun: Sequence[PlannedVisit], name: str) -> tuple[int | None, VisitRequest]:
     """What it costs to go on with somebody; None: it cannot be done. And the request with that measured."""
     start = begun[-1].last_spot if begun else START
     while True:

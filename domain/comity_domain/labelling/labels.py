@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_domain.choices.options import Options
 from comity_domain.labelling.table import LabelTable
 from comity_domain.problem.spot import START
-from comity_domain.tours.tour import Visit, served, times_s
+from comity_domain.tours.tour import PlannedVisit, served, times_s
 
 if TYPE_CHECKING:
     import numpy as np
@@ -62,7 +62,7 @@ def joined(parts: Sequence[Labels]) -> Labels:
     return Labels(parts[0].served_count, *(np.concatenate(column) for column in columns))
 
 
-def first_label(table: LabelTable, begun: Sequence[Visit], options: Options) -> Labels:
+def first_label(table: LabelTable, begun: Sequence[PlannedVisit], options: Options) -> Labels:
     """What was done before the search; its cost counts no more."""
     import numpy as np
 

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from comity_domain.choices.options import Options
 from comity_domain.labelling.labels import Labels, first_label, joined
 from comity_domain.labelling.table import LabelTable, label_table
-from comity_domain.tours.tour import Stop, Visit
+from comity_domain.tours.tour import PlannedVisit, Stop
 
 if TYPE_CHECKING:
     import numpy as np
@@ -61,7 +61,7 @@ class Cheapest:
 def cheapest(
     options: Options,
     *,
-    begun: Sequence[Visit] = (),
+    begun: Sequence[PlannedVisit] = (),
     next_person: str | None = None,
     order: Sequence[str] = (),
     at_most: int = NO_LIMIT,

@@ -12,9 +12,9 @@ from comity_domain.problem.request import GREETING_S
 from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.bound import least_costs
 from comity_domain.tours.tour import (
+    PlannedVisit,
     Stay,
     Stop,
-    Visit,
     cost_of,
     farewell_cost,
     greeting_cost,
@@ -179,7 +179,9 @@ def _arrivals(options: Options, spots: Sequence[Spot]) -> Iterator[Arrival]:
                 yield _arrival(visit, stay, on, options, numbers)
 
 
-def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mapping[Spot, int]) -> Arrival:
+def _arrival(
+    visit: PlannedVisit, stay: Stay, on: int, options: Options, numbers: Mapping[Spot, int]
+) -> Arrival:
     """One way to make a visit.
 
     Args:

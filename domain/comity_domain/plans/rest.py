@@ -15,7 +15,7 @@ GREETINGS = (GREET, GREET_TOGETHER)
 
 
 @dataclass(frozen=True, slots=True)
-class Progress:
+class VisitProgress:
     """How far a visit is that is not over."""
 
     greeted: bool
@@ -25,10 +25,10 @@ class Progress:
     """Whether the robot holds what comes next of what is to be handed over, or has just handed it over."""
 
 
-NOTHING_BEGUN: Mapping[str, Progress] = MappingProxyType({})
+NOTHING_BEGUN: Mapping[str, VisitProgress] = MappingProxyType({})
 
 
-def rest_of(plan: Plan, done: Collection[str], progress: Mapping[str, Progress] = NOTHING_BEGUN) -> Plan:
+def rest_of(plan: Plan, done: Collection[str], progress: Mapping[str, VisitProgress] = NOTHING_BEGUN) -> Plan:
     """The plan without the stops at which everybody has been served, and without what else was done.
 
     A visit under way goes on with the way to where the next act is to be, however short.
@@ -48,7 +48,7 @@ def rest_of(plan: Plan, done: Collection[str], progress: Mapping[str, Progress] 
     return replace(plan, steps=steps, cost=cost, bound=min(plan.bound, cost))
 
 
-def _left_of(stop: Sequence[PlanStep], progress: Progress) -> list[PlanStep]:
+def _left_of(stop: Sequence[PlanStep], progress: VisitProgress) -> list[PlanStep]:
     """What is left of one stop."""
     greetings = [i for i, step in enumerate(stop) if step.action in GREETINGS and not progress.greeted]
     tasks = [i for i, step in enumerate(stop) if step.action in TASKS]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from comity_domain.choices.options import Options
-from comity_domain.tours.tour import Visit, end_times_s, served
+from comity_domain.tours.tour import PlannedVisit, end_times_s, served
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Late:
         return f"{self.person} would be greeted at {greeted} s, later than {self.by_s:g} s"
 
 
-def late(visits: Sequence[Visit], options: Options) -> Late | None:
+def late(visits: Sequence[PlannedVisit], options: Options) -> Late | None:
     """The first who would be greeted too late; None where every deadline is kept."""
     if not options.has_deadlines:
         return None
@@ -39,7 +39,7 @@ def late(visits: Sequence[Visit], options: Options) -> Late | None:
     return None
 
 
-def until_last_deadline(visits: Sequence[Visit], options: Options) -> Sequence[Visit]:
+def until_last_deadline(visits: Sequence[PlannedVisit], options: Options) -> Sequence[PlannedVisit]:
     """The visits on which some deadline hangs; none where nobody has one."""
     hurried = (
         index

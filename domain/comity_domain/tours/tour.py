@@ -22,7 +22,7 @@ class Stop:
 
 
 @dataclass(frozen=True, slots=True)
-class Visit:
+class PlannedVisit:
     """A stop with its choices."""
 
     spot: Spot
@@ -80,7 +80,9 @@ def stays(stop: Stop, options: Options) -> Iterator[Stay]:
             yield from (Stay(spot, True, back) for back in product(person.spots(), repeat=left))
 
 
-def ways_through(stay: Stay | Visit, person: PersonOptions) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
+def ways_through(
+    stay: Stay | PlannedVisit, person: PersonOptions
+) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
     """The spots of a visit in order: until the robot is before the person, and from there on."""
     fetched = person.fetched_at
     before = fetched[:1] if stay.bringing and not person.in_hand else ()
@@ -89,7 +91,7 @@ def ways_through(stay: Stay | Visit, person: PersonOptions) -> tuple[tuple[Spot,
     return (*before, stay.spot), (stay.spot, *after)
 
 
-def path(visits: Iterable[Stay | Visit], options: Options) -> tuple[Spot, ...]:
+def path(visits: Iterable[Stay | PlannedVisit], options: Options) -> tuple[Spot, ...]:
     """Every spot of a tour, locations included, from the start on."""
     spots = [START]
     for visit in visits:
@@ -98,7 +100,7 @@ def path(visits: Iterable[Stay | Visit], options: Options) -> tuple[Spot, ...]:
     return tuple(spots)
 
 
-def best_tour(order: Sequence[Stop], options: Options, *, start: Spot = START) -> tuple[Visit, ...]:
+def best_tour(order: Sequence[Stop], options: Options, *, start: Spot = START) -> tuple[PlannedVisit, ...]:
     """The cheapest sides and greetings for this order, by the law of ties (`choices.ties`).
 
     A person meets the side and greeting inferred for them unless another is really cheaper. It also improves
@@ -116,12 +118,12 @@ def best_tour(order: Sequence[Stop], options: Options, *, start: Spot = START) -
     return tuple(visit_as(stay, stop, options) for stay, stop in zip(chosen, order, strict=True))
 
 
-def visit_as(stay: Stay, stop: Stop, options: Options) -> Visit:
+def visit_as(stay: Stay, stop: Stop, options: Options) -> PlannedVisit:
     """A visit with what is best once its way is settled."""
     person = options.people[stop.person]
     leave = person.best_greeting().way if takes_leave(person.agenda) else None
     way = None if person.greeted else best_way(stop, options, bringing=stay.bringing)
-    return Visit(stay.spot, stop.company, way, stay.bringing, stay.returns, leave)
+    return PlannedVisit(stay.spot, stop.company, way, stay.bringing, stay.returns, leave)
 
 
 def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[str, str]:
@@ -131,14 +133,14 @@ def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[s
     return options.companies[stop.company].best_greeting
 
 
-def served(visit: Visit, options: Options) -> tuple[str, ...]:
+def served(visit: PlannedVisit, options: Options) -> tuple[str, ...]:
     """Who is greeted in a visit, whoever was reached first."""
     reached = visit.spot.place
     people = people_at(Stop(reached, visit.company), options)
     return (reached, *(name for name in people if name != reached))
 
 
-def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[str, int]]:
+def greeting_parts(visits: Sequence[PlannedVisit], options: Options) -> list[Mapping[str, int]]:
     """What the cost of each greeting is made of, in cm.
 
     `greeting`: the dislike of it. `nearness`: the dislike of how near others of a company stand. `waiting`:
@@ -159,7 +161,7 @@ def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[st
     return parts
 
 
-def greeting_cost(visit: Visit, options: Options) -> int:
+def greeting_cost(visit: PlannedVisit, options: Options) -> int:
     """The dislike of one greeting, and of how near others stand to it; 0 where it is over."""
     if visit.way is None:
         return 0
@@ -168,7 +170,7 @@ def greeting_cost(visit: Visit, options: Options) -> int:
     return _price(visit.way, options.people[visit.spot.place], bringing=visit.bringing)
 
 
-def farewell_cost(visit: Visit, options: Options) -> int:
+def farewell_cost(visit: PlannedVisit, options: Options) -> int:
     """The dislike of the farewell; 0 where there is none."""
     return 0 if visit.farewell is None else _price(visit.farewell, options.people[visit.spot.place])
 
@@ -196,7 +198,7 @@ def cost_of(spots: Sequence[Spot], options: Options) -> int | None:
     return sum(known) if len(known) == len(costs) else None
 
 
-def tour_cost(visits: Sequence[Visit], options: Options) -> int | None:
+def tour_cost(visits: Sequence[PlannedVisit], options: Options) -> int | None:
     """What all of it costs; None where an option of it is not on offer."""
     if any(not _is_offered(visit, options) for visit in visits):
         return None
@@ -207,12 +209,12 @@ def tour_cost(visits: Sequence[Visit], options: Options) -> int | None:
     return legs + acts + sum(farewell_cost(visit, options) for visit in visits)
 
 
-def end_times_s(visits: Sequence[Visit], options: Options) -> list[float]:
+def end_times_s(visits: Sequence[PlannedVisit], options: Options) -> list[float]:
     """When each greeting is over, as deadlines reckon it; needs durations."""
     return [greeted for greeted, _ in times_s(visits, options)]
 
 
-def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, float]]:
+def times_s(visits: Sequence[PlannedVisit], options: Options) -> list[tuple[float, float]]:
     """When each greeting is over, and when the visit; as above."""
     times, now, here = [], 0.0, START
     for visit in visits:
@@ -223,21 +225,21 @@ def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, floa
     return times
 
 
-def seconds_to_greeting(start: Spot, stay: Stay | Visit, options: Options) -> float:
+def seconds_to_greeting(start: Spot, stay: Stay | PlannedVisit, options: Options) -> float:
     """What it takes from a spot until somebody was greeted, with what is fetched before."""
     person = options.people[stay.spot.place]
     there, _ = ways_through(stay, person)
     return seconds_through((start, *there), options) + _picking_up_s(stay, person) + person.greeting_s
 
 
-def seconds_after_greeting(stay: Stay | Visit, options: Options) -> float:
+def seconds_after_greeting(stay: Stay | PlannedVisit, options: Options) -> float:
     """What the rest of a visit takes."""
     person = options.people[stay.spot.place]
     _, on = ways_through(stay, person)
     return seconds_through(on, options) + person.agenda_s - _picking_up_s(stay, person)
 
 
-def _picking_up_s(stay: Stay | Visit, person: PersonOptions) -> float:
+def _picking_up_s(stay: Stay | PlannedVisit, person: PersonOptions) -> float:
     """What of an agenda comes before the greeting: to take up what is fetched by then."""
     return HANDOVER_S if stay.bringing and not person.in_hand else 0.0
 
@@ -247,7 +249,7 @@ def seconds_through(spots: Sequence[Spot], options: Options) -> float:
     return sum(options.durations_s[place_of(start), end.place] for start, end in pairwise(spots))
 
 
-def _is_offered(visit: Visit, options: Options) -> bool:
+def _is_offered(visit: PlannedVisit, options: Options) -> bool:
     if visit.company is not None:
         company = options.companies.get(visit.company)
         return company is not None and visit.spot in company.spots and visit.way in company.greetings

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from comity_executor.leaves.body_act import BodyAct
-from comity_executor.memory.meeting import SAY_ACT, Meeting
+from comity_executor.memory.meeting import SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import ActGoal, speech
@@ -20,7 +20,7 @@ class Act(BodyAct):
         act: `say`, or the name of a gesture.
     """
 
-    def __init__(self, meeting: Meeting, act: str) -> None:
+    def __init__(self, meeting: VisitContext, act: str) -> None:
         super().__init__(NodeId.of(act, meeting.person), meeting, act, meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "values"), writes=("performed", "performed_s"))
 

@@ -13,7 +13,7 @@ from comity_executor.leaves.body_act import BodyAct
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import SAY_ACT, Meeting
+from comity_executor.memory.meeting import SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.identity import NodeId
@@ -32,12 +32,12 @@ GONE_M = 1.0
 """So much farther away than where it was told, the robot is told of again (our choice)."""
 
 
-def is_announced(meeting: Meeting) -> bool:
+def is_announced(meeting: VisitContext) -> bool:
     """Whether the plan has the robot tell this person that it comes."""
     return ANNOUNCED in meeting.reach.parameters
 
 
-def halting_m(meeting: Meeting, speed_m_s: float) -> float:
+def halting_m(meeting: VisitContext, speed_m_s: float) -> float:
     """The distance at which a robot of this speed has to brake so as to rest before it is `SPOKEN_TO_M` near.
 
     It is the sum of that, the way during the base's latency, v^2 / (2 a) of braking, and a margin [m].
@@ -50,7 +50,7 @@ def halting_m(meeting: Meeting, speed_m_s: float) -> float:
 class IsComingTold(Condition):
     """`coming_told?`: was the person told that the robot comes, and has it not been far away since?"""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("coming_told?", meeting.person), meeting.reach_grounds)
         self._meeting = meeting.seen_by(self, reads=("announced",))
         self._text = ""
@@ -81,7 +81,7 @@ class IsComingTold(Condition):
 class ComeNear(NavigateToUser):
     """Set out to the person, and halt before the robot is nearer than `SPOKEN_TO_M`."""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(meeting, verb="Come_near")
 
     def begin(self) -> None:
@@ -114,7 +114,7 @@ class Announcement(BodyAct):
         reads: What it reads on the blackboard.
     """
 
-    def __init__(self, verb: str, meeting: Meeting, *, reads: tuple[str, ...] = ()) -> None:
+    def __init__(self, verb: str, meeting: VisitContext, *, reads: tuple[str, ...] = ()) -> None:
         super().__init__(NodeId.of(verb, meeting.person), meeting, SAY_ACT, meeting.reach_grounds)
         self.verb = verb
         self._meeting = meeting.seen_by(self, reads=("values", *reads), writes=("announced", "stopped_s"))
@@ -141,7 +141,7 @@ class Announcement(BodyAct):
 class SayComing(Announcement):
     """Tell the person that the robot comes."""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__("Say_coming", meeting)
 
     def words(self) -> Utterance:
@@ -156,7 +156,7 @@ class SayComing(Announcement):
 class SayStopped(Announcement):
     """Tell the person where the robot has stopped."""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__("Say_stopped", meeting, reads=("reach", "docked_at", "docked_s"))
 
     def words(self) -> Utterance:
@@ -175,7 +175,7 @@ class SayStopped(Announcement):
 class IsStopTold(Condition):
     """`stop_told?`: was the person told that, and where, the robot has stopped?"""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("stop_told?", meeting.person), meeting.reach_grounds)
         self._meeting = meeting.seen_by(self, reads=("stopped_s", "docked_s"))
 
@@ -205,7 +205,7 @@ class IsLeaveTold(Condition):
     """
 
     def __init__(
-        self, meeting: Meeting, about: tuple[str, ...], grounds: Grounds, *, goes_to: str | None
+        self, meeting: VisitContext, about: tuple[str, ...], grounds: Grounds, *, goes_to: str | None
     ) -> None:
         super().__init__(NodeId("leave_told?", about, meeting.person), grounds)
         self._meeting = meeting.seen_by(self, reads=("announced",))
@@ -239,7 +239,7 @@ class SayLeaving(Action):
     """
 
     def __init__(
-        self, meeting: Meeting, about: tuple[str, ...], grounds: Grounds, values: Mapping[str, Inference]
+        self, meeting: VisitContext, about: tuple[str, ...], grounds: Grounds, values: Mapping[str, Inference]
     ) -> None:
         super().__init__(NodeId("Say_leaving", about, meeting.person), grounds)
         self._meeting = meeting.seen_by(self, writes=("announced",))
@@ -285,7 +285,7 @@ class SayLeaving(Action):
 class LeaveUntold(Action):
     """SUCCESS at once: a robot that cannot speak does not stand beside the person for ever."""
 
-    def __init__(self, meeting: Meeting, about: tuple[str, ...], grounds: Grounds) -> None:
+    def __init__(self, meeting: VisitContext, about: tuple[str, ...], grounds: Grounds) -> None:
         super().__init__(NodeId("Leave_untold", about, meeting.person), grounds)
         self._meeting = meeting.seen_by(self, writes=("announced",))
         self._who: str | None = None

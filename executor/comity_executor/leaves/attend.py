@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
-from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
+from comity_executor.robots.goals import PlannedPose, RelativePose, unverified
 from comity_executor.robots.noticed import Noticed, noticed
 from comity_executor.robots.robot import Reading
 from comity_fis.learning.signals import SAID, SIGNALS
@@ -27,7 +27,7 @@ class AttendTo(Action):
     for the rest of the visit, also when the robot goes away and comes back.
     """
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Attend_to", meeting.person), meeting.reach_grounds)
         self._meeting = meeting.seen_by(
             self, reads=("reach", "values"), writes=("pose", "shown", "noticed", "attended")
@@ -91,7 +91,7 @@ class AttendTo(Action):
                 self._meeting.note_shown(now.distance_m)
 
 
-def _moved(pose: DockingPose, distance_m: float, bearing_deg: float) -> PlannedPose:
+def _moved(pose: RelativePose, distance_m: float, bearing_deg: float) -> PlannedPose:
     """Where the robot stands from now on, and why it came to stand elsewhere than it wanted."""
     return PlannedPose(distance_m, bearing_deg, pose.pose_free, pose.deviation_reason, unverified(pose))
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from py_trees.common import Status
 
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
@@ -28,7 +28,7 @@ class BodyAct(Action):
         grounds: The plan step that it carries out.
     """
 
-    def __init__(self, node_id: NodeId, meeting: Meeting, act: str, grounds: Grounds) -> None:
+    def __init__(self, node_id: NodeId, meeting: VisitContext, act: str, grounds: Grounds) -> None:
         super().__init__(node_id, grounds)
         self._meeting = meeting
         self._act = act

@@ -6,24 +6,24 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from comity_executor.leaves.docking_band import DockingBand, enter_band, leave_band
-from comity_executor.memory.meeting import SAY_ACT, Meeting
+from comity_executor.memory.meeting import SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Condition, Ports
-from comity_executor.robots.goals import DockingPose
+from comity_executor.robots.goals import RelativePose
 from comity_executor.robots.robot import Reading
 
 
 class IsDocked(Condition):
     """`docked?`: does the robot rest at its pose, or hold it well enough since?"""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("docked?", meeting.person), meeting.reach_grounds)
         self._meeting = meeting = meeting.seen_by(
             self, reads=("reach", "values", "shown"), writes=("pose", "docked", "docked_at", "docked_s")
         )
-        self._pose: DockingPose | None = None
+        self._pose: RelativePose | None = None
         self._reading: Reading | None = None
         self._seen_s = 0.0
         self._enter: DockingBand
@@ -60,7 +60,7 @@ class IsDocked(Condition):
     def _seen_lately(self) -> bool:
         return self._meeting.senses.now_s() - self._seen_s <= self._meeting.limits.unseen_s
 
-    def _choose_bands(self, pose: DockingPose) -> None:
+    def _choose_bands(self, pose: RelativePose) -> None:
         limits = self._meeting.limits
         self._pose = pose
         self._enter, self._leave = enter_band(pose, limits), leave_band(pose, limits)
@@ -69,7 +69,7 @@ class IsDocked(Condition):
 class IsGreeted(Condition):
     """`greeted?`: is every act of the greeting done, and did the robot see how it was taken?"""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("greeted?", meeting.person), meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "performed", "attended", "done_before"))
         self._acts = meeting.acts
@@ -90,7 +90,7 @@ class IsGreeted(Condition):
 class IsActDone(Condition):
     """`done?`: was this act performed, so that a second docking does not repeat it?"""
 
-    def __init__(self, meeting: Meeting, act: str) -> None:
+    def __init__(self, meeting: VisitContext, act: str) -> None:
         super().__init__(NodeId.of("done?", act, meeting.person), meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "performed", "done_before"))
         self._act = act
@@ -113,7 +113,7 @@ class IsActDone(Condition):
 class IsGivenUp(Condition):
     """`given_up?`: did the visit fail for good, or did the person decline it?"""
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("given_up?", meeting.person))
         self._person = meeting.person
         self._memory = meeting.memory.seen_by(self, reads=("given_up", "declined", "failure"))
@@ -135,7 +135,7 @@ class IsGivenUp(Condition):
 class AreAllGreeted(Condition):
     """`all_greeted?`: the plan's goal, asked when every visit is over."""
 
-    def __init__(self, meetings: Sequence[Meeting], unserved: Mapping[str, str]) -> None:
+    def __init__(self, meetings: Sequence[VisitContext], unserved: Mapping[str, str]) -> None:
         super().__init__("all_greeted?")
         self._meetings = [each.seen_by(self, reads=("given_up", "declined", "failure")) for each in meetings]
         self._unserved = unserved
@@ -155,6 +155,6 @@ class AreAllGreeted(Condition):
         texts += [f"{person}: {reason}" for person, reason in self._unserved.items()]
         return Account("; ".join(texts)) if texts else None
 
-    def _given_up(self) -> list[Meeting]:
+    def _given_up(self) -> list[VisitContext]:
         visits = ((meeting, meeting.memory) for meeting in self._meetings)
         return [meeting for meeting, memory in visits if memory.given_up and memory.declined is None]

@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
 
-from comity_executor.memory.meeting import MakeAct, Meeting
+from comity_executor.memory.meeting import MakeAct, VisitContext
 from comity_executor.memory.task import Task
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Ports
@@ -33,7 +33,7 @@ class CustomAct(Decorator):
         TypeError: `make` gave something else than a behaviour.
     """
 
-    def __init__(self, act: str, about: tuple[str, ...], make: MakeAct, of: Meeting | Task) -> None:
+    def __init__(self, act: str, about: tuple[str, ...], make: MakeAct, of: VisitContext | Task) -> None:
         inner = NodeId(act, about, of.person)
         behaviour = make(inner.name, of.person)
         if not isinstance(behaviour, Behaviour):

@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.docking_band import DockingBand, enter_band
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.memory.meeting import POSE, VisitContext
 from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Reading
@@ -18,7 +18,7 @@ class DockToUser(MotionAction):
     Its numbers are behaviour parameters: distance, bearing and speed may be bound anew while it runs.
     """
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Dock_to_user", meeting.person), meeting, reads=POSE)
         self._band: DockingBand
         """Around the pose that it was told last."""

@@ -13,7 +13,7 @@ from math import inf
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.limits import Limits
 from comity_executor.robots.bearing import bearing_error_deg
-from comity_executor.robots.goals import DockingPose
+from comity_executor.robots.goals import RelativePose
 from comity_executor.robots.robot import Reading, is_seen
 
 
@@ -21,7 +21,7 @@ from comity_executor.robots.robot import Reading, is_seen
 class DockingBand:
     """What still counts as standing at a pose."""
 
-    pose: DockingPose
+    pose: RelativePose
     verb: str
     """How a reading fails the band, in words: it `left` it, or `is not in` it."""
     nearest_m: float
@@ -65,7 +65,7 @@ class DockingBand:
         return Account(text, distance, "conversational_distance")
 
 
-def enter_band(pose: DockingPose, limits: Limits) -> DockingBand:
+def enter_band(pose: RelativePose, limits: Limits) -> DockingBand:
     """The robot came to rest at the pose."""
     return DockingBand(
         pose=pose,
@@ -78,7 +78,7 @@ def enter_band(pose: DockingPose, limits: Limits) -> DockingBand:
     )
 
 
-def lost_band(pose: DockingPose, limits: Limits) -> DockingBand:
+def lost_band(pose: RelativePose, limits: Limits) -> DockingBand:
     """The robot still turns on its place, whatever its speed and heading."""
     return DockingBand(
         pose=pose,
@@ -91,7 +91,7 @@ def lost_band(pose: DockingPose, limits: Limits) -> DockingBand:
     )
 
 
-def leave_band(pose: DockingPose, limits: Limits) -> DockingBand:
+def leave_band(pose: RelativePose, limits: Limits) -> DockingBand:
     """The robot can go on holding the pose while it greets."""
     return DockingBand(
         pose=pose,

@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.docking_band import enter_band, lost_band
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.memory.meeting import POSE, VisitContext
 from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Reading
@@ -20,7 +20,7 @@ class FaceUser(MotionAction):
     for longer than the limits' patience with what blocks a motion: then Reach_user is tried again.
     """
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Face_user", meeting.person), meeting, reads=POSE)
 
     def begin(self) -> None:

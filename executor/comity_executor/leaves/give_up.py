@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Parallel
 
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.nodes.cause import Account, explains
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action
@@ -20,7 +20,7 @@ class GiveUp(Action):
         failed: The branch that failed before this leaf is reached.
     """
 
-    def __init__(self, meeting: Meeting, failed: Behaviour) -> None:
+    def __init__(self, meeting: VisitContext, failed: Behaviour) -> None:
         super().__init__(NodeId.of("Give_up", meeting.person), meeting.reach_grounds)
         self._memory = meeting.memory.seen_by(self, writes=("given_up", "failure"))
         self._failed = failed

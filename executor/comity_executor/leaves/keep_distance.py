@@ -7,9 +7,9 @@ from contextlib import suppress
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.memory.meeting import POSE, VisitContext
 from comity_executor.nodes.identity import NodeId
-from comity_executor.robots.goals import DockingPose, MotionGoal
+from comity_executor.robots.goals import MotionGoal, RelativePose
 from comity_fis.learning.signals import WORDS
 
 
@@ -20,9 +20,9 @@ class KeepDistance(MotionAction):
     steps back has said something. It moves again when the person asks it to.
     """
 
-    def __init__(self, meeting: Meeting) -> None:
+    def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Keep_distance", meeting.person), meeting, reads=(*POSE, "noticed"))
-        self._granted: DockingPose | None = None
+        self._granted: RelativePose | None = None
         self._holds = False
         """Whether it holds the pose; else it stands and turns."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
 from comity_executor.nodes.identity import NodeId
@@ -28,7 +28,7 @@ class MotionAction(Action):
     def __init__(
         self,
         node_id: NodeId,
-        meeting: Meeting,
+        meeting: VisitContext,
         *,
         reads: Collection[str] = (),
         writes: Collection[str] = (),

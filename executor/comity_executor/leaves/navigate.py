@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import WAY
 from comity_executor.nodes.identity import NodeId
@@ -18,7 +18,7 @@ class NavigateToUser(MotionAction):
     And once more where it is stuck: a place before somebody who walks is not free for ever.
     """
 
-    def __init__(self, meeting: Meeting, *, verb: str = "Navigate_to_user") -> None:
+    def __init__(self, meeting: VisitContext, *, verb: str = "Navigate_to_user") -> None:
         super().__init__(
             NodeId.of(verb, meeting.person),
             meeting,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
@@ -14,7 +14,7 @@ from comity_executor.nodes.leaf import Condition, Ports
 class IsServed(Condition):
     """`served?`: is the person greeted, and all of the agenda done?"""
 
-    def __init__(self, meeting: Meeting, tasks: Sequence[Task]) -> None:
+    def __init__(self, meeting: VisitContext, tasks: Sequence[Task]) -> None:
         super().__init__(NodeId.of("served?", meeting.person), meeting.greet_grounds)
         self._meeting = meeting.seen_by(self, reads=("greet", "performed", "attended", "done_before"))
         self._tasks = [task.seen_by(self, reads=("done_s",)) for task in tasks]

@@ -21,9 +21,9 @@ from secrets import token_bytes
 from types import TracebackType
 from typing import cast
 
-from comity_executor.live.messages import Answer, Begin, Call, Failed, Ready
+from comity_executor.live.messages import Begin, Call, CallResult, Failed, Ready
 from comity_executor.robots.capabilities import LONGEST_LEASE_S, Capabilities
-from comity_executor.robots.goals import ActGoal, DockingPose, GoalId, GoalStatus, Motion, MotionGoal
+from comity_executor.robots.goals import ActGoal, GoalId, GoalStatus, Motion, MotionGoal, RelativePose
 from comity_executor.robots.map_robot import MapGoal
 from comity_executor.robots.robot import Reading, Words
 from comity_fis.defuzzification.curve import Curve
@@ -102,10 +102,10 @@ class Watchdog:
         bearing_deg: float,
         distance_desirability: Curve,
         direction_desirability: Curve,
-    ) -> DockingPose | None:
+    ) -> RelativePose | None:
         """As the robot says."""
         return cast(
-            "DockingPose | None",
+            "RelativePose | None",
             self._call(
                 "choose_pose",
                 person,
@@ -165,7 +165,7 @@ class Watchdog:
                 raise WatchdogError(f"{name}: the watchdog's process is gone") from error
         if isinstance(answer, Failed):
             raise WatchdogError(f"{name}: {answer.text}")
-        return cast("Answer", answer).value
+        return cast("CallResult", answer).value
 
     def _receive(self, within_s: float) -> object:
         """The answer to the newest call: one that comes too late is not taken for another's."""

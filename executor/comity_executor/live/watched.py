@@ -15,7 +15,7 @@ from multiprocessing.connection import Client, Connection
 from typing import Any
 
 from comity_executor.live.guard import Guard
-from comity_executor.live.messages import Answer, Begin, Call, Failed, Ready
+from comity_executor.live.messages import Begin, Call, CallResult, Failed, Ready
 from comity_executor.robots.capabilities import CapabilityValues
 from comity_executor.robots.robot import Robot
 
@@ -51,12 +51,12 @@ def serve(connection: Connection[Any, Any]) -> None:
         guard.stop_for_good()
 
 
-def _answer(call: Call, guard: Guard, robot: Robot) -> Answer | Failed:
+def _answer(call: Call, guard: Guard, robot: Robot) -> CallResult | Failed:
     owner = guard if call.name in GUARDED else robot
     if call.name == "heard" and not hasattr(robot, "heard"):
-        return Answer(call.call, ())  # it has no ears
+        return CallResult(call.call, ())  # it has no ears
     try:
-        return Answer(call.call, getattr(owner, call.name)(*call.arguments, **call.named))
+        return CallResult(call.call, getattr(owner, call.name)(*call.arguments, **call.named))
     except Exception as error:
         return Failed(call.call, f"{type(error).__name__}: {error}")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
-from comity_executor.memory.shared import Asked, SharedMemory
+from comity_executor.memory.shared import PassageRequest, SharedMemory
 from comity_executor.nodes.limits import Limits
 
 
@@ -39,7 +39,7 @@ class Asking:
         """Whether any way round is right by now: a person was asked on this one, or stays wherever it is."""
         return bool(self.refused) or any(each.way == way for each in self.memory.asked)
 
-    def note(self, asked: Asked) -> None:
+    def note(self, asked: PassageRequest) -> None:
         """A person is asked now."""
         self.memory.asked = (*self.memory.asked, asked)
 

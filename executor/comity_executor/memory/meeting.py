@@ -17,7 +17,7 @@ from comity_executor.memory.shared import SharedMemory
 from comity_executor.memory.visit import Outcome, ShownWish, Visit, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.limits import Limits
-from comity_executor.robots.goals import DockingPose, PlannedPose, unverified
+from comity_executor.robots.goals import PlannedPose, RelativePose, unverified
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.manner import Manner, manner_of
@@ -43,7 +43,7 @@ NO_ACTS: Mapping[str, MakeAct] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
-class Meeting:
+class VisitContext:
     """One person to reach and to greet; its choices stay, its parameters may be updated (`rebind`)."""
 
     person: str
@@ -61,7 +61,7 @@ class Meeting:
 
     def seen_by(
         self, leaf: Behaviour, *, reads: Collection[str] = (), writes: Collection[str] = ()
-    ) -> Meeting:
+    ) -> VisitContext:
         """The same as a leaf uses it, which declares the entries that it reads and writes."""
         memory = self.memory.seen_by(leaf, reads=reads, writes=writes)
         return replace(self, memory=memory, shared=self.shared.seen_by(leaf, reads=reads, writes=writes))
@@ -108,7 +108,7 @@ class Meeting:
         return Asking(self.limits, self.shared)
 
     @property
-    def _moves_by(self) -> tuple[PlannedPose, float, DockingPose | None, Mapping[str, float | str]]:
+    def _moves_by(self) -> tuple[PlannedPose, float, RelativePose | None, Mapping[str, float | str]]:
         return self.wanted, self.approach_speed_m_s, self.memory.pose, other_parameters(self.values)
 
     def choose_pose(self) -> None:
@@ -185,7 +185,7 @@ class Meeting:
         return PlannedPose(max(distance_m, least_m + tolerance_m), wanted.bearing_deg)
 
     @property
-    def pose(self) -> DockingPose:
+    def pose(self) -> RelativePose:
         """Where the robot is to stand: the pose that was chosen, or before that the one it goes for."""
         return self.memory.pose or self.goes_for
 

@@ -6,14 +6,14 @@ from collections.abc import Iterable
 from contextlib import suppress
 
 from comity_domain.plans.actions import OFFER
-from comity_domain.plans.rest import Progress
-from comity_executor.memory.meeting import Meeting
+from comity_domain.plans.rest import VisitProgress
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.memory.visit import TaskMemory
 from comity_executor.robots.carrier import HAND_OVER, Carrier
 from comity_executor.robots.robot import Robot
 
 
-def progress_of(meetings: Iterable[Meeting], robot: Robot) -> dict[str, Progress]:
+def progress_of(meetings: Iterable[VisitContext], robot: Robot) -> dict[str, VisitProgress]:
     """By person, of all that have an agenda.
 
     Args:
@@ -27,11 +27,11 @@ def progress_of(meetings: Iterable[Meeting], robot: Robot) -> dict[str, Progress
     return {meeting.person: _progress(meeting, carried) for meeting in meetings if meeting.memory.agenda}
 
 
-def _progress(meeting: Meeting, carried: str | None) -> Progress:
+def _progress(meeting: VisitContext, carried: str | None) -> VisitProgress:
     left = [task for task in meeting.memory.agenda if task.done_s is None]
     offer = next((task for task in left if task.action == OFFER), None)
     greeted = meeting.is_greeted and meeting.is_attended
-    return Progress(greeted, len(left), offer is not None and _is_taken(offer, carried))
+    return VisitProgress(greeted, len(left), offer is not None and _is_taken(offer, carried))
 
 
 def _is_taken(offer: TaskMemory, carried: str | None) -> bool:

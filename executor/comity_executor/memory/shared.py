@@ -10,7 +10,7 @@ from comity_executor.robots.goals import GoalId
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class PassageRequest:
     """A person in the way was asked to let the robot pass."""
 
     t: float
@@ -49,7 +49,7 @@ class SharedMemory(Board):
     """Who does not see, was told that the robot comes, and not yet that it leaves; None: nobody."""
     stopped_s = Entry[float | None](None)
     """The time of the docking of which such a person was told [s]."""
-    asked = Entry[tuple[Asked, ...]](())
+    asked = Entry[tuple[PassageRequest, ...]](())
     """Requests for passage, in order."""
     in_vain = Entry[frozenset[str]](frozenset())
     """People who had time to make way, and did not."""

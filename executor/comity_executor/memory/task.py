@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 from comity_domain.plans.actions import ANNOUNCED, FETCH, LEAVE, OFFER, RETURN
 from comity_domain.plans.plan import PlanStep
 from comity_domain.problem.agenda import PLAIN
-from comity_executor.memory.meeting import SAY_ACT, Meeting, acts_of
+from comity_executor.memory.meeting import SAY_ACT, VisitContext, acts_of
 from comity_executor.memory.visit import TaskMemory, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.leaf import Ports
@@ -28,7 +28,7 @@ class Task:
     """One step of the agenda."""
 
     step: PlanStep
-    meeting: Meeting
+    meeting: VisitContext
     """How the robot stands before the person for it."""
     fetch: PlanStep | None
     """How it gets what it hands over; None where it hands over nothing, or holds it already."""
@@ -156,7 +156,7 @@ class Task:
         return act is not None and known_performance(self.meeting.robot, act).state == "succeeded"
 
 
-def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
+def agenda_of(steps: Sequence[PlanStep], meeting: VisitContext) -> tuple[Task, ...]:
     """What is to be done after the greeting, each with where the robot stands for it.
 
     Args:
@@ -191,7 +191,7 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
     return tuple(tasks)
 
 
-def _return_stop(meeting: Meeting, step: PlanStep, number: int) -> Meeting:
+def _return_stop(meeting: VisitContext, step: PlanStep, number: int) -> VisitContext:
     """Where the robot comes back to the person: what they showed of their distance holds there, too."""
     memory = VisitMemory(
         meeting.memory.space, meeting.person, f"return-{number}", elsewhere={"shown": meeting.memory}
@@ -200,7 +200,7 @@ def _return_stop(meeting: Meeting, step: PlanStep, number: int) -> Meeting:
     return replace(meeting, memory=memory)
 
 
-def _memories(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[TaskMemory, ...]:
+def _memories(steps: Sequence[PlanStep], meeting: VisitContext) -> tuple[TaskMemory, ...]:
     """What is remembered of these tasks; a plan for the rest of a visit has the last ones of its agenda."""
     visit = meeting.memory
     left = [step for step in steps if step.action in EFFECTS]

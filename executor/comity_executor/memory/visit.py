@@ -7,7 +7,7 @@ from typing import Literal
 
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.board import Board, Entry, Namespace
-from comity_executor.robots.goals import DockingPose, GoalId, PlannedPose, unverified
+from comity_executor.robots.goals import GoalId, PlannedPose, RelativePose, unverified
 from comity_executor.robots.noticed import Noticed
 from comity_executor.robots.robot import Reading, is_seen
 from comity_fis.inference.value import Inference
@@ -39,7 +39,7 @@ class Visit:
     sped up before the robot, which goes to them no more; `skipped`: the plan leaves them out on purpose;
     `pending`: none of these, while the execution goes on.
     """
-    pose: DockingPose | None
+    pose: RelativePose | None
     """The last pose that was chosen; None before."""
     docked_at: Reading | None
     """The reading at the moment of the last docking."""
@@ -147,7 +147,7 @@ class VisitMemory(Board):
     """The person's parameters as they are now."""
     bindings = Entry(0)
     """How often it got other numbers to move by: a motion under way sees that its own are old."""
-    pose = Entry[DockingPose | None](None)
+    pose = Entry[RelativePose | None](None)
     """Where the robot is to stand; None before it was chosen."""
     docked = Entry(False)
     """The last answer of `docked?`: which of the two bands holds."""

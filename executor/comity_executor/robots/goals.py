@@ -34,7 +34,7 @@ LOST = ("rejected", "aborted", "preempted", "stopped")
 """States of a goal that will not be reached."""
 
 
-class DockingPose(Protocol):
+class RelativePose(Protocol):
     """A place to stand near a person, relative to that person, so that it moves along."""
 
     @property
@@ -70,7 +70,7 @@ class PlannedPose:
     """Why the robot would not surely see the person from there; None where it would."""
 
 
-def unverified(pose: DockingPose | None) -> str | None:
+def unverified(pose: RelativePose | None) -> str | None:
     """Why a robot would not surely see the person from a pose; None where it would, or does not say."""
     reason: str | None = getattr(pose, "unverified", None)
     return reason
@@ -88,7 +88,7 @@ class MotionGoal:
     kind: Literal["navigate", "dock", "face", "go_to"]
     to: str
     """A person; of `go_to` a place."""
-    pose: DockingPose | None = None
+    pose: RelativePose | None = None
     """Where to stand near the person, for `navigate` and `dock`: any pose, not only a chosen one."""
     speed_m_s: float = inf
     """At most; infinite for `face`, which does not travel."""

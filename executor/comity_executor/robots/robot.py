@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from comity_executor.robots.capabilities import Capabilities
-from comity_executor.robots.goals import ActGoal, DockingPose, GoalId, GoalStatus, Motion, MotionGoal
+from comity_executor.robots.goals import ActGoal, GoalId, GoalStatus, Motion, MotionGoal, RelativePose
 from comity_fis.defuzzification.curve import Curve
 
 
@@ -118,7 +118,7 @@ class Robot(Protocol):
         bearing_deg: float,
         distance_desirability: Curve,
         direction_desirability: Curve,
-    ) -> DockingPose | None:
+    ) -> RelativePose | None:
         """Find the place to stand.
 
         Args:

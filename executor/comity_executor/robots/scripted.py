@@ -14,11 +14,11 @@ from comity_executor.robots.carrier import HAND_OVER, PICK_UP
 from comity_executor.robots.goals import (
     ActGoal,
     ActStatus,
-    DockingPose,
     GoalId,
     MotionGoal,
     MotionStatus,
     PlannedPose,
+    RelativePose,
 )
 from comity_executor.robots.robot import Words
 from comity_fis.defuzzification.curve import Curve
@@ -137,7 +137,7 @@ class ScriptedRobot:
         bearing_deg: float,
         distance_desirability: Curve,
         direction_desirability: Curve,
-    ) -> DockingPose | None:
+    ) -> RelativePose | None:
         """The wanted pose: nothing is ever in the way."""
         return PlannedPose(distance_m, bearing_deg)
 

@@ -24,7 +24,7 @@ _GIVES_WAY = {"fallback": "failure", "sequence": "success", "memory_sequence": "
 
 
 @dataclass(frozen=True, slots=True)
-class Why:
+class NodeExplanation:
     """Why a node is in its state."""
 
     event: TraceEvent
@@ -65,7 +65,7 @@ class History:
         """The last event of every node that has one, by path: up to a time [s], or to the end."""
         return {path: self.events[place] for path, place in self._latest(until).items()}
 
-    def why_at(self, t: float) -> tuple[Why, ...]:
+    def why_at(self, t: float) -> tuple[NodeExplanation, ...]:
         """Why the actions run, or pause, that do so at a time [s]; where none does, why the last event came.
 
         An action pauses that failed and is to be tried again.
@@ -96,7 +96,7 @@ class History:
         below = (latest[child.path] for child in self._children[path] if child.path in latest)
         return (place for place in below if self._pauses(place, latest))
 
-    def why_node(self, path: int, until: float | None = None) -> Why | None:
+    def why_node(self, path: int, until: float | None = None) -> NodeExplanation | None:
         """Why a node did what it did last, up to a time [s]; None where it did nothing yet."""
         latest = self._latest(until)
         place = latest.get(path)
@@ -105,7 +105,7 @@ class History:
         pauses = any(self._paused(path, latest))
         return self._why(place, latest if pauses else self._latest(self.events[place].t))
 
-    def whys(self) -> Iterator[Why]:
+    def whys(self) -> Iterator[NodeExplanation]:
         """Why every event came about, in their order; what a tick did counts for all events of the tick."""
         latest: dict[int, int] = {}
         for _, tick in groupby(enumerate(self.events), key=lambda placed: placed[1].t):
@@ -121,17 +121,17 @@ class History:
             if until is None or event.t <= until + INSTANT_S
         }
 
-    def _why(self, place: int, latest: dict[int, int]) -> Why:
+    def _why(self, place: int, latest: dict[int, int]) -> NodeExplanation:
         event = self.events[place]
         if event.because or (event.status != "running" and not self._children[event.path]):
-            return Why(event, None, ())
+            return NodeExplanation(event, None, ())
         if event.status != "running":
             decided = self._decided(place)
-            return Why(event, None if decided is None else self.events[decided], ())
+            return NodeExplanation(event, None if decided is None else self.events[decided], ())
         passed = [self.events[i] for i in self._passed(event.path, latest)]
         passed.sort(key=lambda result: (-result.t, self.nodes[result.path].kind != "condition"))
         passed[:0] = [self.events[i] for i in self._paused(event.path, latest)]
-        return Why(event, passed[0] if passed else None, tuple(passed[1:]))
+        return NodeExplanation(event, passed[0] if passed else None, tuple(passed[1:]))
 
     def _passed(self, path: int, latest: dict[int, int]) -> Iterator[int]:
         """Places of the leaves' results that gave way to a node, from the node up to the root."""

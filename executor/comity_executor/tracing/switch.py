@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from comity_executor.tracing.history import History, Why
+from comity_executor.tracing.history import History, NodeExplanation
 from comity_executor.tracing.intervention import INSTANT_S, Intervention, Result
 from comity_executor.tracing.trace import TraceEvent
 
@@ -47,7 +47,7 @@ def switches(history: History) -> Iterator[Switch]:
             yield Switch(event, cause, _before(cause, history), _reading_of(cause, history))
 
 
-def _blamed(why: Why, history: History) -> TraceEvent | None:
+def _blamed(why: NodeExplanation, history: History) -> TraceEvent | None:
     if why.switched_by is not None:
         return why.switched_by
     claimed = next((cause.text for cause in why.because if cause.kind == "condition"), None)

@@ -38,7 +38,7 @@ from comity_executor.leaves.announce import (
     SayStopped,
 )
 from comity_executor.leaves.keep_distance import KeepDistance
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.composites import fallback, parallel_until_one, sequence
@@ -46,7 +46,7 @@ from comity_executor.nodes.identity import NodeId
 from comity_fis.inference.value import Inference
 
 
-def coming_told(meeting: Meeting, reach: Behaviour) -> Behaviour:
+def coming_told(meeting: VisitContext, reach: Behaviour) -> Behaviour:
     """The way to a person, after they were told that the robot comes.
 
     Args:
@@ -63,7 +63,7 @@ def coming_told(meeting: Meeting, reach: Behaviour) -> Behaviour:
     return sequence(NodeId.of("Announced", person), [told, reach])
 
 
-def stop_told(meeting: Meeting, docked: Behaviour) -> Behaviour:
+def stop_told(meeting: VisitContext, docked: Behaviour) -> Behaviour:
     """Being docked, and the person knows.
 
     Args:
@@ -80,7 +80,7 @@ def stop_told(meeting: Meeting, docked: Behaviour) -> Behaviour:
 
 
 def leave_told(
-    meeting: Meeting,
+    meeting: VisitContext,
     about: tuple[str, ...],
     grounds: Grounds,
     values: Mapping[str, Inference],
@@ -110,7 +110,7 @@ def leave_told(
     return fallback(NodeId("leave_told", about, meeting.person), children)
 
 
-def _in_time(meeting: Meeting, act: Announcement) -> Behaviour:
+def _in_time(meeting: VisitContext, act: Announcement) -> Behaviour:
     limits = meeting.limits
     patience_s = limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
     return ActTimeout(

@@ -22,8 +22,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import Meeting
-from comity_executor.memory.shared import Asked
+from comity_executor.memory.meeting import VisitContext
+from comity_executor.memory.shared import PassageRequest
 from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.composites import fallback, never_succeeding, sequence
 from comity_executor.nodes.fault import trouble_with
@@ -41,7 +41,7 @@ ASK = "ask_to_pass"
 class Passage:
     """A way that somebody may be in, and for whose sake the robot goes it."""
 
-    meeting: Meeting
+    meeting: VisitContext
     """Whose branch it belongs to."""
     about: tuple[str, ...]
     """What the names of its nodes have in brackets, the person last."""
@@ -49,7 +49,7 @@ class Passage:
     """The step of the plan that leads along it."""
 
 
-def way_to(meeting: Meeting) -> Passage:
+def way_to(meeting: VisitContext) -> Passage:
     """The way to a person."""
     return Passage(meeting, (meeting.person,), meeting.reach_grounds)
 
@@ -153,7 +153,7 @@ class AskToPass(Action):
         self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values
         self._performing = Performing(way.meeting.robot, way.meeting.senses)
-        self._asked: list[Asked] = []
+        self._asked: list[PassageRequest] = []
         """In this attempt; the last one is being asked."""
         self._texts: list[str] = []
 
@@ -195,7 +195,10 @@ class AskToPass(Action):
         if who is None:
             return False
         values = self._values.get(who)
-        asked, words = Asked(now_s, who, self._way.about), meeting.speaker.request_to_pass(who, values)
+        asked, words = (
+            PassageRequest(now_s, who, self._way.about),
+            meeting.speaker.request_to_pass(who, values),
+        )
         manner = manner_of(values) if values else NORMAL
         self._performing.begin(speech(ASK, who, words, manner=manner), values)
         self._asked.append(asked)
@@ -204,7 +207,7 @@ class AskToPass(Action):
         return True
 
 
-def hindered_by(meeting: Meeting) -> tuple[str, ...]:
+def hindered_by(meeting: VisitContext) -> tuple[str, ...]:
     """Who blocks the motion."""
     motion = known_motion(meeting.robot)
     return tuple(motion.blocked_by) if motion.is_blocked else ()

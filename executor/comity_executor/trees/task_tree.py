@@ -23,7 +23,7 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.task_act import TaskAct, WaitBefore
 from comity_executor.leaves.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
 from comity_executor.leaves.task_motion import StepAway
-from comity_executor.memory.meeting import SAY_ACT, Meeting
+from comity_executor.memory.meeting import SAY_ACT, VisitContext
 from comity_executor.memory.task import Task
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.composites import fallback, parallel_until_all, parallel_until_one, sequence
@@ -34,7 +34,7 @@ SUBTREES: Mapping[str, Callable[[Task], Behaviour]] = {Wait.action: WaitBefore}
 SECONDS_PER_CHARACTER = 0.12
 """What is said may take so long at the normal rate, twice what calm speech does (our choice)."""
 
-Docked = Callable[[Meeting], Behaviour]
+Docked = Callable[[VisitContext], Behaviour]
 """How the precondition of being docked is made."""
 Taken = Callable[[Task], Behaviour]
 """How the precondition of holding what is to be handed over is made."""

@@ -60,7 +60,7 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.plan_holds import DoesPlanHold
 from comity_executor.leaves.task_conditions import IsServed
-from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
+from comity_executor.memory.meeting import NO_ACTS, MakeAct, VisitContext
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.task import EFFECTS, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
@@ -97,9 +97,9 @@ class Tree:
     root: Behaviour
     plans: list[Plan]
     """The plan, and what was left of it each time that its parameters were updated."""
-    meetings: tuple[Meeting, ...]
+    meetings: tuple[VisitContext, ...]
     """In the order of the visits."""
-    returns: tuple[Meeting, ...]
+    returns: tuple[VisitContext, ...]
     """Where the robot comes back to somebody with what it has fetched in the middle of their visit."""
     senses: Senses
     memory: Memory
@@ -179,15 +179,15 @@ def build_tree(
     shared = memory.shared
     shared.outdated = None
     tells_leaving = shared.announced is not None or any(ANNOUNCED in step.parameters for step in plan.steps)
-    meetings: list[Meeting] = []
-    returns: list[Meeting] = []
+    meetings: list[VisitContext] = []
+    returns: list[VisitContext] = []
     branches = []
     for person, steps in _visits(plan).items():
         visit, own = memory.visit(person), _values_of(person, values)
         visit.reach = next(step for step in steps if step.action == REACH)
         visit.greet = greet = _greeting(steps, visit)
         visit.values = own
-        meeting = Meeting(person, robot, senses, limits, visit, shared, acts, speaker, tells_leaving)
+        meeting = VisitContext(person, robot, senses, limits, visit, shared, acts, speaker, tells_leaving)
         _ = meeting.wanted  # a step without its numbers is refused here
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
@@ -237,7 +237,7 @@ def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
 
 
 def _visited(
-    meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
+    meeting: VisitContext, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
 ) -> Behaviour:
     person = meeting.person
     over = IsServed(meeting, tasks) if tasks else IsGreeted(meeting)
@@ -246,7 +246,7 @@ def _visited(
 
 
 def _achieved(
-    meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
+    meeting: VisitContext, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
 ) -> list[Behaviour]:
     docked = partial(_docked, values=values)
     if not tasks:
@@ -263,7 +263,7 @@ def _achieved(
     return [greeted, *blocks]
 
 
-def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+def _docked(meeting: VisitContext, values: Mapping[str, Inference]) -> Behaviour:
     person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
     timeout = SimulatedTimeout(
         NodeId.of(f"Timeout {limits.reach_timeout_s:g} s", REACH, person),
@@ -286,7 +286,7 @@ def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     return stop_told(meeting, docked) if is_announced(meeting) else docked
 
 
-def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+def _approach(meeting: VisitContext, values: Mapping[str, Inference]) -> Behaviour:
     reach: Behaviour = _reach_user(meeting)
     if is_announced(meeting):
         reach = coming_told(meeting, reach)
@@ -298,7 +298,7 @@ def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     )
 
 
-def _reach_user(meeting: Meeting) -> Behaviour:
+def _reach_user(meeting: VisitContext) -> Behaviour:
     return sequence(
         NodeId.of(REACH, meeting.person),
         [NavigateToUser(meeting), DockToUser(meeting), FaceUser(meeting)],
@@ -306,7 +306,7 @@ def _reach_user(meeting: Meeting) -> Behaviour:
     )
 
 
-def _greet_person(meeting: Meeting) -> Behaviour:
+def _greet_person(meeting: VisitContext) -> Behaviour:
     perform = parallel_until_all(
         NodeId.of("Perform", meeting.person),
         [*(_done(meeting, act) for act in meeting.acts), *_attended(meeting)],
@@ -316,16 +316,16 @@ def _greet_person(meeting: Meeting) -> Behaviour:
     )
 
 
-def _attended(meeting: Meeting) -> list[Behaviour]:
+def _attended(meeting: VisitContext) -> list[Behaviour]:
     return [AttendTo(meeting)] if meeting.limits.attend_s > 0.0 else []
 
 
-def _act(meeting: Meeting, act: str) -> Behaviour:
+def _act(meeting: VisitContext, act: str) -> Behaviour:
     make = meeting.custom.get(act)
     return CustomAct(act, (meeting.person,), make, meeting) if make else Act(meeting, act)
 
 
-def _done(meeting: Meeting, act: str) -> Behaviour:
+def _done(meeting: VisitContext, act: str) -> Behaviour:
     patience_s = meeting.limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
     timeout = ActTimeout(
         NodeId.of(f"Timeout {patience_s:g} s", act, meeting.person),

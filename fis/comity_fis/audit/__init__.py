@@ -9,9 +9,16 @@ from comity_fis.audit.audit import Audit, audit
 from comity_fis.audit.conflicts import Conflict, conflicts
 from comity_fis.audit.coverage import Coverage, Reached, coverage
 from comity_fis.audit.evidence import EvidenceCount, count_evidence
-from comity_fis.audit.findings import Finding, Group, Held, HeldToFindings, held_to, shipped_findings
+from comity_fis.audit.findings import (
+    FindingCheck,
+    HeldToFindings,
+    StudyFinding,
+    StudyGroup,
+    held_to,
+    shipped_findings,
+)
 from comity_fis.audit.sweep import Sweep, decided_by, sweep
-from comity_fis.audit.treatment import Effect, Example, Pairs, effect, pairs
+from comity_fis.audit.treatment import Effect, Pairs, UnequalPair, effect, pairs
 
 __all__ = [
     "Attribute",
@@ -20,14 +27,14 @@ __all__ = [
     "Coverage",
     "Effect",
     "EvidenceCount",
-    "Example",
-    "Finding",
-    "Group",
-    "Held",
+    "FindingCheck",
     "HeldToFindings",
     "Pairs",
     "Reached",
+    "StudyFinding",
+    "StudyGroup",
     "Sweep",
+    "UnequalPair",
     "attributes",
     "audit",
     "conflicts",

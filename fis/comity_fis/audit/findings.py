@@ -22,7 +22,7 @@ Relation = Literal[">", "="]
 
 
 @dataclass(frozen=True, slots=True)
-class Group:
+class StudyGroup:
     """One of two groups, by one fact about its people."""
 
     attribute: str
@@ -33,17 +33,17 @@ class Group:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Finding:
+class StudyFinding:
     """What one study found about two groups."""
 
     key: str
     """Of the study."""
     source: str
     parameter: str
-    larger: Group
+    larger: StudyGroup
     relation: Relation
     """`=`: no difference was found."""
-    smaller: Group
+    smaller: StudyGroup
     measure: str
     n: str
     across: bool
@@ -58,10 +58,10 @@ class Finding:
 
 
 @dataclass(frozen=True, slots=True)
-class Held:
+class FindingCheck:
     """A rulebook held to one finding."""
 
-    finding: Finding
+    finding: StudyFinding
     verdict: Verdict | None
     """None where it cannot be held to it."""
     larger: float | None
@@ -78,7 +78,7 @@ class Held:
 class HeldToFindings:
     """A rulebook held to all findings."""
 
-    rows: tuple[Held, ...]
+    rows: tuple[FindingCheck, ...]
     counts: OrderCounts
     """Of distinct pairs of groups, each once in whatever order, however many studies report on it; where they
     disagree the pair counts as most of them have it, and as different where they are equally many."""
@@ -88,19 +88,19 @@ class HeldToFindings:
     """The same as `counts`, by what the two groups differ in."""
     findings_by_attribute: Mapping[str, OrderCounts]
     """Of single findings, each once, also where studies disagree on a pair; by what the groups differ in."""
-    disputed: tuple[tuple[Group, Group], ...]
+    disputed: tuple[tuple[StudyGroup, StudyGroup], ...]
     """Pairs of which studies report different orders."""
     untested: int
     """Distinct pairs that this rulebook cannot be held to."""
 
 
 @cache
-def shipped_findings() -> tuple[Finding, ...]:
+def shipped_findings() -> tuple[StudyFinding, ...]:
     """The findings that come with the package, in the table's order."""
     text = files("comity_fis").joinpath("data/findings.csv").read_text(encoding="utf-8")
     rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
     return tuple(
-        Finding(
+        StudyFinding(
             key=row["key"],
             source=row["source"],
             parameter=row["parameter"],
@@ -118,7 +118,7 @@ def shipped_findings() -> tuple[Finding, ...]:
 
 
 def held_to(
-    rulebook: Rulebook, findings: Iterable[Finding], known: Mapping[str, Attribute]
+    rulebook: Rulebook, findings: Iterable[StudyFinding], known: Mapping[str, Attribute]
 ) -> HeldToFindings:
     """Hold a rulebook to findings, row by row.
 
@@ -152,40 +152,40 @@ def held_to(
     )
 
 
-def _counts(rows: Iterable[Held]) -> OrderCounts:
+def _counts(rows: Iterable[FindingCheck]) -> OrderCounts:
     return counted(row.verdict for row in rows if row.verdict is not None)
 
 
-def _by_pair(rows: Iterable[Held]) -> dict[tuple[str, frozenset[Group]], list[Held]]:
+def _by_pair(rows: Iterable[FindingCheck]) -> dict[tuple[str, frozenset[StudyGroup]], list[FindingCheck]]:
     """The findings on every pair of groups, in whatever order a study names the two."""
-    pairs: dict[tuple[str, frozenset[Group]], list[Held]] = {}
+    pairs: dict[tuple[str, frozenset[StudyGroup]], list[FindingCheck]] = {}
     for row in rows:
         finding = row.finding
         pairs.setdefault((finding.parameter, frozenset((finding.larger, finding.smaller))), []).append(row)
     return pairs
 
 
-def _most_found(about: Sequence[Held]) -> Held:
+def _most_found(about: Sequence[FindingCheck]) -> FindingCheck:
     """The finding on one pair that stands for all of them."""
     found = [_found(row) for row in about]
     most = max(found, key=lambda group: (found.count(group), group is not None, str(group)))
     return about[found.index(most)]
 
 
-def _found(row: Held) -> Group | None:
+def _found(row: FindingCheck) -> StudyGroup | None:
     """The group that has more; None where both were found alike."""
     return row.finding.larger if row.finding.relation == ">" else None
 
 
-def _held(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute]) -> Held:
+def _held(rulebook: Rulebook, finding: StudyFinding, known: Mapping[str, Attribute]) -> FindingCheck:
     parameter = rulebook.parameters.get(finding.parameter)
     if reason := finding.reservation or _lacking(rulebook, finding, known):
-        return Held(finding, None, None, None, None, (), reason)
+        return FindingCheck(finding, None, None, None, None, (), reason)
     assert isinstance(parameter, NumericParameter)
     larger = _of_group(rulebook, finding.parameter, finding.larger, known)
     smaller = _of_group(rulebook, finding.parameter, finding.smaller, known)
     found = 1 if finding.relation == ">" else 0
-    return Held(
+    return FindingCheck(
         finding=finding,
         verdict=verdict(found, larger.number - smaller.number, equality_band(parameter)),
         larger=larger.number,
@@ -196,7 +196,7 @@ def _held(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute]) 
     )
 
 
-def _lacking(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute]) -> str:
+def _lacking(rulebook: Rulebook, finding: StudyFinding, known: Mapping[str, Attribute]) -> str:
     """What the rulebook does not know; empty where it knows all that is compared."""
     if not isinstance(rulebook.parameters.get(finding.parameter), NumericParameter):
         return f"the rulebook has no numeric parameter {finding.parameter}"
@@ -209,12 +209,12 @@ def _lacking(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute
 
 
 def _of_group(
-    rulebook: Rulebook, parameter: str, group: Group, known: Mapping[str, Attribute]
+    rulebook: Rulebook, parameter: str, group: StudyGroup, known: Mapping[str, Attribute]
 ) -> ParameterValue:
     attribute = known[group.attribute]
     return rulebook.infer(said(rulebook, attribute, attribute.labels.index(group.value)))[parameter]
 
 
-def _group(text: str) -> Group:
+def _group(text: str) -> StudyGroup:
     attribute, _, value = text.partition("=")
-    return Group(attribute, value)
+    return StudyGroup(attribute, value)

@@ -41,7 +41,7 @@ class Effect:
 
 
 @dataclass(frozen=True, slots=True)
-class Example:
+class UnequalPair:
     """Two people who differ in one attribute alone, and are treated differently."""
 
     first: str
@@ -66,7 +66,7 @@ class Pairs:
     largest: float | None
     """Difference, in the parameter's unit; None for a nominal parameter."""
     median: float | None
-    example: Example | None
+    example: UnequalPair | None
     """The pair with the largest difference, or the first that differs; None where all are treated alike."""
 
 
@@ -116,10 +116,10 @@ def pairs(parameter: Parameter, swept: Sweep) -> Pairs:
     )
 
 
-def _example(swept: Sweep, row: int, first: int, second: int) -> Example:
+def _example(swept: Sweep, row: int, first: int, second: int) -> UnequalPair:
     values: NDArray[Any] = swept.values[row]
     labels = swept.attribute.labels
-    return Example(
+    return UnequalPair(
         labels[first], labels[second], swept.context(row), _plain(values[first]), _plain(values[second])
     )
 

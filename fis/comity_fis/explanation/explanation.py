@@ -9,7 +9,7 @@ from comity_fis.errors import InputError, closest
 from comity_fis.explanation.attribution import NOTHING, Attribution, Portion, attribute
 from comity_fis.explanation.removal import Without, without_each
 from comity_fis.explanation.sensitivity import Sensitivity, sensitivities
-from comity_fis.explanation.what_if import Alternative, Flip, leading, what_if
+from comity_fis.explanation.what_if import Counterfactual, Flip, leading, what_if
 from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
 from comity_fis.learning.learnt import Learnt
@@ -74,7 +74,7 @@ class Explanation:
     """Other parameters that the rules read, also indirectly."""
     sensitivities: tuple[Sensitivity, ...]
     """By the total value: what the situation adds moves with its own inputs."""
-    alternatives: tuple[Alternative, ...]
+    alternatives: tuple[Counterfactual, ...]
     flips: tuple[Flip, ...]
     """Numbers whose change would make something else lead, smallest change first; for categories see the
     alternatives that flip."""

@@ -13,7 +13,7 @@ from itertools import chain
 from comity_fis.inference.value import Inference, ParameterValue
 from comity_fis.learning.learnt import Learnt
 from comity_fis.membership.interval import Interval
-from comity_fis.rulebook.dependencies import Reading
+from comity_fis.rulebook.dependencies import Dependencies
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rules.rule import Is, literals
 from comity_fis.variables.parameter import NumericParameter, Parameter
@@ -33,7 +33,7 @@ NEAREST = 1e-10
 
 
 @dataclass(frozen=True, slots=True)
-class Alternative:
+class Counterfactual:
     """What one other statement about the person, or one statement more, would give."""
 
     input: str
@@ -93,7 +93,7 @@ class WhatIf:
     inference: Inference
     settings: Mapping[str, float | str]
     learnt: Mapping[str, Learnt]
-    read: Reading
+    read: Dependencies
 
     @property
     def parameter(self) -> Parameter:
@@ -119,7 +119,7 @@ class WhatIf:
         inputs = {**self.inference.inputs, **changed}
         return rulebook.infer(inputs, settings=self.settings, learnt=self.learnt)[self.parameter.name]
 
-    def alternatives(self) -> Iterator[Alternative]:
+    def alternatives(self) -> Iterator[Counterfactual]:
         """Every other category of each nominal input, and both ends of each number that was not disclosed."""
         for name in self.read.inputs:
             variable, now = self.rulebook.variables[name], self.inference.inputs[name]
@@ -153,10 +153,10 @@ class WhatIf:
         )
         return Interval(down, up) if down < up else None
 
-    def _alternative(self, name: str, value: float | str, given: float | tuple[str, ...]) -> Alternative:
+    def _alternative(self, name: str, value: float | str, given: float | tuple[str, ...]) -> Counterfactual:
         answer = self.given(name, value)
         leads = leading(answer, self.parameter)
-        return Alternative(name, given, answer, leads, flipped(self.leads, leads))
+        return Counterfactual(name, given, answer, leads, flipped(self.leads, leads))
 
     def _alike(self, variable: NominalVariable) -> list[tuple[str, ...]]:
         """Categories in groups that no rule and no requirement can tell apart."""
@@ -189,7 +189,7 @@ def what_if(
     inference: Inference,
     settings: Mapping[str, float | str],
     learnt: Mapping[str, Learnt],
-    read: Reading,
+    read: Dependencies,
 ) -> WhatIf:
     """Ready to be asked, of a rulebook that holds no more than the parameter depends on."""
     kept = set(read.parameters)

@@ -26,7 +26,7 @@ UNDISCLOSED = -1
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class VariableColumn:
     """The values of one variable."""
 
     variable: Variable
@@ -37,10 +37,10 @@ class Column:
     own: tuple[str, ...] = ()
     """Words of people's own; their numbers follow those of the categories."""
 
-    def part(self, rows: slice) -> Column:
+    def part(self, rows: slice) -> VariableColumn:
         """Some of the people."""
         known = self.known if isinstance(self.known, bool) else self.known[rows]
-        return Column(self.variable, self.values[rows], known, self.own)
+        return VariableColumn(self.variable, self.values[rows], known, self.own)
 
     def words(self) -> list[str | None]:
         """The word of each person, by name; None where it was not disclosed."""
@@ -61,13 +61,13 @@ class Column:
         return found if isinstance(self.known, bool) else np.where(self.known, found, 1.0)
 
 
-def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[str, Column]:
+def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[str, VariableColumn]:
     """Every column, checked.
 
     Raises:
         InputError: if a value is outside its variable's domain, or columns differ in length.
     """
-    read: dict[str, Column] = {}
+    read: dict[str, VariableColumn] = {}
     for name, values in columns.items():
         variable = variables[name]
         read[name] = (
@@ -105,7 +105,7 @@ def _given(values: Any, dtype: type[object] | None = None) -> NDArray[Any] | Non
     return given.astype(object) if given.dtype.kind == "T" else given
 
 
-def _numbers(variable: NumericVariable, values: Any) -> Column:
+def _numbers(variable: NumericVariable, values: Any) -> VariableColumn:
     given = _given(values)
     try:
         if given is None or given.ndim != 1 or given.dtype.kind not in "fiuO":
@@ -116,13 +116,13 @@ def _numbers(variable: NumericVariable, values: Any) -> Column:
     except (ValueError, OverflowError):
         raise _no_column(variable.name, "numbers in one dimension", values) from None
     if not len(numbers) or variable.domain.low <= numbers.min() <= numbers.max() <= variable.domain.high:
-        return Column(variable, numbers, True)
+        return VariableColumn(variable, numbers, True)
     known = ~np.isnan(numbers)
     wrong = known & ~((numbers >= variable.domain.low) & (numbers <= variable.domain.high))
     if wrong.any():
         row = int(wrong.argmax())
         raise _in_row(variable, row, float(numbers[row]))
-    return Column(variable, numbers, known)
+    return VariableColumn(variable, numbers, known)
 
 
 def _number(value: object) -> float:
@@ -133,7 +133,7 @@ def _number(value: object) -> float:
     return float(value)
 
 
-def _words(variable: NominalVariable, values: Any) -> Column:
+def _words(variable: NominalVariable, values: Any) -> VariableColumn:
     as_told = None if hasattr(values, "dtype") else object  # else NaN becomes the word nan
     given = _given(values, as_told)
     if given is None or given.ndim != 1 or given.dtype.kind not in "iufUO":
@@ -149,9 +149,11 @@ def _words(variable: NominalVariable, values: Any) -> Column:
     return _column(variable, _checked_numbers(variable, given, values))
 
 
-def _column(variable: NominalVariable, numbers: NDArray[np.intp], own: tuple[str, ...] = ()) -> Column:
+def _column(
+    variable: NominalVariable, numbers: NDArray[np.intp], own: tuple[str, ...] = ()
+) -> VariableColumn:
     known = numbers != UNDISCLOSED
-    return Column(variable, numbers, True if known.all() else known, own)
+    return VariableColumn(variable, numbers, True if known.all() else known, own)
 
 
 def _checked_numbers(variable: NominalVariable, given: NDArray[Any], values: Any) -> NDArray[np.intp]:
@@ -168,7 +170,7 @@ def _checked_numbers(variable: NominalVariable, given: NDArray[Any], values: Any
     return numbers
 
 
-def _column_of_words(variable: NominalVariable, words: Sequence[object]) -> Column:
+def _column_of_words(variable: NominalVariable, words: Sequence[object]) -> VariableColumn:
     numbers: dict[object, int] = {word: i for i, word in enumerate(variable.categories)}
     rows: list[int] = []
     for row, word in enumerate(words):

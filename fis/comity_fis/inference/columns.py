@@ -18,7 +18,7 @@ from comity_fis.defuzzification.ground import ground_of
 from comity_fis.defuzzification.panels import panels_of
 from comity_fis.defuzzification.sets import Sets
 from comity_fis.inference.block import Block, Program
-from comity_fis.inference.column import Bools, Column, Columns, Floats, read_columns
+from comity_fis.inference.column import Bools, Columns, Floats, VariableColumn, read_columns
 from comity_fis.inference.composition import TIE
 from comity_fis.membership.arrays import degrees as degrees_of_numbers
 from comity_fis.rules.antecedent import Literal, Logic, Operator, hedged, logic_of, strength
@@ -121,7 +121,7 @@ class People:
     """What is known of some people while their parameters are inferred one after the other."""
 
     program: Program
-    columns: Mapping[str, Column]
+    columns: Mapping[str, VariableColumn]
     count: int
     logic: Logic[Any] = field(init=False)
     """What `and` and `or` mean."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from comity_fis.inference.block import Block
 from comity_fis.inference.composition import Basis
-from comity_fis.inference.person import Person
+from comity_fis.inference.person import DisclosedPerson
 from comity_fis.inference.value import FiredRule, Origin
 from comity_fis.rules.antecedent import strength
 from comity_fis.rules.methods import Methods, united
@@ -48,7 +48,7 @@ class Fired:
         return ((one.term, one.strength) for one in self.firings)
 
 
-def fire(block: Block, person: Person) -> Fired:
+def fire(block: Block, person: DisclosedPerson) -> Fired:
     """What holds for a person of whom everything is known that the block reads."""
     firings = [
         Firing(rule, term, rule.weight * strength(rule.antecedent, person.degree, person.logic))
@@ -70,7 +70,7 @@ def basis_of(block: Block, fired: Fired) -> Basis:
     return Basis(fired.origin, tuple(rules.values()))
 
 
-def _origin(firings: Sequence[Firing], person: Person) -> Origin:
+def _origin(firings: Sequence[Firing], person: DisclosedPerson) -> Origin:
     """What those rules know: who the person is, else how things stand, else nothing."""
     disclosed = [name for firing in firings for name in firing.rule.reads if person.discloses(name)]
     if not disclosed:

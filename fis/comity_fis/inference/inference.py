@@ -18,13 +18,13 @@ from comity_fis.inference.composition import (
     neutral_word,
 )
 from comity_fis.inference.firing import Fired, basis_of, fire
-from comity_fis.inference.person import Person
+from comity_fis.inference.person import DisclosedPerson
 from comity_fis.inference.value import ParameterValue
 from comity_fis.rules.antecedent import MIN_MAX, strength
 from comity_fis.variables.parameter import NominalParameter, NumericParameter
 
 
-def decide(block: Block, person: Person, asked: float | str | None = None) -> ParameterValue:
+def decide(block: Block, person: DisclosedPerson, asked: float | str | None = None) -> ParameterValue:
     """One parameter of one person.
 
     Args:
@@ -47,7 +47,7 @@ def decide(block: Block, person: Person, asked: float | str | None = None) -> Pa
     return _word(block, block.parameter, person, permitted)
 
 
-def _number(block: Block, parameter: NumericParameter, person: Person) -> ParameterValue:
+def _number(block: Block, parameter: NumericParameter, person: DisclosedPerson) -> ParameterValue:
     fired = fire(block, person)
     basis = basis_of(block, fired)
     if basis.origin == "neutral":
@@ -69,7 +69,7 @@ def _number(block: Block, parameter: NumericParameter, person: Person) -> Parame
 
 
 def _word(
-    block: Block, parameter: NominalParameter, person: Person, permitted: tuple[str, ...]
+    block: Block, parameter: NominalParameter, person: DisclosedPerson, permitted: tuple[str, ...]
 ) -> ParameterValue:
     fired = fire(block, person)
     basis, strengths = basis_of(block, fired), fired.strengths(person.program.methods)
@@ -82,7 +82,7 @@ def _word(
     return neutral_word(parameter, Basis("neutral", (), basis.note), permitted)
 
 
-def _permitted(block: Block, person: Person) -> tuple[str, ...]:
+def _permitted(block: Block, person: DisclosedPerson) -> tuple[str, ...]:
     """The categories whose requirement is met fully.
 
     What an undisclosed value might be, it might also not be: the opposite of a requirement then holds to

@@ -15,7 +15,7 @@ from comity_fis.rules.methods import OPERATORS
 
 
 @dataclass(slots=True)
-class Person:
+class DisclosedPerson:
     """One person: what was disclosed, and the parameters that are decided already."""
 
     program: Program

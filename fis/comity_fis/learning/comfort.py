@@ -60,10 +60,11 @@ because the model may be wrong about them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Comfort:
+class ComfortPosterior:
     """A posterior over one person's comfort interval, or over many people's at once.
 
-    `Comfort.before_meeting` is where everybody starts. Arrays have the shape of the people, `()` for one.
+    `ComfortPosterior.before_meeting` is where everybody starts. Arrays have the shape of the people, `()`
+    for one.
     """
 
     spread: float
@@ -82,7 +83,7 @@ class Comfort:
     """How near it may come since a step back or a request for distance, shape (...); -inf without any."""
 
     @classmethod
-    def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> Comfort:
+    def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> ComfortPosterior:
         """Nothing is known but the model's value and its spread.
 
         Args:
@@ -101,14 +102,14 @@ class Comfort:
             held=np.full(shape, -np.inf),
         )
 
-    def later(self, days: float) -> Comfort:
+    def later(self, days: float) -> ComfortPosterior:
         """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
         if days <= 0.0:
             return self
         flat = self.weights.reshape(*self.weights.shape[:-2], -1)
         return replace(self, weights=(_drift(float(days)) @ flat).reshape(self.weights.shape))
 
-    def after(self, signal: Signal | ArrayLike, offset: ArrayLike) -> Comfort:
+    def after(self, signal: Signal | ArrayLike, offset: ArrayLike) -> ComfortPosterior:
         """The posterior after one observation.
 
         Args:
@@ -143,7 +144,7 @@ class Comfort:
             believed=_SPOKEN[numbers] | at_ease,
         )
 
-    def after_answer(self, offset: ArrayLike) -> Comfort:
+    def after_answer(self, offset: ArrayLike) -> ComfortPosterior:
         """The posterior after the person said, asked about it, which distance they like best.
 
         What they name is the middle of their interval, normally distributed around it with `ANSWER`; a share

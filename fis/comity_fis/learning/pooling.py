@@ -29,7 +29,7 @@ STEPS = 60
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class StatedOffset:
     """One number that one person gave, less what stood before."""
 
     person: Hashable
@@ -95,7 +95,7 @@ class PooledPrior:
         return self.between_people**2 / (self.between_people**2 + self.within_person**2 / answers)
 
 
-def pooled(answers: Iterable[Answer], *, declared_spread: float, widest: float) -> PooledPrior:
+def pooled(answers: Iterable[StatedOffset], *, declared_spread: float, widest: float) -> PooledPrior:
     """The prior that answers give.
 
     Args:

@@ -37,7 +37,7 @@ class Shape:
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class MatlabVariable:
     """One input or output."""
 
     name: str
@@ -89,7 +89,7 @@ def refuse_coarse(rulebook: Rulebook, tolerance: float | None) -> None:
     )
 
 
-def input_column(variable: Variable) -> Column:
+def input_column(variable: Variable) -> MatlabVariable:
     """A variable as an input.
 
     Args:
@@ -103,7 +103,7 @@ def input_column(variable: Variable) -> Column:
     return _numeric(variable.name, variable.domain.ends, variable.terms)
 
 
-def output_column(parameter: Parameter, *, sugeno: bool = False) -> Column:
+def output_column(parameter: Parameter, *, sugeno: bool = False) -> MatlabVariable:
     """A parameter as an output.
 
     Args:
@@ -137,7 +137,7 @@ def _sampled(x: float, low: float, high: float) -> bool:
     return abs(steps - round(steps)) < 1e-9
 
 
-def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMembership]) -> Column:
+def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMembership]) -> MatlabVariable:
     plain = {term: shape for term, shape in terms.items() if not isinstance(shape, Complement)}
     index = {term: number for number, term in enumerate(plain, 1)}
     for term, membership in terms.items():
@@ -155,7 +155,7 @@ def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMe
         shapes[term], error = _shape(membership, ends)
         if error is not None:
             notes.append(f"{name} is {term}: a trapezoid in place of the curve, largest error {error:.4f}")
-    return Column(name, *ends, shapes, index, tuple(notes))
+    return MatlabVariable(name, *ends, shapes, index, tuple(notes))
 
 
 def _shape(term: NumericMembership, ends: tuple[float, float]) -> tuple[Shape, float | None]:
@@ -177,7 +177,7 @@ def _straight(term: Trapezoid) -> Shape:
     return Shape("trimf", (a, b, d)) if b == c else Shape("trapmf", (a, b, c, d))
 
 
-def _coded(variable: NominalVariable) -> Column:
+def _coded(variable: NominalVariable) -> MatlabVariable:
     """Triangles with their tops on the codes: at a code, every degree is 1 or 0, as it was for the word."""
     codes = {category: code for code, category in enumerate(variable.categories, 1)}
     shapes = {
@@ -192,4 +192,4 @@ def _coded(variable: NominalVariable) -> Column:
         else:
             notes.append(f"{variable.name}: no term for the group {name}, whose codes are not neighbours")
     index = {term: number for number, term in enumerate(shapes, 1)}
-    return Column(variable.name, 1.0, float(max(len(codes), 2)), shapes, index, tuple(notes))
+    return MatlabVariable(variable.name, 1.0, float(max(len(codes), 2)), shapes, index, tuple(notes))

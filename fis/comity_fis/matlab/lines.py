@@ -32,7 +32,7 @@ WHOLE = re.compile(r"([-+]?\d{1,9})(?:\.0*)?")
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class MatlabLine:
     """What stands on one line: the value of a key, or a rule."""
 
     text: str
@@ -83,11 +83,11 @@ class Section:
 
     name: str
     where: Where
-    entries: dict[str, Entry] = field(default_factory=dict)
-    rows: list[Entry] = field(default_factory=list)
+    entries: dict[str, MatlabLine] = field(default_factory=dict)
+    rows: list[MatlabLine] = field(default_factory=list)
     """The rules."""
 
-    def entry(self, key: str) -> Entry:
+    def entry(self, key: str) -> MatlabLine:
         """The value of a key.
 
         Raises:
@@ -133,11 +133,11 @@ def sections_of(text: str, name: str) -> Mapping[str, Section]:
         if head := HEAD.fullmatch(line):
             section = Section(head[1], where)
             if sections.setdefault(section.name, section) is not section:
-                raise Entry(line, where).wrong("each section once", "Remove or renumber one of them.")
+                raise MatlabLine(line, where).wrong("each section once", "Remove or renumber one of them.")
         elif line and section is None:
-            raise Entry(line, where).wrong("[System] first", "Is this a .fis file of MATLAB?")
+            raise MatlabLine(line, where).wrong("[System] first", "Is this a .fis file of MATLAB?")
         elif line and section is not None:
-            _add(section, Entry(line, where))
+            _add(section, MatlabLine(line, where))
     if not sections:
         raise InputError(
             expected="a .fis file of MATLAB", got="no section", remedy="Check the path.", where=Where(name)
@@ -145,7 +145,7 @@ def sections_of(text: str, name: str) -> Mapping[str, Section]:
     return sections
 
 
-def _add(section: Section, line: Entry) -> None:
+def _add(section: Section, line: MatlabLine) -> None:
     if section.name == "Rules":
         if len(section.rows) == MAX_RULES:
             raise line.wrong(f"at most {MAX_RULES} rules", "Split the system.")
@@ -156,7 +156,7 @@ def _add(section: Section, line: Entry) -> None:
         raise line.wrong("a section or a line KEY=VALUE", "Comments start with %.")
     if match[1] in section.entries:
         raise line.wrong(f"{match[1]} once in [{section.name}]", "Remove one of the lines.")
-    section.entries[match[1]] = Entry(match[2].strip(), line.where)
+    section.entries[match[1]] = MatlabLine(match[2].strip(), line.where)
 
 
 def read_text(path: Path, name: str) -> str:

@@ -23,7 +23,7 @@ from comity_fis.matlab.lines import (
     MAX_RULES,
     MAX_TERMS,
     MAX_VARIABLES,
-    Entry,
+    MatlabLine,
     Section,
     read_text,
     sections_of,
@@ -63,7 +63,7 @@ SUGENO = ("constant", "linear")
 TERM = re.compile(r"('[^']*'|\"[^\"]*\")\s*:\s*('[^']*'|\"[^\"]*\")\s*,\s*(\[[^\]]*\]|[-+.\w]+)")
 UNIT = "units"
 """The file names none."""
-MakeTerm = Callable[[Entry, str, tuple[float, ...], Interval], NumericMembership]
+MakeTerm = Callable[[MatlabLine, str, tuple[float, ...], Interval], NumericMembership]
 """From a line, the kind of term that it names, its numbers and the variable's range."""
 
 
@@ -185,7 +185,7 @@ def _system(sections: Mapping[str, Section]) -> Section:
     system = sections.get("System")
     if system is None:
         first = next(iter(sections.values()))
-        raise Entry(f"[{first.name}]", first.where).wrong(
+        raise MatlabLine(f"[{first.name}]", first.where).wrong(
             "a section [System]", "Add it; the file may be cut off."
         )
     kind = system.entry("Type")
@@ -244,13 +244,13 @@ def _numbered(sections: Mapping[str, Section], system: Section, kind: str) -> li
             raise counted.wrong(f"a section [{name}]", "Add it; the file may be cut off.")
     for name, section in sections.items():
         if name.startswith(kind) and name not in wanted:
-            raise Entry(f"[{name}]", section.where).wrong(
+            raise MatlabLine(f"[{name}]", section.where).wrong(
                 f"{count} sections [{kind}...]", f"Correct Num{kind}s, or remove it."
             )
     return [sections[name] for name in wanted]
 
 
-def _rules(sections: Mapping[str, Section], system: Section) -> list[Entry]:
+def _rules(sections: Mapping[str, Section], system: Section) -> list[MatlabLine]:
     counted = system.entry("NumRules")
     count = counted.count(MAX_RULES)
     rows = sections["Rules"].rows if "Rules" in sections else []
@@ -281,14 +281,14 @@ def _variable(section: Section, constant: MakeTerm | None = None) -> _Variable:
     return _Variable(_checked_name(named, named.words()), domain, terms, section, constant is not None)
 
 
-def _term(line: Entry, domain: Interval, make: MakeTerm) -> tuple[str, NumericMembership]:
+def _term(line: MatlabLine, domain: Interval, make: MakeTerm) -> tuple[str, NumericMembership]:
     match = TERM.fullmatch(line.text)
     if match is None:
         raise line.wrong(
             "a term such as 'poor':'trimf',[0 0 5]",
             "Two vectors (a type-2 system) are not read: convert it in MATLAB first.",
         )
-    name, kind = (Entry(part, line.where).words() for part in match.groups()[:2])
+    name, kind = (MatlabLine(part, line.where).words() for part in match.groups()[:2])
     numbers = line.numbers(match[3] if match[3].startswith("[") else f"[{match[3]}]")
     try:
         return _checked_name(line, name), make(line, kind, numbers, domain)
@@ -297,7 +297,7 @@ def _term(line: Entry, domain: Interval, make: MakeTerm) -> tuple[str, NumericMe
 
 
 def _constant(
-    inputs: int, line: Entry, kind: str, numbers: tuple[float, ...], _: Interval
+    inputs: int, line: MatlabLine, kind: str, numbers: tuple[float, ...], _: Interval
 ) -> NumericMembership:
     """The term of a Sugeno output."""
     if kind not in SUGENO:
@@ -314,7 +314,9 @@ def _constant(
     return Singleton(constant)
 
 
-def _membership(line: Entry, kind: str, numbers: tuple[float, ...], domain: Interval) -> NumericMembership:
+def _membership(
+    line: MatlabLine, kind: str, numbers: tuple[float, ...], domain: Interval
+) -> NumericMembership:
     known = STRAIGHT | {name: len(fields(shape)) for name, shape in CURVED.items()}
     if kind not in known:
         raise line.wrong(
@@ -350,7 +352,7 @@ def _corners(kind: str, numbers: tuple[float, ...], domain: Interval) -> tuple[f
     return a, b, c, d
 
 
-def _checked_name(entry: Entry, name: str) -> str:
+def _checked_name(entry: MatlabLine, name: str) -> str:
     """The name without blanks around it, which MATLAB's editor leaves where one was typed."""
     name = name.strip()
     if not re.fullmatch(NAME_PATTERN, name) or len(name) > LONGEST_NAME:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from comity_fis.matlab.lines import Entry, whole
+from comity_fis.matlab.lines import MatlabLine, whole
 from comity_fis.rulebook.models import LONGEST_NAME
 from comity_fis.rules.grammar import MAX_LENGTH
 from comity_fis.rules.rule import And, Condition, Is, Not, Or, Rule, Source
@@ -22,7 +22,7 @@ ROW = re.compile(r"([^,()]*),([^,()]*)\(([^()]*)\)\s*:\s*(\S*)")
 
 
 def read_rows(
-    rows: Sequence[Entry], *, inputs: Terms, outputs: Terms, source: Source, constants: bool = False
+    rows: Sequence[MatlabLine], *, inputs: Terms, outputs: Terms, source: Source, constants: bool = False
 ) -> tuple[Rule, ...]:
     """The rules; rows that conclude nothing are none.
 
@@ -52,7 +52,7 @@ def read_rows(
 class _Parts(NamedTuple):
     """What a row holds."""
 
-    row: Entry
+    row: MatlabLine
     reads: tuple[tuple[Is, bool], ...]
     """What it reads, and whether the opposite is meant."""
     concludes: tuple[tuple[Is, bool], ...]
@@ -61,7 +61,7 @@ class _Parts(NamedTuple):
     connective: int | None
 
 
-def _parts(row: Entry, inputs: Terms, outputs: Terms) -> _Parts:
+def _parts(row: MatlabLine, inputs: Terms, outputs: Terms) -> _Parts:
     match = ROW.fullmatch(row.text)
     if match is None:
         raise row.wrong("a rule such as 1 2, 1 (1) : 1", "Correct the line.")
@@ -92,7 +92,7 @@ def _rule(number: int, parts: _Parts, outputs: Terms, source: Source) -> Rule:
     )
 
 
-def _opposite(row: Entry, is_: Is, outputs: Terms) -> Is:
+def _opposite(row: MatlabLine, is_: Is, outputs: Terms) -> Is:
     """A negative conclusion: a term of its own."""
     opposite = negated(is_.term)
     if opposite in outputs[is_.name] or len(opposite) > LONGEST_NAME:
@@ -118,7 +118,7 @@ def _condition(parts: _Parts) -> Condition:
     return And(literals) if parts.connective == 1 else Or(literals)
 
 
-def _literals(row: Entry, text: str, variables: Terms, kind: str) -> Iterator[tuple[Is, bool]]:
+def _literals(row: MatlabLine, text: str, variables: Terms, kind: str) -> Iterator[tuple[Is, bool]]:
     """Every variable that a row does not leave out, with the term, and whether that is negated."""
     words = text.split()
     if len(words) != len(variables):
@@ -141,7 +141,7 @@ def _literals(row: Entry, text: str, variables: Terms, kind: str) -> Iterator[tu
             yield Is(name, terms[abs(index) - 1]), index < 0
 
 
-def _weight(row: Entry, text: str) -> float:
+def _weight(row: MatlabLine, text: str) -> float:
     weight = row.number(text)
     if not 0 <= weight <= 1:
         raise row.wrong("a weight from 0 to 1", "Write 1 for a rule that counts in full.")

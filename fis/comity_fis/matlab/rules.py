@@ -25,7 +25,7 @@ Literal = tuple[str, int]
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class MatlabRule:
     """One line of `[Rules]`."""
 
     reads: Mapping[str, int]
@@ -35,7 +35,7 @@ class Row:
     """Whether one of the inputs suffices (`or`)."""
 
 
-def rows_of(rule: Rule, inputs: Indexes, outputs: Indexes, methods: Methods) -> tuple[Row, ...]:
+def rows_of(rule: Rule, inputs: Indexes, outputs: Indexes, methods: Methods) -> tuple[MatlabRule, ...]:
     """The rows that mean what the rule means.
 
     Raises:
@@ -50,7 +50,7 @@ def rows_of(rule: Rule, inputs: Indexes, outputs: Indexes, methods: Methods) -> 
     if len(antecedents) * len(conclusions) > MAX_ROWS:
         raise _refusal(rule, f"a rule of at most {MAX_ROWS} rows", f"{len(antecedents)}", "Split the rule.")
     return tuple(
-        Row(reads, concludes, rule.weight, either)
+        MatlabRule(reads, concludes, rule.weight, either)
         for reads, either in antecedents
         for concludes in conclusions
     )

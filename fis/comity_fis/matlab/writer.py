@@ -7,9 +7,9 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from comity_fis.errors import InputError
-from comity_fis.matlab.columns import Column, input_column, output_column, refuse_coarse
+from comity_fis.matlab.columns import MatlabVariable, input_column, output_column, refuse_coarse
 from comity_fis.matlab.reader import METHOD_KEYS
-from comity_fis.matlab.rules import Indexes, Row, rows_of
+from comity_fis.matlab.rules import Indexes, MatlabRule, rows_of
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rulebook.sugeno import is_sugeno
 from comity_fis.variables.parameter import NumericParameter
@@ -72,9 +72,11 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
     return Exported("\n".join(lines) + "\n", changed, lost)
 
 
-def _rows_that_are_off(rulebook: Rulebook, reads: Indexes, gives: Indexes) -> dict[int, tuple[Row, ...]]:
+def _rows_that_are_off(
+    rulebook: Rulebook, reads: Indexes, gives: Indexes
+) -> dict[int, tuple[MatlabRule, ...]]:
     """Rules that are off as rows of weight 0, by number, where they can be rows."""
-    off: dict[int, tuple[Row, ...]] = {}
+    off: dict[int, tuple[MatlabRule, ...]] = {}
     for rule in rulebook.rules:
         if not rule.enabled:
             with suppress(InputError):
@@ -129,7 +131,12 @@ def _comments(rulebook: Rulebook, changed: Iterable[str], lost: Iterable[str]) -
 
 
 def _system(
-    rulebook: Rulebook, inputs: list[Column], outputs: list[Column], rows: list[Row], *, sugeno: bool
+    rulebook: Rulebook,
+    inputs: list[MatlabVariable],
+    outputs: list[MatlabVariable],
+    rows: list[MatlabRule],
+    *,
+    sugeno: bool,
 ) -> Iterator[str]:
     yield from (
         "[System]",
@@ -146,7 +153,7 @@ def _system(
     yield ""
 
 
-def _column(head: str, column: Column) -> Iterator[str]:
+def _column(head: str, column: MatlabVariable) -> Iterator[str]:
     yield from (
         f"[{head}]",
         f"Name='{column.name}'",
@@ -158,12 +165,12 @@ def _column(head: str, column: Column) -> Iterator[str]:
     yield ""
 
 
-def _row(row: Row, inputs: list[Column], outputs: list[Column]) -> str:
+def _row(row: MatlabRule, inputs: list[MatlabVariable], outputs: list[MatlabVariable]) -> str:
     reads, gives = _indexes(row.reads, inputs), _indexes(row.concludes, outputs)
     return f"{reads}, {gives} ({_number(row.weight)}) : {2 if row.either else 1}"
 
 
-def _indexes(used: Mapping[str, int], columns: Iterable[Column]) -> str:
+def _indexes(used: Mapping[str, int], columns: Iterable[MatlabVariable]) -> str:
     return " ".join(str(used.get(column.name, 0)) for column in columns)
 
 

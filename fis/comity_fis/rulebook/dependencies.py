@@ -10,7 +10,7 @@ from comity_fis.rulebook.rulebook import Rulebook
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class Dependencies:
     """Everything that can change one parameter of one person."""
 
     inputs: tuple[str, ...]
@@ -21,7 +21,7 @@ class Reading:
     """What each of the parameters reads itself; nothing where a setting replaced its rules."""
 
 
-def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading:
+def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Dependencies:
     """What one parameter depends on, given what this person asked for."""
     reads: dict[str, tuple[str, ...]] = {}
     waiting = [parameter]
@@ -31,7 +31,7 @@ def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading
             reads[name] = _own_reads(rulebook, inference, name)
             waiting += [read for read in reads[name] if read in rulebook.parameters]
     reached = {name for names in reads.values() for name in names}
-    return Reading(tuple(name for name in rulebook.variables if name in reached), tuple(reads), reads)
+    return Dependencies(tuple(name for name in rulebook.variables if name in reached), tuple(reads), reads)
 
 
 def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str, ...]:

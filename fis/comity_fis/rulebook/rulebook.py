@@ -14,7 +14,7 @@ from comity_fis.html_table import html_table
 from comity_fis.inference.block import Block, Program, block_of
 from comity_fis.inference.inference import decide
 from comity_fis.inference.known import known
-from comity_fis.inference.person import Person
+from comity_fis.inference.person import DisclosedPerson
 from comity_fis.inference.rough import Stated
 from comity_fis.inference.scalar import by_name, scalar
 from comity_fis.inference.value import Inference
@@ -103,7 +103,7 @@ class Rulebook:
         learnt = {} if learnt is None else learnt
         refuse_unlearnable(learnt, self.parameters, self.name)
         told, notes, sources = self._told(inputs)
-        person = Person(self.program, self._checked(told), engine_for(mode))
+        person = DisclosedPerson(self.program, self._checked(told), engine_for(mode))
         for name, block in self.program.blocks.items():
             value = decide(block, person, asked.get(name))
             shift = shift_of(self.program.shifts.get(name), person)

@@ -13,7 +13,7 @@ from dataclasses import replace
 from comity_fis.errors import InputError
 from comity_fis.inference.block import Block, block_of
 from comity_fis.inference.inference import decide
-from comity_fis.inference.person import Person
+from comity_fis.inference.person import DisclosedPerson
 from comity_fis.inference.value import ParameterValue
 from comity_fis.membership.interval import Interval
 from comity_fis.rules.methods import Methods
@@ -37,7 +37,7 @@ def shift_blocks(
     return {name: block for name, block in blocks.items() if block.clauses}
 
 
-def shift_of(block: Block | None, person: Person) -> ParameterValue | None:
+def shift_of(block: Block | None, person: DisclosedPerson) -> ParameterValue | None:
     """By how much the situation moves a parameter, in its unit; None where no rule knows anything."""
     if block is None:
         return None

@@ -11,7 +11,7 @@ from collections.abc import Collection
 
 import numpy as np
 
-from comity_sim2d.avoidance.oncoming import HELD_UP_M, Comer, Oncoming
+from comity_sim2d.avoidance.oncoming import HELD_UP_M, Oncoming, OncomingPerson
 from comity_sim2d.avoidance.right_of_way import PassersBySeen
 from comity_sim2d.avoidance.waiting_place import waiting_place
 from comity_sim2d.base.base import Base
@@ -58,7 +58,7 @@ class BackingOut:
         self._held_s = 0.0
         self._is_barred = False
         """Whether whoever holds it up does not get by it."""
-        self._by: Comer | None = None
+        self._by: OncomingPerson | None = None
         """Who holds it up, where they were then, or did last."""
         self._held_at: XY | None = None
         """Where it was held up by them, when it backs out for that."""
@@ -133,7 +133,7 @@ class BackingOut:
                 self._by, self._held_at = comer, base.xy
                 self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
 
-    def _holder(self, xy: XY, visited: str, stand: Collection[str], plan: FloorPlan) -> Comer | None:
+    def _holder(self, xy: XY, visited: str, stand: Collection[str], plan: FloorPlan) -> OncomingPerson | None:
         """The nearest who may hold it up, and does not come from behind; of passers-by, one whom it bars."""
         before = self._before(xy)
         known = [
@@ -148,14 +148,14 @@ class BackingOut:
             strangers = [comer for comer in strangers if self._bars(xy, comer, plan)] or strangers
         return min([*known, *strangers], key=lambda comer: comer.gap_m, default=None)
 
-    def _strangers(self, xy: XY) -> list[Comer]:
+    def _strangers(self, xy: XY) -> list[OncomingPerson]:
         """The passers-by who are near a robot there."""
         passers_by = self._passers_by
         if passers_by is None:
             return []
         gaps = np.abs(passers_by.at - complex(*xy)) - passers_by.radius_m - self._radius_m
         return [
-            Comer(
+            OncomingPerson(
                 passers_by.names[i],
                 (float(passers_by.at[i].real), float(passers_by.at[i].imag)),
                 float(passers_by.radius_m[i]),
@@ -164,7 +164,7 @@ class BackingOut:
             for i in np.flatnonzero(gaps <= NEAR_M).tolist()
         ]
 
-    def _watch(self, base: Base, by: Comer, held_at: XY, visited: str | None) -> None:
+    def _watch(self, base: Base, by: OncomingPerson, held_at: XY, visited: str | None) -> None:
         """See what has come of it: the robot went back, or they came on."""
         self._idle_s += base.step_s
         self._alone_s += base.step_s
@@ -178,7 +178,7 @@ class BackingOut:
             if comer.name == by.name and comer.gap_m < self._nearest_m - NEARER_M:
                 self._idle_s, self._nearest_m = 0.0, comer.gap_m
 
-    def _is_out(self, xy: XY, by: Comer, held_at: XY, plan: FloorPlan) -> bool:
+    def _is_out(self, xy: XY, by: OncomingPerson, held_at: XY, plan: FloorPlan) -> bool:
         """Whether they get by the robot there, or it cannot go back farther: its way turned round there."""
         if not self._marks:
             return True
@@ -187,7 +187,7 @@ class BackingOut:
             return True
         return away_m >= BACK_M and not self._bars(xy, by, plan)
 
-    def _place_to_wait(self, xy: XY, by: Comer, held_at: XY, plan: FloorPlan) -> XY:
+    def _place_to_wait(self, xy: XY, by: OncomingPerson, held_at: XY, plan: FloorPlan) -> XY:
         """Beside the line of somebody it knows; passers-by choose their way, and others come to any place."""
         if self._oncoming.knows(by.name):
             return waiting_place(xy, held_at, self._radius_m, by.radius_m, plan)
@@ -201,7 +201,7 @@ class BackingOut:
         """Where it came from; None: it has not come far."""
         return next((mark for mark in reversed(self._marks) if math.dist(mark, xy) >= BACK_M / 2), None)
 
-    def _bars(self, xy: XY, who: Comer, plan: FloorPlan) -> bool:
+    def _bars(self, xy: XY, who: OncomingPerson, plan: FloorPlan) -> bool:
         """Whether nobody gets by the robot, on either side, from there to where it came from."""
         before = self._before(xy)
         if before is None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import KEEP_OFF_M
 from comity_sim2d.base.physics import Touch
 from comity_sim2d.pose import direction_to, wrap_angle
@@ -38,7 +38,9 @@ class DrawBack:
         self._over = 0
         """So many of the contacts are done with."""
 
-    def look(self, base: Base, people: Sequence[Person], plan: FloorPlan) -> tuple[str, Wanted] | None:
+    def look(
+        self, base: Base, people: Sequence[Person], plan: FloorPlan
+    ) -> tuple[str, VelocityCommand] | None:
         """Whom it draws back from now, and how; None from nobody, or where there is no room to.
 
         Args:
@@ -65,9 +67,9 @@ class DrawBack:
         if plan.blocker(there, self._radius_m) is not None:
             return None
         if base.turns_to_go and abs(wrap_angle(ahead - base.pose.heading_rad)) > FACES_RAD:
-            return touched, Wanted((0.0, 0.0), ahead)
+            return touched, VelocityCommand((0.0, 0.0), ahead)
         velocity = (BACK_M_S * back[0], BACK_M_S * back[1])
-        return touched, Wanted(velocity, ahead, may_reverse=True)
+        return touched, VelocityCommand(velocity, ahead, may_reverse=True)
 
     def _gap_m(self, base: Base, person: Person) -> float:
         return math.dist(base.xy, person.xy) - person.radius_m - self._radius_m

@@ -37,7 +37,7 @@ Numbers = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Comer:
+class ApproachingPerson:
     """Somebody who comes at the robot, or has come and waits for it."""
 
     person: Person
@@ -53,7 +53,7 @@ class Comer:
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class CandidateDirection:
     """A direction tried out."""
 
     direction: XY
@@ -76,7 +76,7 @@ class Foresight:
         moving: Mapping[str, XY],
         people: Sequence[Person],
         *,
-        comers: Sequence[Comer],
+        comers: Sequence[ApproachingPerson],
         plan: FloorPlan,
     ) -> None:
         self.base = base
@@ -93,7 +93,7 @@ class Foresight:
         self._start = (base.xy[0] + base.velocity[0] * speed, base.xy[1] + base.velocity[1] * speed)
         """Where it would come to rest."""
 
-    def is_in_the_way(self, comer: Comer, within_m: float) -> bool:
+    def is_in_the_way(self, comer: ApproachingPerson, within_m: float) -> bool:
         """Whether they would come so near to the robot at rest."""
         start = np.array([self._start])
         if comer.waits:
@@ -117,7 +117,7 @@ class Foresight:
                 return False
         return True
 
-    def tried(self, ways: list[XY], in_way: frozenset[str]) -> Iterator[Way]:
+    def tried(self, ways: list[XY], in_way: frozenset[str]) -> Iterator[CandidateDirection]:
         """What each direction is worth."""
         # Each direction is driven in thought with the base's own acceleration and time to turn, against
         # people who walk on straight (dynamic window; Fox, Burgard and Thrun 1997). Directions and not
@@ -133,7 +133,7 @@ class Foresight:
         braking = SPEED_SHARE * self.base.acceleration_m_s2
         for way, far_m, score, gap_m in zip(ways, free_m, scores, least, strict=True):
             speed = min(NEAR_PEOPLE_M_S, stopping_speed(float(far_m), braking, self.base.step_s))
-            yield Way(way, speed, float(score), float(gap_m))
+            yield CandidateDirection(way, speed, float(score), float(gap_m))
 
     def score_at_rest(self, in_way: frozenset[str]) -> float:
         """How good it is to stay."""
@@ -156,7 +156,7 @@ class Foresight:
         off = [self._off_line(points, comer) for comer in self.comers if comer.person.name in in_way]
         return np.asarray(np.min(off, axis=0))
 
-    def _off_line(self, points: Numbers, comer: Comer) -> Numbers:
+    def _off_line(self, points: Numbers, comer: ApproachingPerson) -> Numbers:
         """How far places (n, 2) are beside the line that somebody comes on; (n,)."""
         apart = points - np.array(comer.person.xy)
         along = apart @ np.array(comer.course)

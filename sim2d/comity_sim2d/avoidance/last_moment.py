@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import hardest_braking
 from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
@@ -99,7 +99,7 @@ class LastMoment:
                 return True
         return False
 
-    def turned(self, base: Base, wanted: Wanted) -> Wanted:
+    def turned(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
         """What is wanted of a base that has just braked before something: past it; at rest it turns first.
 
         One that may go backwards goes: it leaves what is before it.

@@ -11,14 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import SPEED_SHARE, limit_speed, stopping_speed
 from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.seen_floor import CELL_M, Numbers
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 SEEN_S = 10.0
 """So long floor counts as free that was: longer than it takes to look to both sides (our choice)."""
@@ -33,7 +33,7 @@ FINISHES_S = 3.0
 longer than half a turn takes (our choice). What it wants may hang on where it looks."""
 
 
-class Way(NamedTuple):
+class StraightPath(NamedTuple):
     """A straight way."""
 
     start: XY
@@ -49,7 +49,7 @@ class LookingFirst:
         senses: What it saw, and when.
     """
 
-    def __init__(self, spec: RobotBody, senses: Senses) -> None:
+    def __init__(self, spec: RobotBody, senses: SensedPeople) -> None:
         self._reach_m = spec.radius_m + PERSON_RADIUS_M
         self._senses = senses
         self._knew: XY | None = None
@@ -61,7 +61,7 @@ class LookingFirst:
         self.looks = False
         """Whether it does not go where it wants to before it has seen more."""
 
-    def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> Wanted:
+    def allowed(self, base: Base, wanted: VelocityCommand, plan: FloorPlan) -> VelocityCommand:
         """What is left of what is wanted, and where to look for more.
 
         Args:
@@ -76,7 +76,7 @@ class LookingFirst:
             return self._finishing(base, wanted)
         braking = SPEED_SHARE * base.acceleration_m_s2
         ahead_m = speed * (base.step_s + base.lag_s) + speed**2 / (2.0 * braking) + SPARE_M
-        way = Way(base.xy, (wanted.velocity[0] / speed, wanted.velocity[1] / speed), ahead_m)
+        way = StraightPath(base.xy, (wanted.velocity[0] / speed, wanted.velocity[1] / speed), ahead_m)
         within_m = ahead_m + self._reach_m
         free_m = self._met(way, self._senses.unseen_floor(base.xy, SEEN_S, within_m), plan)[1]
         if not len(free_m):
@@ -94,10 +94,10 @@ class LookingFirst:
             self._place = _nearest(base, places) if len(places) else None
             heading = direction_to(base.xy, self._place) if self._place else wanted.heading_rad
         if most_m_s <= LOOKS_M_S:
-            return Wanted((0.0, 0.0), heading)
+            return VelocityCommand((0.0, 0.0), heading)
         return wanted._replace(velocity=limit_speed(wanted.velocity, most_m_s), heading_rad=heading)
 
-    def _finishing(self, base: Base, wanted: Wanted) -> Wanted:
+    def _finishing(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
         """Where it is to rest, it looks for a while yet at what it turns to."""
         self._idle_s += base.step_s
         heading = self._heading(base) if self._idle_s <= FINISHES_S else None
@@ -116,7 +116,7 @@ class LookingFirst:
         is_left = len(left) and np.hypot(left[:, 0] - x, left[:, 1] - y).min() < CELL_M / 2
         return math.atan2(y, x) if is_left else None
 
-    def _met(self, way: Way, places: Numbers, plan: FloorPlan) -> tuple[Numbers, Numbers]:
+    def _met(self, way: StraightPath, places: Numbers, plan: FloorPlan) -> tuple[Numbers, Numbers]:
         """Those of some places where it would touch whoever stands there, and after how much way [m]."""
         along = places @ np.array(way.direction)
         across = places @ np.array((-way.direction[1], way.direction[0]))

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from comity_sim2d.base.base import Base
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.person import Person
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 HELD_UP_M = 0.95
 """Who has come so near, between the bodies, and goes no farther is held up by the robot (our choice): people
@@ -30,7 +30,7 @@ LATELY_S = 30.0
 """Who came so lately and stands still may have stopped because of the robot (our choice)."""
 
 
-class Comer(NamedTuple):
+class OncomingPerson(NamedTuple):
     """Somebody who comes, or has come."""
 
     name: str
@@ -61,7 +61,7 @@ class Oncoming:
         senses: Where it believes people to be, and how they go.
     """
 
-    def __init__(self, radius_m: float, senses: Senses) -> None:
+    def __init__(self, radius_m: float, senses: SensedPeople) -> None:
         self._radius_m = radius_m
         self._senses = senses
         self._now_s = 0.0
@@ -95,7 +95,7 @@ class Oncoming:
             if not way.is_close and self._now_s - way.came_s > LATELY_S:
                 del self._ways[name]
 
-    def comers(self, xy: XY, *, within_s: float = LATELY_S) -> list[Comer]:
+    def comers(self, xy: XY, *, within_s: float = LATELY_S) -> list[OncomingPerson]:
         """Those who stand close before a robot there, or came so lately.
 
         Args:
@@ -107,7 +107,7 @@ class Oncoming:
             if way.is_close or self._now_s - way.came_s <= within_s:
                 person = self._senses.person(name)
                 gap_m = self._gap_m(xy, person)
-                found.append(Comer(name, person.xy, person.radius_m, gap_m, way.is_close))
+                found.append(OncomingPerson(name, person.xy, person.radius_m, gap_m, way.is_close))
         return found
 
     def knows(self, name: str) -> bool:

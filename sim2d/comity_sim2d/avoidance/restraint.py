@@ -15,7 +15,7 @@ from comity_sim2d.avoidance.making_room import make_room
 from comity_sim2d.avoidance.oncoming import Oncoming
 from comity_sim2d.avoidance.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.avoidance.stepping_aside import SteppingAside
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import (
     KEEP_OFF_M,
     REDUCED_M_S,
@@ -31,7 +31,7 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come nearer to somebody than the first, faster than the
@@ -47,7 +47,7 @@ class Restraint:
         senses: Where it believes people to be.
     """
 
-    def __init__(self, spec: RobotBody, senses: Senses) -> None:
+    def __init__(self, spec: RobotBody, senses: SensedPeople) -> None:
         self._spec = spec
         self._senses = senses
         self._passers_by: PassersBySeen | None = None
@@ -74,7 +74,7 @@ class Restraint:
     def allowed(
         self,
         base: Base,
-        wanted: Wanted,
+        wanted: VelocityCommand,
         plan: FloorPlan,
         *,
         visited: str | None = None,
@@ -83,7 +83,7 @@ class Restraint:
         stand: Collection[str] = (),
         looks: bool = True,
         near_m_s: Mapping[str, float] = NO_LIMITS,
-    ) -> tuple[Wanted, float]:
+    ) -> tuple[VelocityCommand, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
 
         Args:
@@ -116,7 +116,7 @@ class Restraint:
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
         self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
-        left = self._last_moment.turned(base, Wanted(velocity, roomy.heading_rad, roomy.may_reverse))
+        left = self._last_moment.turned(base, VelocityCommand(velocity, roomy.heading_rad, roomy.may_reverse))
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)
         return left, most_m_s
@@ -197,8 +197,13 @@ class Restraint:
         return gap_m > KEEP_OFF_M
 
     def _with_room(
-        self, base: Base, wanted: Wanted, plan: FloorPlan, visited: str | None, approached: str | None
-    ) -> Wanted:
+        self,
+        base: Base,
+        wanted: VelocityCommand,
+        plan: FloorPlan,
+        visited: str | None,
+        approached: str | None,
+    ) -> VelocityCommand:
         """Back out of a narrow place, step aside for whoever comes, or back off before them."""
         back = self._backing_out.velocity(base, plan, visited=visited)
         if back is not None:

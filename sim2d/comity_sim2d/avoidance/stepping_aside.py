@@ -13,8 +13,16 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from comity_sim2d.avoidance.foresight import FAR_M, HORIZON_S, IN_THE_WAY_M, OUT_M, Comer, Foresight, Way
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.avoidance.foresight import (
+    FAR_M,
+    HORIZON_S,
+    IN_THE_WAY_M,
+    OUT_M,
+    ApproachingPerson,
+    CandidateDirection,
+    Foresight,
+)
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import FloorPlan
@@ -67,7 +75,7 @@ class SteppingAside:
     def velocity(
         self,
         base: Base,
-        wanted: Wanted,
+        wanted: VelocityCommand,
         walkers: Iterable[Walker],
         people: Sequence[Person],
         plan: FloorPlan,
@@ -116,14 +124,14 @@ class SteppingAside:
         self._direction = best.direction
         return (best.direction[0] * best.speed_m_s, best.direction[1] * best.speed_m_s)
 
-    def _worth(self, way: Way, lead: Comer) -> float:
+    def _worth(self, way: CandidateDirection, lead: ApproachingPerson) -> float:
         """In metres: what it gains, less for going against their course, more for going on as before."""
         against = TOWARDS * min(_cos(way.direction, lead.course), 0.0)
         return way.score_m + against + (SAME_WAY if _cos(way.direction, self._direction) > 0.9 else 0.0)
 
     def _comers(
         self, xy: XY, moving: Mapping[str, XY], people: Sequence[Person], approached: str | None
-    ) -> Iterator[Comer]:
+    ) -> Iterator[ApproachingPerson]:
         """Who comes at the robot, and who has come and waits."""
         for person in people:
             velocity = moving.get(person.name, (0.0, 0.0))
@@ -145,12 +153,12 @@ class SteppingAside:
                 self._waited_s[person.name] = self._now_s
             waited_s = self._now_s - self._waited_s.get(person.name, -math.inf)
             if gap_m < 2 * STANDS_M and waited_s <= WAITS_S:
-                yield Comer(person, course, (0.0, 0.0))
+                yield ApproachingPerson(person, course, (0.0, 0.0))
                 continue
             walked_s = self._now_s - self._still_s.get(person.name, -math.inf)
             drifts = person.name == approached and speed <= DRIFTS_M_S
             if walked_s >= COMES_S and not drifts and self._is_to_be_let_by(person.name):
-                yield Comer(person, course, velocity)
+                yield ApproachingPerson(person, course, velocity)
 
     def _is_to_be_let_by(self, name: str) -> bool:
         """Or has come again and again of late: a robot that left its way each time would not get anywhere."""

@@ -52,7 +52,7 @@ class Base(NamedTuple):
         return self.lookahead_m > 0.0
 
 
-class Wanted(NamedTuple):
+class VelocityCommand(NamedTuple):
     """What the base should do next, before its limits."""
 
     velocity: XY
@@ -69,7 +69,7 @@ class BaseControl(Protocol):
         """The state to decide from, with the body at a pose when the next command takes effect."""
         ...
 
-    def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
+    def command(self, base: Base, wanted: VelocityCommand, most_m_s: float) -> Twist:
         """The velocity of the body for the coming tick, in the world's frame; at most so fast."""
         ...
 

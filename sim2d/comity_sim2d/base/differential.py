@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import BEND_SHARE, SPEED_SHARE, hardest_change, turn_rate
 from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_ticks
 from comity_sim2d.pose import Pose, Twist, wrap_angle
@@ -66,7 +66,7 @@ class Differential:
             follows_m_s=FOLLOWS_M_S,
         )
 
-    def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
+    def command(self, base: Base, wanted: VelocityCommand, most_m_s: float) -> Twist:
         """The velocity for the coming tick."""
         forwards, turn = self._aim(base, wanted, most_m_s)
         a, dt, now = base.acceleration_m_s2, base.step_s, self._smoothing.latest.x_m_s
@@ -98,7 +98,7 @@ class Differential:
         """Stand still at once."""
         self._smoothing.cut()
 
-    def _aim(self, base: Base, wanted: Wanted, most_m_s: float) -> tuple[float, float]:
+    def _aim(self, base: Base, wanted: VelocityCommand, most_m_s: float) -> tuple[float, float]:
         """The speed forwards, and what is left to turn."""
         speed = min(math.hypot(*wanted.velocity), most_m_s)
         if speed <= RESTING_M_S:

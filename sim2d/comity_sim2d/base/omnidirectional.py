@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import hardest_change, limit_change, limit_speed, turn_rate
 from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_ticks
 from comity_sim2d.pose import Pose, Twist, wrap_angle
@@ -34,7 +34,7 @@ class Omnidirectional:
             lag_s=(self._smoothing.ticks - 1) / 2 * dt,
         )
 
-    def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
+    def command(self, base: Base, wanted: VelocityCommand, most_m_s: float) -> Twist:
         """The velocity for the coming tick."""
         allowed = limit_speed(wanted.velocity, most_m_s)
         turn = wrap_angle(wanted.heading_rad - base.pose.heading_rad)

@@ -25,7 +25,7 @@ KEPT = 16
 """Maps that were built already: many scenarios are in one place, and each asks for its map more than once."""
 
 
-class Lines(Protocol):
+class FileLines(Protocol):
     """Where in a file something is written."""
 
     def __call__(self, *location: str | int) -> Where:
@@ -33,7 +33,7 @@ class Lines(Protocol):
         ...
 
 
-def build_map(written: MapFile, where: Lines) -> PlaceMap:
+def build_map(written: MapFile, where: FileLines) -> PlaceMap:
     """The map that a file describes.
 
     Args:

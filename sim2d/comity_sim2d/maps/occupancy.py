@@ -21,7 +21,7 @@ ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Floor:
+class FloorOutline:
     """The largest connected part of what is free, as outlines in cells from the lower left corner."""
 
     outline: tuple[XY, ...]
@@ -30,7 +30,7 @@ class Floor:
     """Of all free cells, the part that it covers, from 0 to 1."""
 
 
-def floor_of_cells(free: NDArray[np.bool_], tolerance: float) -> Floor | None:
+def floor_of_cells(free: NDArray[np.bool_], tolerance: float) -> FloorOutline | None:
     """The floor that free cells are.
 
     Every point of the floor lies in a free cell, its edge included. Every point that is connected to it and
@@ -55,7 +55,7 @@ def floor_of_cells(free: NDArray[np.bool_], tolerance: float) -> Floor | None:
     if floor is None:
         return None
     holes = tuple(_corners(np.asarray(hole.coords)) for hole in floor.interiors)
-    return Floor(_corners(np.asarray(floor.exterior.coords)), holes, floor.area / count)
+    return FloorOutline(_corners(np.asarray(floor.exterior.coords)), holes, floor.area / count)
 
 
 def _corners(ring: NDArray[np.float64]) -> tuple[XY, ...]:

@@ -22,7 +22,7 @@ from comity_fis.errors import InputError, Location, Where, WrongValueError
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import MAX_LOCATIONS, Metres, Name, NamedPoint, Number
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
-from comity_sim2d.maps.occupancy import Floor, floor_of_cells
+from comity_sim2d.maps.occupancy import FloorOutline, floor_of_cells
 from comity_sim2d.pose import XY
 
 PLACES_SUFFIX = ".places.yaml"
@@ -164,7 +164,7 @@ def cells(picture: GreyPicture, ros: RosMapFile) -> tuple[NDArray[np.bool_], NDA
 
 
 @lru_cache(maxsize=KEPT)
-def _floor(free: bytes, shape: tuple[int, int], tolerance: float) -> Floor | None:
+def _floor(free: bytes, shape: tuple[int, int], tolerance: float) -> FloorOutline | None:
     return floor_of_cells(np.frombuffer(free, dtype=bool).reshape(shape), tolerance)
 
 
@@ -179,7 +179,7 @@ def _notes(
     ros: RosMapFile,
     found: tuple[NDArray[np.bool_], NDArray[np.bool_]],
     picture: GreyPicture,
-    floor: Floor,
+    floor: FloorOutline,
     tolerance_m: float,
 ) -> Iterator[str]:
     """What was understood: size, how exact it is, how much was unknown or left out."""

@@ -13,7 +13,7 @@ from comity_sim2d.metrics.registry import (
     of_person,
     without_unit,
 )
-from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
+from comity_sim2d.metrics.stopping import Stopping, TargetStop, stopping
 
 __all__ = [
     "EPISODE",
@@ -25,7 +25,7 @@ __all__ = [
     "Span",
     "Spread",
     "Stopping",
-    "Wanted",
+    "TargetStop",
     "by_short_name",
     "clearances_m",
     "intrusion_of",

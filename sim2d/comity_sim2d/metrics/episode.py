@@ -18,7 +18,7 @@ from comity_sim2d.metrics.group_intrusion import group_intrusions
 from comity_sim2d.metrics.intrusion import Intrusion, Since
 from comity_sim2d.metrics.motion import Numbers, Span, Spread
 from comity_sim2d.metrics.near_people import NearPeople, near_people, speed_near_m_s
-from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
+from comity_sim2d.metrics.stopping import Stopping, TargetStop, stopping
 from comity_sim2d.scene_error import is_number, require_tuple, require_whole, shown
 
 
@@ -45,7 +45,7 @@ class Known:
     """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
     later_m: Mapping[str, Since] = field(default_factory=dict)
     """Since when [s] somebody likes another distance [m], by name and in order of time."""
-    visits: tuple[Wanted, ...] = ()
+    visits: tuple[TargetStop, ...] = ()
     """In the order of the visits."""
     engaged: Mapping[str, tuple[Span, ...]] | None = None
     """When the robot was on its way to each person or with them, by name; None: as the visits say."""
@@ -69,7 +69,7 @@ class Known:
         )
         for pairs in self.later_m.values():
             require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
-        require_tuple("what is known", "visits", self.visits, Wanted, "visits, each a Wanted")
+        require_tuple("what is known", "visits", self.visits, TargetStop, "visits, each a Wanted")
         require_tuple("what is known", "groups", self.groups, tuple, "groups, each a tuple of names")
         require_numbers("what is known", shortest_m=self.shortest_m)
         require_numbers("what is known", plan_cost_m=self.plan_cost_m, plan_gap=self.plan_gap)
@@ -264,7 +264,7 @@ def intrusion_of(frames: Frames, known: Known, gaps: Numbers | None = None) -> I
     return Intrusion.of(frames, gaps, known.own_m, engaged, known.later_m)
 
 
-def _by_person(visits: Iterable[Wanted]) -> dict[str, list[Span]]:
+def _by_person(visits: Iterable[TargetStop]) -> dict[str, list[Span]]:
     spans: dict[str, list[Span]] = {}
     for visit in visits:
         spans.setdefault(visit.person, []).extend(visit.spans)

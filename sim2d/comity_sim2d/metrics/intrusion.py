@@ -52,7 +52,7 @@ def own_distances_m(times: Numbers, own_m: float, later_m: Since) -> Numbers:
 
 
 @dataclass(frozen=True, slots=True)
-class Stay:
+class IntrusionSpan:
     """The robot within the distance of somebody with whom it had no business."""
 
     person: str
@@ -120,11 +120,11 @@ class Intrusion:
         nobody = np.logical_not(self.intruded.any(axis=1))
         return _share(nobody, np.ones(len(frames), dtype=np.bool_), frames)
 
-    def stays(self, frames: Frames, person: str) -> Iterator[Stay]:
+    def stays(self, frames: Frames, person: str) -> Iterator[IntrusionSpan]:
         """All stays within the distance of one person, by time."""
         yield from _stays(person, frames.time_s, self.intruded[:, self.people.index(person)])
 
-    def longest(self, frames: Frames, person: str | None = None) -> Stay | None:
+    def longest(self, frames: Frames, person: str | None = None) -> IntrusionSpan | None:
         """The longest stay within the distance of somebody, or of one; None where there was none."""
         stays = (stay for name in self.people if person in (None, name) for stay in self.stays(frames, name))
         return max(stays, key=lambda stay: stay.length_s, default=None)
@@ -148,8 +148,8 @@ def _share(held: NDArray[np.bool_], counted: NDArray[np.bool_], frames: Frames) 
     return float(steps[counted & held].sum()) / whole if whole > 0.0 else 1.0
 
 
-def _stays(person: str, times: Numbers, held: NDArray[np.bool_]) -> Iterator[Stay]:
+def _stays(person: str, times: Numbers, held: NDArray[np.bool_]) -> Iterator[IntrusionSpan]:
     """The runs of frames that held."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], held, [False])).astype(np.int8)))
     for start_s, end_s in zip(times[edges[::2]].tolist(), times[edges[1::2] - 1].tolist(), strict=True):
-        yield Stay(person, start_s, end_s - start_s)
+        yield IntrusionSpan(person, start_s, end_s - start_s)

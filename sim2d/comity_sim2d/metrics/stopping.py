@@ -39,7 +39,7 @@ VISIBLE_M, VISIBLE_DEG = 3.6, 60.0
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class TargetStop:
     """One visit: to whom, when, and where the robot was to stop."""
 
     person: str
@@ -126,7 +126,7 @@ class Stopping:
     Or until another one is wanted, or the visit ends."""
 
 
-def stopping(frames: Frames, wanted: Wanted) -> Stopping:
+def stopping(frames: Frames, wanted: TargetStop) -> Stopping:
     """Measure one approach.
 
     Args:
@@ -136,7 +136,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     Raises:
         ValueError: Where there is no such person.
     """
-    require_kinds("figures", frames=(frames, Frames), wanted=(wanted, Wanted))
+    require_kinds("figures", frames=(frames, Frames), wanted=(wanted, TargetStop))
     approach = _Approach.of(frames, wanted)
     rest = approach.rest(wanted.way.end_s) if wanted.arrives else None
     coming = slice(0, len(approach.times) if rest is None else rest + 1)
@@ -167,7 +167,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     )
 
 
-def _docking_error_m(frames: Frames, wanted: Wanted) -> float | None:
+def _docking_error_m(frames: Frames, wanted: TargetStop) -> float | None:
     """Between the gap in the frame of the last docking and the person's own distance then."""
     if wanted.docked_s is None or wanted.own_m is None:
         return None
@@ -193,7 +193,7 @@ class _Approach:
     """Where the person stands as the robot sees it [rad]."""
 
     @classmethod
-    def of(cls, frames: Frames, wanted: Wanted) -> _Approach:
+    def of(cls, frames: Frames, wanted: TargetStop) -> _Approach:
         if wanted.person not in frames.entities:
             raise unknown("a person of the frames", wanted.person, frames.entities)
         i = frames.entities.index(wanted.person)
@@ -247,7 +247,7 @@ class _Approach:
                 worst, allowed_m = max(worst, float((allowed - gaps).max())), float(allowed[-1])
         return worst
 
-    def hold_error(self, rest: int | None, wanted: Wanted) -> float | None:
+    def hold_error(self, rest: int | None, wanted: TargetStop) -> float | None:
         """Until another distance is wanted, which the robot then has to go to."""
         if rest is None:
             return None

@@ -35,7 +35,7 @@ DRAWN = 4096
 """Lines that are drawn at once: few take as long, for what each step over arrays takes by itself."""
 
 
-class Search(NamedTuple):
+class RouteSearch(NamedTuple):
     """What came of a search for the shortest way."""
 
     way: list[XY] | None
@@ -66,13 +66,13 @@ class VisibilityGraph:
         """The corner points of the shortest way, both ends included; None where there is none."""
         return self.search(start, goal, math.inf).way
 
-    def search(self, start: XY, goal: XY, most_effort: float = MOST_EFFORT) -> Search:
+    def search(self, start: XY, goal: XY, most_effort: float = MOST_EFFORT) -> RouteSearch:
         """The shortest way, or a length that none undercuts where the search takes more than so much effort.
 
         A* (Hart, Nilsson and Raphael, 1968), with lines drawn and looked at only when the search comes by.
         """
         if self._clear(start, goal):
-            return Search([start, goal], math.dist(start, goal))
+            return RouteSearch([start, goal], math.dist(start, goal))
         ends = (start, goal)
         ahead = [*self._far_from(goal), math.dist(start, goal), 0.0]
         last = dict(self._seen_from(goal))
@@ -91,19 +91,19 @@ class VisibilityGraph:
             if here in came:
                 continue
             if effort > most_effort:
-                return Search(None, least_m)
+                return RouteSearch(None, least_m)
             effort += LOOK_EFFORT
             if not self._is_free(before, here, ends):
                 continue
             came[here] = before
             if here == end:
-                return Search([self._place(i, ends) for i in _back(came, begin, end)], way_m)
+                return RouteSearch([self._place(i, ends) for i in _back(came, begin, end)], way_m)
             lines = self._seen_from(start) if here == begin else self._taut_from(here)
             effort += begin + TAUT_EFFORT * len(lines)
             for there, line_m in (*lines, *([(end, last[here])] if here in last else ())):
                 if there not in came:
                     heappush(queue, (way_m + line_m + ahead[there], way_m + line_m, there, here))
-        return Search(None, None)
+        return RouteSearch(None, None)
 
     def _taut_from(self, corner: int) -> list[tuple[int, float]]:
         """The corners to which a line from one corner is taut at both ends, with their distances."""

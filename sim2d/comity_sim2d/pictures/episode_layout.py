@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures import panel
 from comity_sim2d.pictures.legend import Legend
-from comity_sim2d.pictures.panel import Card, Column
+from comity_sim2d.pictures.panel import Card, CardColumn
 from comity_sim2d.scene.scene import Scene
 
 WIDEST_IN, NARROWEST_IN, EDGE_IN = 12.0, 8.0, 0.25
@@ -36,7 +36,7 @@ class Layout:
     """What the map leaves free on either side of the floor."""
     above_m: float
     """What it leaves free above and below the floor."""
-    columns: tuple[tuple[Place, Column], ...]
+    columns: tuple[tuple[Place, CardColumn], ...]
     """What the panel consists of."""
 
     @property
@@ -50,11 +50,11 @@ class Layout:
 
 def layout(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
     """The page for a scene: with its panel beside the map, unless that leaves much of it empty."""
-    beside = _panel_beside(scene, Column(tuple(cards), legend))
+    beside = _panel_beside(scene, CardColumn(tuple(cards), legend))
     return beside if beside.filled >= LEAST_FILLED else _panel_below(scene, cards, legend)
 
 
-def _panel_beside(scene: Scene, column: Column) -> Layout:
+def _panel_beside(scene: Scene, column: CardColumn) -> Layout:
     wide, high = d.extent_m(scene)
     free_m = d.beside_m(scene)
     wide += 2 * free_m

@@ -52,7 +52,7 @@ class Card:
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class CardColumn:
     """Cards below each other, the legend below the last of them."""
 
     cards: tuple[Card, ...]
@@ -64,7 +64,7 @@ class Column:
         return sum(card.height_in for card in self.cards) + (self.legend.height_in if self.legend else 0.0)
 
 
-def in_columns(cards: Sequence[Card], legend: Legend, most: int) -> list[Column]:
+def in_columns(cards: Sequence[Card], legend: Legend, most: int) -> list[CardColumn]:
     """Cards in their order in columns that are as low as they can be, the legend in the last one.
 
     Args:
@@ -76,17 +76,17 @@ def in_columns(cards: Sequence[Card], legend: Legend, most: int) -> list[Column]
         {sum(card.height_in for card in cards[i:j]) for j in range(len(cards) + 1) for i in range(j)}
     )
     for highest in [height for height in heights if height >= legend.height_in] or heights:
-        columns: list[Column] = []
+        columns: list[CardColumn] = []
         for card in cards:
             if not columns or columns[-1].height_in + card.height_in > highest + ROUNDING_IN:
-                columns.append(Column(()))
-            columns[-1] = Column((*columns[-1].cards, card))
+                columns.append(CardColumn(()))
+            columns[-1] = CardColumn((*columns[-1].cards, card))
         if len(columns) < most:
-            return [*columns, Column((), legend)]
-    return [Column(tuple(cards), legend)]
+            return [*columns, CardColumn((), legend)]
+    return [CardColumn(tuple(cards), legend)]
 
 
-def draw_column(ax: Axes, column: Column, longest_m: float) -> None:
+def draw_column(ax: Axes, column: CardColumn, longest_m: float) -> None:
     """Fill the axes, which are as large in inches as their place on the page, from the top.
 
     Args:

@@ -23,7 +23,7 @@ from comity_sim2d.scene.scene import Scene
 Part = TypeVar("Part", Furniture, Area, Location)
 
 
-class Shown(NamedTuple):
+class PictureContent(NamedTuple):
     """What a picture shows."""
 
     scene: Scene
@@ -42,10 +42,10 @@ class Shown(NamedTuple):
 
 def readable(
     scene: Scene, frames: Frames, rings: Sequence[Ring] = (), events: Sequence[ActEvent] = ()
-) -> Shown:
+) -> PictureContent:
     """The same, with numbers for names that would be boxes, also where they are said."""
     names = substitutes(scene, things_in(events))
-    return Shown(
+    return PictureContent(
         _scene_with(scene, names) if names else scene,
         replace(frames, entities=tuple(names.get(name, name) for name in frames.entities)),
         tuple(_ring_with(names, ring) for ring in rings),

@@ -43,7 +43,7 @@ SMALL, LARGE = 0.35, 0.65
 
 
 @runtime_checkable
-class Manner(Protocol):
+class ActManner(Protocol):
     """How an act is done."""
 
     @property
@@ -143,7 +143,7 @@ class ActEvent:
 
 
 @runtime_checkable
-class ActGoal(Protocol):
+class ActRequest(Protocol):
     """Something to say, to show, to take up or to hand over; the executor's have this form."""
 
     @property
@@ -167,7 +167,7 @@ class ActGoal(Protocol):
         ...
 
     @property
-    def manner(self) -> Manner:
+    def manner(self) -> ActManner:
         """How."""
         ...
 
@@ -182,7 +182,7 @@ class ActGoal(Protocol):
         ...
 
 
-class ActStatus(NamedTuple):
+class ActProgress(NamedTuple):
     """How an act goes."""
 
     goal: str
@@ -204,12 +204,12 @@ class Acts:
         """All acts in the order they began."""
         return tuple(self._events)
 
-    def start(self, goal: ActGoal) -> str:
+    def start(self, goal: ActRequest) -> str:
         """Begin an act, in place of the same one towards that person where it runs; what it is called."""
         act, person, text, manner, thing = goal.act, goal.to, goal.text, goal.manner, goal.thing
         latin = None if goal.latin == text else goal.latin
         texts = {name: (getattr(goal, name), str | None) for name in ("text", "latin")}
-        require_kinds("act", act=(act, str), manner=(manner, Manner), **texts)
+        require_kinds("act", act=(act, str), manner=(manner, ActManner), **texts)
         now = self._clock.now_s
         spoken = is_spoken(act, text)
         event = ActEvent(
@@ -231,7 +231,7 @@ class Acts:
         self._events.append(event)
         return f"{_NAME}{len(self._events)}"
 
-    def status(self, act: int | str) -> ActStatus:
+    def status(self, act: int | str) -> ActProgress:
         """How an act goes.
 
         Raises:
@@ -239,7 +239,7 @@ class Acts:
         """
         i = self._place(act)
         state = "stopped" if self._events[i].stopped else "running" if self._runs(i) else "succeeded"
-        return ActStatus(f"{_NAME}{i + 1}", state)
+        return ActProgress(f"{_NAME}{i + 1}", state)
 
     def ended(self, act: str, step_s: float) -> list[ActEvent]:
         """Those of one kind that came to their end within the last tick of so long."""

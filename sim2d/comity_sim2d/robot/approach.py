@@ -52,7 +52,7 @@ AT_PLACE = DockingPose(0.0, 0.0)
 """In the place of a pose beside a person, where the robot goes to a place."""
 
 
-class Goal(NamedTuple):
+class MovingTarget(NamedTuple):
     """Where the robot's centre is to be now, and how that place moves."""
 
     xy: XY
@@ -106,7 +106,9 @@ class Approach:
         """Whether there is a way to the pose."""
         return self._route is not None
 
-    def steer(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker] = ()) -> XY:
+    def steer(
+        self, base: Base, goal: MovingTarget, route_map: RouteMap, walkers: Sequence[Walker] = ()
+    ) -> XY:
         """The wanted velocity for the next tick, before the limits that hold everywhere."""
         self._wavers = max(0.0, self._wavers - base.step_s / WAVERS_S)
         nearest_m = self._nearest_m(base)
@@ -175,7 +177,7 @@ class Approach:
         ahead_m = self._route.length_m if self._is_on_last_leg else self._way_m + LOOKAHEAD_M
         return self._route.nearest(base.xy, self._way_m, ahead_m)
 
-    def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap, nearest_m: float) -> bool:
+    def _is_stale(self, base: Base, goal: MovingTarget, route_map: RouteMap, nearest_m: float) -> bool:
         """Whether there is need of a new route; a person who moves elsewhere gives none."""
         self._ticks_old += 1
         age_s = self._ticks_old * base.step_s
@@ -217,7 +219,7 @@ class Approach:
         """How far to stay from whom it approaches, for its routes [m]."""
         return {self.person: self.pose.distance_m}
 
-    def _replan(self, base: Base, goal: Goal, route_map: RouteMap) -> None:
+    def _replan(self, base: Base, goal: MovingTarget, route_map: RouteMap) -> None:
         """Take a new route; where it leaves in another direction, slow down on the old one first."""
         route = route_map.route(base.xy, goal.xy, keep=self.keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
@@ -269,7 +271,7 @@ class Approach:
         share = speed / gap if gap > 0.0 else 0.0
         return ((target[0] - x) * share, (target[1] - y) * share)
 
-    def _home_in(self, base: Base, goal: Goal, most: float) -> XY:
+    def _home_in(self, base: Base, goal: MovingTarget, most: float) -> XY:
         """Straight onto the goal, at rest relative to it on arrival.
 
         Where it has to be slower than it is, it slows down on its way: as long as the robot moves, what is
@@ -294,7 +296,7 @@ class Approach:
             return limit_speed(velocity, max(most, base.speed_m_s - slower))
         return velocity
 
-    def _leaves_at_m(self, base: Base, goal: Goal) -> float:
+    def _leaves_at_m(self, base: Base, goal: MovingTarget) -> float:
         """How far from its goal a base that was content there moves again."""
         least_m, heading = base.leaves_m, base.pose.heading_rad
         if not base.turns_to_go or math.hypot(*goal.velocity) >= base.follows_m_s:
@@ -310,7 +312,7 @@ def _slower(base: Base) -> XY:
     return limit_speed(base.velocity, max(0.0, base.speed_m_s - base.acceleration_m_s2 * base.step_s))
 
 
-def _jolt(base: Base, route: Route, goal: Goal) -> float:
+def _jolt(base: Base, route: Route, goal: MovingTarget) -> float:
     """How much of the velocity does not lead along a new route, over the ground or beside who is visited."""
     (vx, vy), (gx, gy) = base.velocity, goal.velocity
     direction = route.direction(0.0)

@@ -39,7 +39,7 @@ to make room, and has had time to (the executor's 2 s and 6 s)."""
 
 
 @dataclass(frozen=True, slots=True)
-class InTheWay:
+class ObstructingPeople:
     """Those who would have to make way."""
 
     people: tuple[str, ...]
@@ -57,7 +57,7 @@ class InTheWay:
 
 def in_the_way(
     route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float, detour_m: float
-) -> InTheWay | None:
+) -> ObstructingPeople | None:
     """The first who bar the shortest way, where one around people is too long; None where it is not.
 
     A group bars a way with the space between its members, too.
@@ -119,8 +119,8 @@ class Hindrance:
     def __init__(self, detour_m: float, to: str = "") -> None:
         self.detour_m = detour_m
         self.to = to
-        self.now: InTheWay | None = None
-        self._found: InTheWay | None = None
+        self.now: ObstructingPeople | None = None
+        self._found: ObstructingPeople | None = None
         """By the last look: `now` may outlast them."""
         self._map: RouteMap | None = None
         self._goal: XY | None = None
@@ -174,7 +174,9 @@ class Hindrance:
         doublings = self._in_vain - MAY_FAIL - 1
         self._hold_s = min(HOLD_S * 2.0**doublings, LONGEST_HOLD_S) if doublings >= 0 else 0.0
 
-    def _in_the_way(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> InTheWay | None:
+    def _in_the_way(
+        self, route_map: RouteMap, start: XY, goal: XY, approach: Approach
+    ) -> ObstructingPeople | None:
         short = approach.remaining_m <= math.dist(start, goal) + self.detour_m
         if short and approach.leads_to(goal, route_map):
             return None  # and so no other route has to be found
@@ -199,7 +201,7 @@ def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> f
     return longer_m / approach.speed_m_s
 
 
-def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> InTheWay | None:
+def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> ObstructingPeople | None:
     """Who is visited, where there would be a way to before them if they were not there."""
     direct = without_people(route_map.surroundings).route(start, goal)
     if direct is None:
@@ -209,9 +211,9 @@ def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) ->
     return None if met is None else _waiting(direct, met, route_map, start)
 
 
-def _waiting(direct: Route, met: Met, route_map: RouteMap, start: XY) -> InTheWay:
+def _waiting(direct: Route, met: Met, route_map: RouteMap, start: XY) -> ObstructingPeople:
     way_m, people = met
-    return InTheWay(people, _wait(direct, way_m, people, route_map, start), direct.length_m)
+    return ObstructingPeople(people, _wait(direct, way_m, people, route_map, start), direct.length_m)
 
 
 def _first(

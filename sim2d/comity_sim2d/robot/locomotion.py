@@ -9,7 +9,7 @@ from functools import partial
 
 from comity_sim2d.avoidance.drawing_back import DrawBack
 from comity_sim2d.avoidance.restraint import NO_LIMITS, Restraint
-from comity_sim2d.base.base import Base, BaseControl, Wanted
+from comity_sim2d.base.base import Base, BaseControl, VelocityCommand
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.omnidirectional import Omnidirectional
 from comity_sim2d.base.physics import Physics, foresee
@@ -19,19 +19,19 @@ from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
-from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
+from comity_sim2d.robot.approach import AT_PLACE, Approach, MovingTarget
 from comity_sim2d.robot.in_the_way import Hindrance
 from comity_sim2d.robot.looking import DRIVES_M_S, LOOK_M, gaze_rad
 from comity_sim2d.robot.margins import Margins
-from comity_sim2d.robot.motion import Motion, blocked
-from comity_sim2d.robot.progress import Progress
+from comity_sim2d.robot.motion import MotionProgress, blocked
+from comity_sim2d.robot.progress import ApproachProgress
 from comity_sim2d.robot.search import Search
-from comity_sim2d.robot.standing import PassersByKnown, Standing
+from comity_sim2d.robot.standing import DetourMap, PassersByKnown
 from comity_sim2d.robot.walkers_met import WalkersMet
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import unknown
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "omnidirectional": Omnidirectional,
@@ -61,7 +61,7 @@ class Locomotion:
         self,
         spec: RobotBody,
         physics: Physics,
-        senses: Senses,
+        senses: SensedPeople,
         clock: Clock,
         route_map: RouteMap,
         *,
@@ -73,18 +73,18 @@ class Locomotion:
         self._senses = senses
         self._clock = clock
         self._places = dict(places)
-        self.standing = Standing(senses, clock, route_map)
+        self.standing = DetourMap(senses, clock, route_map)
         """Its routes around those who stand."""
         self.margins = Margins(spec, senses, clock, said)
         """What it keeps from each person."""
-        self.motion = Motion("stopped")
+        self.motion = MotionProgress("stopped")
         """How the last command goes."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._restraint = Restraint(spec, senses)
         self._hindrance = Hindrance(math.inf)
         self._search = Search(spec.sensor, senses, clock)
         self._walkers = WalkersMet(spec, senses, clock)
-        self._progress = Progress(spec, physics, senses, clock)
+        self._progress = ApproachProgress(spec, physics, senses, clock)
         self._draw_back = DrawBack(physics.touches, spec.radius_m)
         self._approach: Approach | None = None
         self._docks = False
@@ -161,25 +161,29 @@ class Locomotion:
         self._mind_people(place, detour_m)
         self._near_m_s = {}
         self._docks, self._faced = True, None
-        self.motion = Motion("running", f"going to {place}")
+        self.motion = MotionProgress("running", f"going to {place}")
 
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
-        self._approach, self._faced, self.motion = None, person, Motion("running", f"turning to {person}")
+        self._approach, self._faced, self.motion = (
+            None,
+            person,
+            MotionProgress("running", f"turning to {person}"),
+        )
 
     def _decline(self, person: str) -> None:
         """Stand from now on: the person whom it was told to go to has declined."""
         self.stop()
-        self.motion = Motion("declined", self._walkers.declined[person])
+        self.motion = MotionProgress("declined", self._walkers.declined[person])
 
     def stop(self) -> None:
         """Forget what it was told, and stand."""
-        self._approach, self._faced, self.motion = None, None, Motion("stopped")
+        self._approach, self._faced, self.motion = None, None, MotionProgress("stopped")
 
     def expire(self, lease_s: float) -> None:
         """Forget what it was told, as that was not renewed for so long."""
         self.stop()
-        self.motion = Motion("aborted", f"it was not renewed for {lease_s:g} s")
+        self.motion = MotionProgress("aborted", f"it was not renewed for {lease_s:g} s")
 
     def look_for_another_way(self) -> None:
         """Choose the way anew at the next tick: what it is to keep to is something else now."""
@@ -195,7 +199,7 @@ class Locomotion:
         self._base.cut()
         if why is not None:
             self.stop()
-            self.motion = Motion("aborted", why, is_blocked=True)
+            self.motion = MotionProgress("aborted", why, is_blocked=True)
         return Twist()
 
     def brake(self) -> Twist:
@@ -211,7 +215,7 @@ class Locomotion:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
             self.motion = blocked("it sees nothing")
-        return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
+        return self._command(base, VelocityCommand((0.0, 0.0), base.pose.heading_rad))
 
     def go_on(self) -> Twist:
         """The velocity for the coming tick, to do what it was told."""
@@ -228,15 +232,15 @@ class Locomotion:
             heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
             turn_rad = wrap_angle(heading - base.pose.heading_rad)
             self.motion = self._progress.of_facing(self._faced, turn_rad, base, self.motion)
-        return self._command(base, Wanted((0.0, 0.0), heading))
+        return self._command(base, VelocityCommand((0.0, 0.0), heading))
 
-    def _get_away(self, touched: str, wanted: Wanted, base: Base) -> Twist:
+    def _get_away(self, touched: str, wanted: VelocityCommand, base: Base) -> Twist:
         """The velocity away from somebody whom it has touched; what it was told goes on afterwards."""
         self.standing.touched(touched)
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
-            self.motion = Motion("running", f"drawing back from {touched}")
+            self.motion = MotionProgress("running", f"drawing back from {touched}")
         return self._command(base, wanted, looks=False)
 
     def _search_command(self, base: Base) -> Twist | None:
@@ -249,7 +253,7 @@ class Locomotion:
         if turn is None:
             return None
         heading, self.motion = turn
-        return self._command(base, Wanted((0.0, 0.0), heading))
+        return self._command(base, VelocityCommand((0.0, 0.0), heading))
 
     def in_vain(self, person: str) -> str | None:
         """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
@@ -287,7 +291,7 @@ class Locomotion:
             holds = docks and self._is_docked(person, goal)
             self._approach = Approach(person, goal, speed, since_s=self._clock.now_s, settled=holds)
         self._docks, self._faced = docks, None
-        self.motion = Motion("running", f"{'docking' if docks else 'going'} to {person}")
+        self.motion = MotionProgress("running", f"{'docking' if docks else 'going'} to {person}")
 
     def _is_docked(self, person: str, pose: DockingPose) -> bool:
         """Whether it rests at a pose and looks at the person: then it was told to hold what it has."""
@@ -305,7 +309,7 @@ class Locomotion:
             waits_at = self._walkers.look(person, distance_m, base.pose, self.standing.map)
             if person in self._walkers.declined:
                 self._decline(person)
-                return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
+                return self._command(base, VelocityCommand((0.0, 0.0), base.pose.heading_rad))
             if waits_at is not None:
                 return self._wait_command(approach, base, waits_at)
         keeps_all = partial(self._keeps_all, approach, base.xy)
@@ -331,7 +335,7 @@ class Locomotion:
             was=self.motion,
             plan=self._plan,
         )
-        wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
+        wanted = VelocityCommand(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
 
     def _keeps_all(self, approach: Approach, here: XY) -> bool:
@@ -346,29 +350,33 @@ class Locomotion:
         ways = self.standing.look("", (), lets_by=self._restraint.held_up_by, waits=False)
         heading, velocity = direction_to(base.xy, person.xy), (0.0, 0.0)
         if self._restraint.backs_out_before is None and math.dist(base.xy, place) > WAITS_M:
-            velocity = approach.steer(base, Goal(place, (0.0, 0.0)), ways, self.standing.movers(""))
+            velocity = approach.steer(base, MovingTarget(place, (0.0, 0.0)), ways, self.standing.movers(""))
             heading = gaze_rad(approach, base, person.xy, (), self._senses)
         else:
             approach.forget_route()
         approach.restart_watch(self._clock.now_s)
-        self.motion = Motion("running", f"waiting for {person.name}, who walks, beside their path")
-        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse), waits=True)
+        self.motion = MotionProgress("running", f"waiting for {person.name}, who walks, beside their path")
+        return self._command(
+            base, VelocityCommand(velocity, heading, may_reverse=approach.may_reverse), waits=True
+        )
 
-    def _steer(self, approach: Approach, base: Base, goal: Goal, ways: RouteMap) -> XY:
+    def _steer(self, approach: Approach, base: Base, goal: MovingTarget, ways: RouteMap) -> XY:
         """The velocity along the way to the goal, or to where it waits."""
-        led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
+        led = MovingTarget(
+            _later(goal, base.lag_s), goal.velocity
+        )  # for where the body is when it has caught up
         xy = self._hindrance.look(ways, base.xy, led.xy, approach, self._clock.now_s)
-        now = Goal(xy, (0.0, 0.0)) if self._hindrance.now else led
+        now = MovingTarget(xy, (0.0, 0.0)) if self._hindrance.now else led
         return approach.steer(base, now, ways, self.standing.movers(approach.person))
 
-    def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
+    def _goal_of(self, approach: Approach) -> tuple[MovingTarget, XY]:
         """Where to, and what to look at on the last stretch."""
         if approach.pose is AT_PLACE:
             at = self._places[approach.person]
-            return Goal(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
+            return MovingTarget(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
         person = self._senses.person(approach.person)
         spot = spot_beside(person, self._spec.radius_m, approach.pose)
-        return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
+        return MovingTarget(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
     @property
     def _plan(self) -> FloorPlan:
@@ -378,7 +386,7 @@ class Locomotion:
     def _command(
         self,
         base: Base,
-        wanted: Wanted,
+        wanted: VelocityCommand,
         *,
         visited: str | None = None,
         looks: bool = True,
@@ -409,15 +417,15 @@ class Locomotion:
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
         if (before := self._restraint.backs_out_before) is not None:
-            self.motion = Motion("running", f"backing out before {before}")
+            self.motion = MotionProgress("running", f"backing out before {before}")
         elif (comer := self._restraint.held_up_by) is not None:
-            self.motion = Motion("running", f"giving way to {comer}")
+            self.motion = MotionProgress("running", f"giving way to {comer}")
         elif not (looks and self._restraint.looks_first):
             return
         elif self.motion.state == "running" and not self.motion.is_blocked:
-            self.motion = Motion("running", "looking at where it goes before it goes there")
+            self.motion = MotionProgress("running", "looking at where it goes before it goes there")
         going.restart_watch(self._clock.now_s)
 
 
-def _later(goal: Goal, time_s: float) -> XY:
+def _later(goal: MovingTarget, time_s: float) -> XY:
     return (goal.xy[0] + goal.velocity[0] * time_s, goal.xy[1] + goal.velocity[1] * time_s)

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from comity_sim2d.base.base import Base
 from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.robot.approach import Approach
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 LOOK_M = 1.5
 """On the last stretch of this length the robot looks at the person and not where it goes."""
@@ -16,7 +16,7 @@ DRIVES_M_S = 0.05
 
 
 def gaze_rad(
-    approach: Approach, base: Base, visited: XY, waits_for: Collection[str], senses: Senses
+    approach: Approach, base: Base, visited: XY, waits_for: Collection[str], senses: SensedPeople
 ) -> float:
     """The direction to look to in the coming tick [rad].
 
@@ -39,7 +39,7 @@ def gaze_rad(
     return direction_to(base.xy, visited if near or stands else _ahead(base))
 
 
-def _watched(xy: XY, people: Collection[str], senses: Senses) -> XY | None:
+def _watched(xy: XY, people: Collection[str], senses: SensedPeople) -> XY | None:
     """Where the first of some is whom the robot has to face to see them go; None where it is nobody."""
     name = next((name for name in people if senses.has_to_watch(name, xy)), None)
     return None if name is None else senses.person(name).xy

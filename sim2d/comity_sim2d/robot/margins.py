@@ -17,7 +17,7 @@ from comity_sim2d.robot.reduced_margin import FACING_DEG, PassageFacts, least_ma
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 WAITED_S = 2.0
 """Minimum time that the robot has stood before a person [s] (our choice: the executor asks after as long)."""
@@ -83,7 +83,7 @@ class Margins:
         said: What people say, as they say it.
     """
 
-    def __init__(self, spec: RobotBody, senses: Senses, clock: Clock, said: Sequence[Said]) -> None:
+    def __init__(self, spec: RobotBody, senses: SensedPeople, clock: Clock, said: Sequence[Said]) -> None:
         self._spec, self._senses, self._clock, self._said = spec, senses, clock, said
         self._least_m = least_margin_m(spec, clock.step_s)
         self._noise_m = 3.0 * spec.sensor.sigma_m

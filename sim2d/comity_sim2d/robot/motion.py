@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol, runtime_checkable
 from comity_sim2d.navigation.docking import PoseBeside
 
 
-class Reading(NamedTuple):
+class PersonEstimate(NamedTuple):
     """What the robot knows about one person: its sensors' filtered estimate."""
 
     distance_m: float
@@ -22,7 +22,7 @@ class Reading(NamedTuple):
     """False where the person is taken to be still where they were last seen."""
 
 
-class Motion(NamedTuple):
+class MotionProgress(NamedTuple):
     """How the newest motion goal goes."""
 
     state: str
@@ -42,12 +42,12 @@ class Motion(NamedTuple):
     """Whether the base stands and does not turn."""
 
 
-def blocked(text: str, by: tuple[str, ...] = ()) -> Motion:
+def blocked(text: str, by: tuple[str, ...] = ()) -> MotionProgress:
     """A motion that makes no progress, and people who are in its way."""
-    return Motion("running", text, by, is_blocked=True)
+    return MotionProgress("running", text, by, is_blocked=True)
 
 
-class Capabilities(NamedTuple):
+class BaseCapabilities(NamedTuple):
     """How exactly, how late and how fast the base does what it is told."""
 
     tolerance_m: float = 0.0
@@ -59,7 +59,7 @@ class Capabilities(NamedTuple):
 
 
 @runtime_checkable
-class MotionGoal(Protocol):
+class MotionRequest(Protocol):
     """What the base is to do; the executor's goals have this form."""
 
     @property

@@ -7,12 +7,12 @@ import math
 from comity_sim2d.base.base import Base
 from comity_sim2d.base.physics import Physics, foresee
 from comity_sim2d.clock import Clock
-from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
-from comity_sim2d.robot.in_the_way import ARRIVED_M, InTheWay
-from comity_sim2d.robot.motion import Motion, blocked
+from comity_sim2d.robot.approach import AT_PLACE, Approach, MovingTarget
+from comity_sim2d.robot.in_the_way import ARRIVED_M, ObstructingPeople
+from comity_sim2d.robot.motion import MotionProgress, blocked
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 CLOSE_M = 1.2
 """Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
@@ -25,7 +25,7 @@ BESIDE_M = 0.05
 """What is so near to a robot that comes no nearer to its goal is named."""
 
 
-class Progress:
+class ApproachProgress:
     """Judges one robot's approaches.
 
     Args:
@@ -35,7 +35,7 @@ class Progress:
         clock: The ticks.
     """
 
-    def __init__(self, spec: RobotBody, physics: Physics, senses: Senses, clock: Clock) -> None:
+    def __init__(self, spec: RobotBody, physics: Physics, senses: SensedPeople, clock: Clock) -> None:
         self._spec = spec
         self._physics = physics
         self._senses = senses
@@ -44,14 +44,14 @@ class Progress:
     def of(
         self,
         approach: Approach,
-        goal: Goal,
+        goal: MovingTarget,
         turn_rad: float,
         *,
-        held_up_by: InTheWay | None,
+        held_up_by: ObstructingPeople | None,
         docks: bool,
-        was: Motion,
+        was: MotionProgress,
         plan: FloorPlan,
-    ) -> Motion:
+    ) -> MotionProgress:
         """How it goes with an approach, whose watch begins anew where it is held up or is there.
 
         Args:
@@ -70,20 +70,20 @@ class Progress:
             return self._held_up(held_up_by, approach.person, waits=waits)
         if not approach.has_route:
             text = self._without_route(approach)
-            return Motion("running", text) if self._walks(approach) else blocked(text)
+            return MotionProgress("running", text) if self._walks(approach) else blocked(text)
         if self._is_there(approach, goal, turn_rad, docks=docks, was=was):
             approach.restart_watch(now_s)
-            return Motion("succeeded", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
+            return MotionProgress("succeeded", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
         if approach.gives_way_to and not approach.stalled(now_s, left_m):
-            return Motion("running", f"giving way to {approach.gives_way_to}")
+            return MotionProgress("running", f"giving way to {approach.gives_way_to}")
         if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)):
             return blocked(f"no progress towards {approach.person} for 3 s{self._beside(plan)}")
-        return Motion("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
+        return MotionProgress("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
 
-    def of_facing(self, person: str, turn_rad: float, base: Base, was: Motion) -> Motion:
+    def of_facing(self, person: str, turn_rad: float, base: Base, was: MotionProgress) -> MotionProgress:
         """How it goes with turning to somebody; as before, until it faces them."""
         if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
-            return Motion("succeeded", f"facing {person}")
+            return MotionProgress("succeeded", f"facing {person}")
         return was
 
     def _walks(self, approach: Approach) -> bool:
@@ -106,20 +106,22 @@ class Progress:
         )
         return f"where {approach.person} was last known to be{blind}"
 
-    def _held_up(self, by: InTheWay, to: str, *, waits: bool) -> Motion:
+    def _held_up(self, by: ObstructingPeople, to: str, *, waits: bool) -> MotionProgress:
         """How it goes with people in the way; who is visited and walks may turn round, unasked."""
         if to not in by.people:
             text = f"{by.words} in the way to {to}"
-            return blocked(text, by.people) if waits else Motion("running", text)
+            return blocked(text, by.people) if waits else MotionProgress("running", text)
         text = f"no way past {to} to before {to}"
-        return blocked(text) if waits and not self._senses.walks(to) else Motion("running", text)
+        return blocked(text) if waits and not self._senses.walks(to) else MotionProgress("running", text)
 
     def _beside(self, plan: FloorPlan) -> str:
         """What stands right beside the robot, as the end of a sentence; empty where nothing does."""
         thing = plan.blocker(self._physics.pose.xy, self._spec.radius_m + BESIDE_M)
         return "" if thing is None else f", {100 * (thing.gap_m + BESIDE_M):.0f} cm from {thing.name}"
 
-    def _is_there(self, approach: Approach, goal: Goal, turn_rad: float, *, docks: bool, was: Motion) -> bool:
+    def _is_there(
+        self, approach: Approach, goal: MovingTarget, turn_rad: float, *, docks: bool, was: MotionProgress
+    ) -> bool:
         if not docks:
             return approach.remaining_m <= CLOSE_M
         body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)

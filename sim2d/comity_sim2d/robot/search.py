@@ -14,9 +14,9 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.robot.approach import Approach
 from comity_sim2d.robot.look_round import LookRound, Loss, how_lost
-from comity_sim2d.robot.motion import Motion, blocked
+from comity_sim2d.robot.motion import MotionProgress, blocked
 from comity_sim2d.scene.robot_body import Sensor
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 THERE_M = 0.1
 """So near the pose the robot is where somebody was seen last, and nobody to be seen (our choice)."""
@@ -25,7 +25,7 @@ FACES_RAD = math.radians(0.5)
 GLANCE_S = 0.5
 """So long it looks at where somebody should be: longer than it takes to believe that they are not."""
 
-Turn = tuple[float, Motion]
+Turn = tuple[float, MotionProgress]
 """Where to turn to on the spot for the coming tick, and how that goes, in words."""
 
 
@@ -38,7 +38,7 @@ class Search:
         clock: The ticks.
     """
 
-    def __init__(self, sensor: Sensor, senses: Senses, clock: Clock) -> None:
+    def __init__(self, sensor: Sensor, senses: SensedPeople, clock: Clock) -> None:
         self._sensor = sensor
         self._senses = senses
         self._clock = clock
@@ -84,7 +84,7 @@ class Search:
             approach.restart_watch(self._clock.now_s)
         heading = self._look_round.heading(loss, base)
         if heading is not None:
-            return heading, Motion("running", f"looking round for {person}")
+            return heading, MotionProgress("running", f"looking round for {person}")
         if not there:
             self._looked_on = approach
             return None
@@ -106,4 +106,4 @@ class Search:
             self._glanced_on = approach
         self._glances = approach is not self._glanced_on
         approach.restart_watch(now_s)
-        return heading, Motion("running", f"looking for {approach.person}")
+        return heading, MotionProgress("running", f"looking for {approach.person}")

@@ -19,12 +19,12 @@ from comity_sim2d.navigation.pose_choice import Wish, choose_pose
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist
-from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, PICK_UP, ActEvent, ActGoal, Acts, ActStatus
+from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, PICK_UP, ActEvent, ActProgress, ActRequest, Acts
 from comity_sim2d.robot.carrying import carried_at
 from comity_sim2d.robot.lease import LEASE_S, Lease
 from comity_sim2d.robot.locomotion import Locomotion
 from comity_sim2d.robot.margins import MarginDecision
-from comity_sim2d.robot.motion import Capabilities, Motion, MotionGoal, Reading
+from comity_sim2d.robot.motion import BaseCapabilities, MotionProgress, MotionRequest, PersonEstimate
 from comity_sim2d.robot.walkers_met import agreed, pose_at_side
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
@@ -32,7 +32,7 @@ from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import is_number, require_text, shown
 from comity_sim2d.senses import active_faults
 from comity_sim2d.senses.active_faults import BASE, PATH, SENSORS, VOICE, ActiveFaults
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 
 class SimRobot:
@@ -52,14 +52,16 @@ class SimRobot:
         self,
         spec: RobotBody,
         physics: Physics,
-        senses: Senses,
+        senses: SensedPeople,
         clock: Clock,
         locomotion: Locomotion,
         *,
         said: Sequence[Said] = (),
         faults: ActiveFaults | None = None,
     ) -> None:
-        require_kinds("robot", spec=(spec, RobotBody), physics=(physics, Physics), senses=(senses, Senses))
+        require_kinds(
+            "robot", spec=(spec, RobotBody), physics=(physics, Physics), senses=(senses, SensedPeople)
+        )
         require_kinds("robot", clock=(clock, Clock), locomotion=(locomotion, Locomotion))
         require_kinds("robot", faults=(faults, ActiveFaults | None))
         require_each("robot", "said", said, Said)
@@ -125,9 +127,9 @@ class SimRobot:
         return self._senses.has_to_watch(person, self._physics.pose.xy)
 
     @property
-    def capabilities(self) -> Capabilities:
+    def capabilities(self) -> BaseCapabilities:
         """It does at once what it is told, stops where it is to, and brakes as its body can."""
-        return Capabilities(
+        return BaseCapabilities(
             braking_m_s2=self._spec.max_acceleration_m_s2,
             feedback_hz=1.0 / self._clock.step_s,
             lease_s=LEASE_S,
@@ -137,7 +139,7 @@ class SimRobot:
         """Simulated time."""
         return self._clock.now_s
 
-    def read(self, person: str) -> Reading | None:
+    def read(self, person: str) -> PersonEstimate | None:
         """What the robot knows about a person; None while its sensors do not see them.
 
         Where they are too short for the pose that it was told to take beside the person, that is how it
@@ -151,7 +153,7 @@ class SimRobot:
         if self._senses.stamp_s is None or not (is_seen or self._presumes(person)):
             return None
         stands = docked(self._physics.pose, self._spec.radius_m, someone)
-        return Reading(
+        return PersonEstimate(
             distance_m=stands.distance_m,
             centre_distance_m=stands.centre_distance_m,
             bearing_deg=stands.bearing_deg,
@@ -216,9 +218,9 @@ class SimRobot:
             return None
         return replace(pose, unverified=self._senses.too_short_for(self._spec.radius_m + pose.distance_m))
 
-    def go(self, goal: MotionGoal) -> int:
+    def go(self, goal: MotionRequest) -> int:
         """Set out for a goal in place of the one before, for as long as it is renewed; its number, from 1."""
-        require_kinds("robot", goal=(goal, MotionGoal))
+        require_kinds("robot", goal=(goal, MotionRequest))
         number = self._set_out(goal)
         self._lease.begin()
         return number
@@ -229,7 +231,7 @@ class SimRobot:
         if goal == self._goals:
             self._lease.renew()
 
-    def _set_out(self, goal: MotionGoal) -> int:
+    def _set_out(self, goal: MotionRequest) -> int:
         if goal.kind == "face":
             return self.face(goal.to)
         if goal.kind == "go_to":
@@ -338,7 +340,7 @@ class SimRobot:
         elif goal in (None, self._goals):
             self._locomotion.stop()
 
-    def motion(self) -> Motion:
+    def motion(self) -> MotionProgress:
         """How the newest motion goal goes."""
         twist = self._physics.twist
         return self._locomotion.motion._replace(
@@ -366,13 +368,13 @@ class SimRobot:
         """Why the emergency stop is pressed; False while it is not."""
         return self.emergency_stop.reason or False
 
-    def perform(self, act: ActGoal) -> str:
+    def perform(self, act: ActRequest) -> str:
         """Begin to speak, gesture or handle something; passers-by are asked to pass, and nothing else.
 
         Returns:
             What the act is called.
         """
-        require_kinds("robot", act=(act, ActGoal))
+        require_kinds("robot", act=(act, ActRequest))
         require_kinds("act", act=(act.act, str))
         if act.act == PICK_UP:
             require_text("robot", "place", act.to)
@@ -385,7 +387,7 @@ class SimRobot:
             self._acts.fall_silent()
         return begun
 
-    def performance(self, act: int | str) -> ActStatus:
+    def performance(self, act: int | str) -> ActProgress:
         """How an act goes: running, succeeded, or stopped where it was broken off.
 
         Raises:

@@ -21,7 +21,7 @@ from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 STANDS_S = 1.0
 """A person who has not walked for so long stands [s] (our choice)."""
@@ -53,7 +53,7 @@ class PassersByKnown(PassersBySeen, Protocol):
         ...
 
 
-class Standing:
+class DetourMap:
     """A map of routes round those who stand.
 
     Args:
@@ -62,7 +62,7 @@ class Standing:
         route_map: The map at the start.
     """
 
-    def __init__(self, senses: Senses, clock: Clock, route_map: RouteMap) -> None:
+    def __init__(self, senses: SensedPeople, clock: Clock, route_map: RouteMap) -> None:
         self._senses, self._clock = senses, clock
         self.map = route_map
         self._renewed_s = -math.inf

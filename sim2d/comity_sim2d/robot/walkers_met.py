@@ -24,7 +24,7 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.senses.seen_floor import Numbers
-from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sensing import SensedPeople
 
 WALK_M = 0.3
 """A person who has moved by less has made a step, and does not walk [m] (our choice)."""
@@ -80,7 +80,7 @@ class WalkersMet:
         clock: The ticks.
     """
 
-    def __init__(self, spec: RobotBody, senses: Senses, clock: Clock) -> None:
+    def __init__(self, spec: RobotBody, senses: SensedPeople, clock: Clock) -> None:
         self._spec, self._senses, self._clock = spec, senses, clock
         self.declined: dict[str, str] = {}
         """People who declined, and how: the robot goes to none of them again."""

@@ -20,7 +20,7 @@ LOOKS = 5
 """So many empty looks in a row are no accident: a quarter of a second at 20 Hz (our choice)."""
 
 
-class Track(Protocol):
+class MissingTrack(Protocol):
     """What is known of where one person is."""
 
     @property
@@ -59,7 +59,7 @@ class Missing:
         self.lost: dict[str, float | None] = {}
         """When those who are lost were seen last; None: never."""
 
-    def take_in(self, tracks: Mapping[str, Track], eye: Pose | None, before_s: float | None) -> bool:
+    def take_in(self, tracks: Mapping[str, MissingTrack], eye: Pose | None, before_s: float | None) -> bool:
         """Take in whom a measurement shows; says whether somebody was lost or found.
 
         Args:

@@ -25,7 +25,7 @@ DRIFTS_M_S = 0.05
 """Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
 
 
-class Senses:
+class SensedPeople:
     """The robot's belief about every person, updated once per tick.
 
     Args:

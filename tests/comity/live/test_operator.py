@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity.episode import Episode
-from comity.live.operator import Operator, Word, word_of
+from comity.live.operator import Operator, OperatorCommand, word_of
 from comity.live.start import as_seen
 from comity.live_episode import LiveEpisode
 from comity.preparation import prepare
@@ -18,7 +18,9 @@ from comity.scenario import load_scenario
 from comity_fis import InputError
 
 
-def carried_out(path: str, robot: Gliding, operator: Operator, words: dict[float, list[Word]]) -> Episode:
+def carried_out(
+    path: str, robot: Gliding, operator: Operator, words: dict[float, list[OperatorCommand]]
+) -> Episode:
     """The scenario, with words at times of the episode [s]."""
     live = LiveEpisode(prepare(as_seen(load_scenario(path), robot)), robot=robot, operator=operator)
     sleep, waiting = robot.sleep, dict(words)
@@ -44,7 +46,9 @@ def docked_m(episode: Episode, person: str) -> float:
 
 def test_nothing_begins_before_the_plan_is_approved(here):
     robot = gliding()
-    episode = carried_out(written(here, SCENARIO), robot, Operator(approves=True), {3.0: [Word("approve")]})
+    episode = carried_out(
+        written(here, SCENARIO), robot, Operator(approves=True), {3.0: [OperatorCommand("approve")]}
+    )
     assert episode.outcome == "success"
     assert min(t for t, command, _ in robot.log if command in ("go", "perform")) >= 103.0
     assert told(episode) == ["the operator approved the plan"]
@@ -52,7 +56,11 @@ def test_nothing_begins_before_the_plan_is_approved(here):
 
 def test_a_new_plan_waits_for_approval_again(here):
     """The guest is skipped on the way to them: what comes of it begins only once it is approved, too."""
-    words = {0.5: [Word("approve")], 2.0: [Word("skip", "host")], 9.0: [Word("approve")]}
+    words = {
+        0.5: [OperatorCommand("approve")],
+        2.0: [OperatorCommand("skip", "host")],
+        9.0: [OperatorCommand("approve")],
+    }
     robot = gliding()
     episode = carried_out(written(here, SCENARIO), robot, Operator(approves=True), words)
     begun = [t - 100.0 for t, command, _ in robot.log if command in ("go", "perform")]
@@ -71,7 +79,9 @@ def test_an_operator_who_leaves_before_the_approval_ends_it_at_rest(here):
 
 def test_who_is_skipped_is_not_met(here):
     robot = gliding()
-    episode = carried_out(written(here, SCENARIO), robot, Operator(), {1.0: [Word("skip", "guest")]})
+    episode = carried_out(
+        written(here, SCENARIO), robot, Operator(), {1.0: [OperatorCommand("skip", "guest")]}
+    )
     assert [act.to for _, command, act in robot.log if command == "perform"] == ["host"]
     assert told(episode) == ["the operator skipped guest"]
     assert episode.outcome == "partial"
@@ -86,7 +96,7 @@ def test_who_is_skipped_is_not_met(here):
 def test_nudges_move_the_distance_by_what_was_said_or_are_refused(tmp_path_factory, nudges):
     """Never nearer than half of the spread below the person's own distance, nor than the floor."""
     path = written(tmp_path_factory.mktemp("s"), SCENARIO)
-    words = {1.0: [Word(order, "guest", metres) for order, metres in nudges]}
+    words = {1.0: [OperatorCommand(order, "guest", metres) for order, metres in nudges]}
     episode = carried_out(path, gliding(), Operator(), words)
     own = episode.prepared.values["guest"]["conversational_distance"]
     said = zip(nudges, told(episode), strict=True)
@@ -100,14 +110,14 @@ def test_nudges_move_the_distance_by_what_was_said_or_are_refused(tmp_path_facto
 def test_a_distance_that_was_asked_for_is_not_nudged(here, order):
     wish = "profile: {name: amal, settings: {conversational_distance: 0.9}}"
     path = written(here, SCENARIO.replace("profile: arab_woman", wish))
-    episode = carried_out(path, gliding(), Operator(), {1.0: [Word(order, "guest")]})
+    episode = carried_out(path, gliding(), Operator(), {1.0: [OperatorCommand(order, "guest")]})
     assert docked_m(episode, "guest") == pytest.approx(0.9, abs=0.011)
     assert "refused, they asked for 0.90 m" in told(episode)[0]
 
 
 def test_a_stop_of_the_operator_holds_until_they_resume(here):
     robot = gliding()
-    words = {2.0: [Word("stop")], 6.0: [Word("resume")]}
+    words = {2.0: [OperatorCommand("stop")], 6.0: [OperatorCommand("resume")]}
     episode = carried_out(written(here, SCENARIO), robot, Operator(), words)
     assert episode.outcome == "success"
     assert {v for t, _, _, v in robot.path if 102.4 < t < 106.0} == {0.0}
@@ -123,14 +133,14 @@ def test_resume_does_not_go_on_against_the_robots_own_stop(here):
         robot.pressed = "the red button" if 102.0 <= robot.t < 106.0 else False
 
     robot.sleep = sleep_and_press
-    words = {3.0: [Word("resume")], 8.0: [Word("resume")]}
+    words = {3.0: [OperatorCommand("resume")], 8.0: [OperatorCommand("resume")]}
     episode = carried_out(written(here, SCENARIO), robot, Operator(), words)
     assert {v for t, _, _, v in robot.path if 102.4 < t < 108.0} == {0.0}
     assert episode.outcome == "success"
 
 
 def test_marks_are_on_record_at_their_time(here):
-    words = {2.0: [Word("mark", "the guest laughed")]}
+    words = {2.0: [OperatorCommand("mark", "the guest laughed")]}
     episode = carried_out(written(here, SCENARIO), gliding(), Operator(), words)
     mark = next(one for one in episode.disturbances if one.kind == "operator")
     assert mark.text == "the operator marked: the guest laughed"
@@ -138,7 +148,9 @@ def test_marks_are_on_record_at_their_time(here):
 
 
 def test_words_about_nobody_are_refused(here):
-    episode = carried_out(written(here, SCENARIO), gliding(), Operator(), {1.0: [Word("skip", "nobody")]})
+    episode = carried_out(
+        written(here, SCENARIO), gliding(), Operator(), {1.0: [OperatorCommand("skip", "nobody")]}
+    )
     assert "refused" in told(episode)[0]
     assert episode.outcome == "success"
 
@@ -146,11 +158,11 @@ def test_words_about_nobody_are_refused(here):
 @pytest.mark.parametrize(
     ("line", "word"),
     [
-        ("approve", Word("approve")),
-        (" skip guest ", Word("skip", "guest")),
-        ("nearer guest", Word("nearer", "guest", 0.1)),
-        ("farther guest 0.25", Word("farther", "guest", 0.25)),
-        ("mark the guest laughed", Word("mark", "the guest laughed")),
+        ("approve", OperatorCommand("approve")),
+        (" skip guest ", OperatorCommand("skip", "guest")),
+        ("nearer guest", OperatorCommand("nearer", "guest", 0.1)),
+        ("farther guest 0.25", OperatorCommand("farther", "guest", 0.25)),
+        ("mark the guest laughed", OperatorCommand("mark", "the guest laughed")),
     ],
 )
 def test_a_line_is_a_word(line, word):
@@ -199,10 +211,10 @@ FORMAL = "{name: host, culture: DEU, formality: formal, touch_consent: given}"
     ("words", "shakes"),
     [
         ([], False),
-        ([Word("consents", "host")], True),
-        ([Word("consents", "host"), Word("withdraws", "host")], False),
-        ([Word("consents", "guest")], False),
-        ([Word("farther", "host", 0.2), Word("consents", "host")], True),
+        ([OperatorCommand("consents", "host")], True),
+        ([OperatorCommand("consents", "host"), OperatorCommand("withdraws", "host")], False),
+        ([OperatorCommand("consents", "guest")], False),
+        ([OperatorCommand("farther", "host", 0.2), OperatorCommand("consents", "host")], True),
     ],
 )
 def test_the_operator_passes_on_that_a_person_consents_to_touch(here, words, shakes):

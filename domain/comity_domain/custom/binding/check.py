@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.binding.binding import ActionBinding, Binding, FluentBinding
-from comity_domain.custom.binding.names import Names
+from comity_domain.custom.binding.names import BoundNames
 from comity_domain.custom.binding.option_check import check_option
-from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.people import BoundPeople
 from comity_domain.custom.binding.persons import can_be_people, listed, strangers
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location, refused
 from comity_domain.custom.reading.reading import CustomProblem
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from unified_planning.model import Fluent, Type
 
 
-def check_binding(own: CustomProblem, binding: Binding, people: People) -> None:
+def check_binding(own: CustomProblem, binding: Binding, people: BoundPeople) -> None:
     """Refuse a name that nothing bears; it would silently bind nothing.
 
     Raises:
@@ -29,7 +29,7 @@ def check_binding(own: CustomProblem, binding: Binding, people: People) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class _Check(Names):
+class _Check(BoundNames):
     def all(self, binding: Binding) -> None:
         problem = self.own.problem
         self.once(self.people.known, ("people",))

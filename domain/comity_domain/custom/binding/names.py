@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.people import BoundPeople
 from comity_domain.custom.binding.refusal import Location, refused
 from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis.errors import closest
 
 
 @dataclass(frozen=True, slots=True)
-class Names:
+class BoundNames:
     """Refuses names that nothing bears; each would silently bind nothing."""
 
     own: CustomProblem
-    people: People
+    people: BoundPeople
 
     def once(self, names: Iterable[str], place: Location) -> None:
         """Refuse what differs in capitals only: PDDL does not tell them apart, and one would silently win."""

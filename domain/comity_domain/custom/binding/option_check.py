@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.binding.binding import Binding, Option, OptionValue
-from comity_domain.custom.binding.names import Names
+from comity_domain.custom.binding.names import BoundNames
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location, refused
 from comity_fis import NominalParameter, NumericParameter
 from comity_fis.errors import closest
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from unified_planning.model import Type
 
 
-def check_option(names: Names, argument: str, option: Option, type_: Type, place: Location) -> None:
+def check_option(names: BoundNames, argument: str, option: Option, type_: Type, place: Location) -> None:
     """Refuse what an object cannot stand for.
 
     Args:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class People:
+class BoundPeople:
     """The people of a problem, as one rulebook sees them; of those who are not named nothing is known."""
 
     known: Mapping[str, Inference]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.people import BoundPeople
 from comity_domain.custom.reading.reading import CustomProblem
 
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 MOST_NAMED = 3
 
 
-def strangers(own: CustomProblem, people: People, type_: Type) -> tuple[str, ...]:
+def strangers(own: CustomProblem, people: BoundPeople, type_: Type) -> tuple[str, ...]:
     """The objects of a type that are no people, as the files name them.
 
     An object is a person if it is named, or of the type of an object that is. Where none is named, all may be
@@ -32,7 +32,7 @@ def strangers(own: CustomProblem, people: People, type_: Type) -> tuple[str, ...
     )
 
 
-def can_be_people(own: CustomProblem, people: People, types: Mapping[str, Type]) -> tuple[str, ...]:
+def can_be_people(own: CustomProblem, people: BoundPeople, types: Mapping[str, Type]) -> tuple[str, ...]:
     """The arguments that can only be people.
 
     Args:

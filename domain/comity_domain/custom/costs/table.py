@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.binding.binding import ActionBinding, Binding
-from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.people import BoundPeople
 from comity_domain.custom.binding.refusal import BindingRefusedError
 from comity_domain.custom.costs.cost import (
     Assignment,
@@ -37,7 +37,7 @@ MOST_COST = 10_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class CostRow:
     """One combination of objects that is not ruled out."""
 
     cost: int
@@ -72,7 +72,7 @@ class Table:
 
     arguments: tuple[str, ...]
     """Those that decide, in the action's order."""
-    rows: Mapping[tuple[str, ...], Row]
+    rows: Mapping[tuple[str, ...], CostRow]
     """By the objects for `arguments`; what is ruled out is not there."""
     unpriced: Mapping[tuple[str, ...], Atom | None]
     """What has no cost, with the first function that has no value; None where something is divided by 0."""
@@ -80,7 +80,7 @@ class Table:
     """Nothing is ruled out."""
 
 
-def tables(own: CustomProblem, binding: Binding, people: People | None) -> Mapping[str, Table]:
+def tables(own: CustomProblem, binding: Binding, people: BoundPeople | None) -> Mapping[str, Table]:
     """The table of every action, by its name in the problem.
 
     Raises:
@@ -129,7 +129,7 @@ Preferences = Mapping[str, Mapping[str, Mapping[str, Preference]]]
 class _Pricing:
     own: CustomProblem
     scale: int
-    people: People | None
+    people: BoundPeople | None
     formulas: Mapping[str, FNode | None]
     values: Values
 
@@ -161,7 +161,7 @@ class _Pricing:
                 if binding is not None and own * self.scale < MOST_COST <= total * self.scale:
                     raise _too_heavy(bound_as, binding, seen, MOST_COST / self.scale)
                 price = self.whole(total, action, formula, assignment)
-                rows[tuple(assignment.values())] = Row(price, own, seen)
+                rows[tuple(assignment.values())] = CostRow(price, own, seen)
         return Table(deciding, rows, unpriced, complete=len(rows) == count)
 
     def groundings(self, action: Action, deciding: Sequence[str]) -> Iterator[Assignment]:

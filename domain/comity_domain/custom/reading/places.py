@@ -19,7 +19,7 @@ _SUMS = (("minimize", TOTAL_COST), ("minimize", "total-time"))
 
 
 @dataclass(frozen=True, slots=True)
-class Places:
+class DomainPlaces:
     """Of one domain and one problem; names in lower case."""
 
     domain: PddlText

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.reading.checks import refuse_misread
-from comity_domain.custom.reading.places import TOTAL_COST, Places
+from comity_domain.custom.reading.places import TOTAL_COST, DomainPlaces
 from comity_domain.custom.reading.text import Form, PddlText, read_text
 from comity_fis.errors import InputError, Where, closest
 
@@ -35,7 +35,7 @@ class CustomProblem:
     problem_name: str
     written: Mapping[str, str]
     """What the files call things, by name in `problem`."""
-    places: Places
+    places: DomainPlaces
 
     def as_written(self, name: str) -> str:
         """A name as the files have it where they name it first."""
@@ -58,7 +58,7 @@ def read_custom(domain: Path, problem: Path) -> CustomProblem:
     written = dict(_written(*texts))
     names = (text.define.items[1].items[1].word for text in texts)
     domain_name, problem_name = (written.get(name, name) for name in names)
-    return CustomProblem(read, domain_name, problem_name, written, Places(*texts))
+    return CustomProblem(read, domain_name, problem_name, written, DomainPlaces(*texts))
 
 
 def _written(domain: PddlText, problem: PddlText) -> Iterator[tuple[str, str]]:

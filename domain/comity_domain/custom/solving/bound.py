@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from comity_domain.custom.binding.binding import Binding
 from comity_domain.custom.binding.check import check_binding
 from comity_domain.custom.binding.option_check import refuse_options
-from comity_domain.custom.binding.people import People
+from comity_domain.custom.binding.people import BoundPeople
 from comity_domain.custom.costs.classical import beyond_classical
 from comity_domain.custom.costs.counter import counter_as_costs
 from comity_domain.custom.costs.table import Table, natural_scale, tables
@@ -28,7 +28,7 @@ class Bound:
 
     own: CustomProblem
     binding: Binding
-    people: People | None
+    people: BoundPeople | None
     problem: Problem
     """What the planner gets: one whole number for each action's cost."""
     tables: Mapping[str, Table]
@@ -53,7 +53,7 @@ class Bound:
         return self.binding.cost_scale if self.classical else 1
 
 
-def bind(own: CustomProblem, binding: Binding | None = None, people: People | None = None) -> Bound:
+def bind(own: CustomProblem, binding: Binding | None = None, people: BoundPeople | None = None) -> Bound:
     """Build a binding into a problem.
 
     Args:
@@ -83,7 +83,7 @@ def bind(own: CustomProblem, binding: Binding | None = None, people: People | No
     return Bound(filled, binding, people, problem, priced, numbers, rulings, dropped)
 
 
-def _numbers(own: CustomProblem, binding: Binding, people: People) -> Numbers:
+def _numbers(own: CustomProblem, binding: Binding, people: BoundPeople) -> Numbers:
     """Each person's value of each bound function."""
     found = {}
     for written, bound in binding.fluents.items():

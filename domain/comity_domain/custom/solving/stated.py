@@ -21,7 +21,7 @@ def stated(problem: Problem) -> Problem:
     from unified_planning.model import Problem
     from unified_planning.model.fluent import get_all_fluent_exp
 
-    class Stated(Problem):  # type: ignore[misc]  # unified-planning has no types
+    class StatedProblem(Problem):  # type: ignore[misc]  # unified-planning has no types
         @property
         def initial_values(self) -> dict[FNode, FNode]:
             values = dict(self.explicit_initial_values)
@@ -32,5 +32,5 @@ def stated(problem: Problem) -> Problem:
             return values
 
     copy = problem.clone()
-    copy.__class__ = Stated
+    copy.__class__ = StatedProblem
     return copy

@@ -9,7 +9,7 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import objects_for
-from comity_domain.custom.costs.table import Row
+from comity_domain.custom.costs.table import CostRow
 from comity_domain.custom.reading.reading import as_global
 from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.solution import GroundAction
@@ -27,7 +27,7 @@ LONGEST_PLAN = 200
 """Steps; for longer plans no other ways are tried."""
 
 
-def row_of(action: GroundAction, bound: Bound) -> Row | None:
+def row_of(action: GroundAction, bound: Bound) -> CostRow | None:
     """What a step costs; None where it is ruled out."""
     table = bound.tables[action.name]
     return table.rows.get(tuple(argument_of(action, name, bound) for name in table.arguments))
