@@ -67,6 +67,7 @@ class Known:
         require_kinds(
             "what is known", later_m=(self.later_m, Mapping), engaged=(self.engaged, Mapping | None)
         )
+        require_kinds("what is known", undisturbed=(self.undisturbed, Mapping))
         for pairs in self.later_m.values():
             require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
         require_tuple("what is known", "visits", self.visits, TargetStop, "visits, each a Wanted")
