@@ -104,14 +104,14 @@ PLACES = st.tuples(st.floats(0.5, 5.5), st.floats(0.5, 4.5))
     drive=st.sampled_from(DRIVES),
     noise_m=st.sampled_from([0.0, 0.02]),
 )
-def test_whoever_went_elsewhere_is_greeted_or_named_as_lost(
+def test_a_person_who_went_elsewhere_is_greeted_passes_by_or_is_named_as_lost(
     to: tuple[float, float], view_deg: int, drive: str, noise_m: float
 ) -> None:
     moves = f"{{at_s: 8, person: ada, moves_to_m: [{to[0]:.2f}, {to[1]:.2f}], facing_deg: 0}}"
     sensor = f"{{field_of_view_deg: {view_deg}, noise_m: {noise_m}}}"
     episode = run(scenario(drive=drive, sensor=sensor, moves=moves, goals=WAITS))
     ada = next(visit for visit in episode.visits if visit.person == "ada")
-    assert ada.outcome == "greeted" or "ada was lost from sight at t=" in str(ada.failure)
+    assert ada.outcome in ("greeted", "declined") or "ada was lost from sight at t=" in str(ada.failure)
     assert episode.frames.time_s[-1] < 150.0
 
 
@@ -139,7 +139,7 @@ def test_who_walks_past_the_robot_out_of_its_view_is_not_driven_into(
 ) -> None:
     """On two wheels it came beside ben's old place, and hit him who stood next to its nose."""
     episode = run(ALONE.format(drive=drive, view_deg=view_deg, x=to[0], y=to[1]))
-    assert [visit.outcome for visit in episode.visits] == ["greeted"]
+    assert episode.visits[0].outcome in ("greeted", "declined")
     assert episode.metrics.person_contacts == 0
 
 

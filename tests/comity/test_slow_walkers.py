@@ -1,4 +1,4 @@
-"""Who walks slowly is greeted on the way: they step round the robot, and it stays before them."""
+"""A person who walks slowly, and agreed to be accompanied, is greeted on the way."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ people:
   anna:
     profile: {dice.choice(PROFILES)}
     at_m: {start}
-    walks: {{route: {route}, loop: true, speed_m_s: {speed_m_s}}}
+    walks: {{route: {route}, loop: true, speed_m_s: {speed_m_s}, accompanied: true}}
 goals: [{{greet: anna}}]
 """)
     return execute(prepare(load_scenario(str(scenario))), seed=seed)

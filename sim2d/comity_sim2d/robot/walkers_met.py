@@ -118,7 +118,10 @@ class WalkersMet:
                 self._note_offer(walker, gap_m, bearing_deg)
         if self._along:
             return None
-        if self._offer is not None or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
+        too_fast = (
+            agreed(walker.person) and gap_m <= OFFER_M
+        )  # to be gone along with: it stands as they come by
+        if self._offer is not None or too_fast or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
             self._chosen_s = self._clock.now_s
