@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
+from comity.answers.run import Disturbance
 from comity.data_frames import events_table, frames_table, readings_table
 from comity.monitoring.told import values_at
-from comity.schedule import Disturbance
 from comity_executor import (
     History,
     Node,

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from math import dist
 from typing import TYPE_CHECKING, cast
 
+from comity.answers.run import Disturbance
 from comity.episode import Episode, Outcome
 from comity.live.driving import drive, stop_of
 from comity.live.real_world import RealWorld
@@ -19,7 +20,7 @@ from comity.monitoring.operating import Approved, Operating
 from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
 from comity.people.adulthood import is_under_age
-from comity.schedule import Disturbance, Schedule, Stage
+from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import told as told_only
 from comity.simulation.passages import passages
 from comity.simulation.walks import walks

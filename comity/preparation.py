@@ -10,11 +10,12 @@ from numbers import Integral
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from comity.answers.plan import Unmet
 from comity.parameters.cast import Cast, cast_of
 from comity.parameters.margin import margin_facts
 from comity.people.profile import Profile, ProfileGiven
 from comity.planning.circumstances import circumstances, require_gestures
-from comity.planning.diagnosis import GoalsUnmet, Unmet, UnservedCase, diagnose, in_words
+from comity.planning.diagnosis import GoalsUnmet, UnservedCase, diagnose, in_words
 from comity.planning.punctuality import diagnose_deadlines
 from comity.planning.request import PlanningRequest, ask
 from comity.planning.serving import plan_for_most

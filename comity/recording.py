@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from comity.answers import RunAnswer
+from comity.answers.run import RunAnswer
 from comity.episode import Episode
 from comity.live_episode import EpisodeProgress, LiveEpisode
 from comity.output import run_folder
@@ -112,10 +112,10 @@ def _recorded(
         folder.write(run_folder.RUN, answer)
         show(folder, views)
     except BaseException as error:
-        crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
-        folder.write(run_folder.RUN, account_under_way(account, live).model_copy(update=crash))
+        crash: dict[str, Any] = {"status": "crashed", "error": _words(error), "files": folder.files()}
+        folder.write(run_folder.RUN, replace(account_under_way(account, live), **crash))
         raise
-    answer = answer.model_copy(update={"files": folder.files()})
+    answer = replace(answer, files=folder.files())
     folder.write(run_folder.RUN, answer)
     return Recorded(episode, folder, answer)
 

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Protocol
+
+from comity.answers.run import Disturbance, DisturbanceKind
 
 if TYPE_CHECKING:
     from comity_executor import FaultError
@@ -62,32 +64,12 @@ class Happening(Protocol):
         ...
 
 
-Kind = Literal["change", "fault", "message", "walk", "passage", "operator"]
-"""Of a disturbance: a change or a fault of the scenario, what a person says, a walk of a person, a person who
-was passed at the reduced margin or let the robot pass in vain, a word of a real robot's operator."""
-
-
-@dataclass(frozen=True, slots=True)
-class Disturbance:
-    """Something that happened while the plan was under way, whether or not the robot noticed."""
-
-    t: float
-    """When it began, in the world's time [s]."""
-    end_s: float | None
-    """When it was over; None: it was not, by the end."""
-    kind: Kind
-    about: str
-    """The person, door or part of the robot."""
-    text: str
-    """What happened, in words."""
-
-
 @dataclass(frozen=True, slots=True)
 class Announced:
     """A happening that trace, page and summary tell as a disturbance."""
 
     happening: Happening
-    kind: Kind
+    kind: DisturbanceKind
     about: str
     text: str
 

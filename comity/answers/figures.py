@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Literal
 
-from pydantic import Field
-
-from comity.answers.base import Answer
+from comity_fis.record import Record
 
 
-class DrawAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrawAnswer(Record):
     """What `comity draw` says."""
 
     file: str
@@ -18,36 +18,40 @@ class DrawAnswer(Answer):
     kind: Literal["map", "scenario"]
 
 
-class FigureAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FigureAnswer(Record):
     """One figure of a run."""
 
     run: str
     scenario: str
     rulebook: str
     seed: int
-    person: str | None = Field(description="Null for a figure of the whole episode.")
+    person: str | None
+    """Null for a figure of the whole episode."""
     profile: str | None
     metric: str
     value: float
-    unit: str = Field(description="1 for a share or a count.")
+    unit: str
+    """1 for a share or a count."""
 
 
-class DefinitionAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DefinitionAnswer(Record):
     """What a metric means."""
 
     unit: str
     means: str
     source: str
-    per: Literal["run", "visit", "person"] = Field(
-        description="`visit`: of a person to visit; `person`: of any person of the scenario."
-    )
+    per: Literal["run", "visit", "person"]
+    """`visit`: of a person to visit; `person`: of any person of the scenario."""
 
 
-class MetricsAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MetricsAnswer(Record):
     """`comity metrics --json`."""
 
-    figures: tuple[FigureAnswer, ...] = Field(description="Run by run; what has no value is left out.")
-    by_profile: Mapping[str, Mapping[str, float]] = Field(
-        description="Mean of each figure of a person over all people of a profile in these runs."
-    )
+    figures: tuple[FigureAnswer, ...]
+    """Run by run; what has no value is left out."""
+    by_profile: Mapping[str, Mapping[str, float]]
+    """Mean of each figure of a person over all people of a profile in these runs."""
     definitions: Mapping[str, DefinitionAnswer]

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from datetime import date
-from typing import Annotated, Literal
+from typing import Literal
 
-from pydantic import Field
-
-from comity.answers.base import Answer
-from comity_fis.inference.value import Origin
+from comity_fis.inference.value import Contribution, Origin, PartValue
+from comity_fis.record import Record
 
 Fact = float | str | tuple[float, float] | Mapping[str, float] | None
 
 
-class FactPartAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FactPartAnswer(Record):
     """A fact in one of several cultures."""
 
     part: str
@@ -22,35 +22,19 @@ class FactPartAnswer(Answer):
     value: Fact
 
 
-class MixedFactAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MixedFactAnswer(Record):
     """A fact that differs between the cultures of one person."""
 
     mixed: tuple[FactPartAnswer, ...]
 
 
-Inputs = Annotated[
-    Mapping[str, Fact | MixedFactAnswer],
-    Field(description="Null: not disclosed. Two numbers: anything between them."),
-]
+Inputs = Mapping[str, Fact | MixedFactAnswer]
+"""Null: not disclosed. Two numbers: anything between them."""
 
 
-class ContributionAnswer(Answer):
-    """One step on the way to a value."""
-
-    origin: Origin
-    value: float | str = Field(description="The first one is the start, every further number a difference.")
-    text: str
-
-
-class PartAnswer(Answer):
-    """What one of several cultures alone would give."""
-
-    name: str
-    share: float = Field(description="Of the whole; the shares of all parts sum to 1.")
-    value: float | str
-
-
-class FiredRuleAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FiredRuleAnswer(Record):
     """A rule that fired."""
 
     number: int
@@ -58,69 +42,70 @@ class FiredRuleAnswer(Answer):
     strength: float
 
 
-class ShiftAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShiftAnswer(Record):
     """By how much the situation moved a value."""
 
-    value: float = Field(description="In the parameter's unit.")
+    value: float
+    """In the parameter's unit."""
     rules: tuple[FiredRuleAnswer, ...]
 
 
-class ValueAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ValueAnswer(Record):
     """The value of one parameter for one person."""
 
     value: float | str
     unit: str | None
-    spread: float | None = Field(description="Standard deviation of people around the value, in the unit.")
+    spread: float | None
+    """Standard deviation of people around the value, in the unit."""
     origin: Origin
-    contributions: tuple[ContributionAnswer, ...]
-    desirability: Mapping[str, float] | None = Field(description="By category; null for a numeric parameter.")
-    curve: tuple[tuple[float, float], ...] | None = Field(
-        default=None,
-        description="Desirability over a numeric parameter's range: points that lines join.",
-    )
+    contributions: tuple[Contribution, ...]
+    desirability: Mapping[str, float] | None
+    """By category; null for a numeric parameter."""
+    curve: tuple[tuple[float, float], ...] | None = None
+    """Desirability over a numeric parameter's range: points that lines join."""
     note: str
-    parts: tuple[PartAnswer, ...] = Field(
-        default=(), description="Of several cultures: what each alone would give, where that differs."
-    )
+    parts: tuple[PartValue, ...] = ()
+    """Of several cultures: what each alone would give, where that differs."""
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterAnswer(ValueAnswer):
     """The same with the rules that fired, as one of many."""
 
     rules: tuple[FiredRuleAnswer, ...]
-    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
+    shift: ShiftAnswer | None = None
+    """Null where the situation moves nothing."""
 
 
-class CoercionAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoercionAnswer(Record):
     """A variable that is used above its own level of measurement."""
 
     to: Literal["interval", "ratio"]
     reason: str
 
 
-class InferAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InferAnswer(Record):
     """`comity infer --json`."""
 
     rulebook: str
     mode: Literal["exact", "matlab", "skfuzzy"]
     inputs: Inputs
+    """Null: not disclosed. Two numbers: anything between them."""
     parameters: Mapping[str, ParameterAnswer]
-    coercions: Mapping[str, CoercionAnswer] = Field(
-        default={}, description="By variable, as the rulebook declares them."
-    )
-    notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
-    at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
+    coercions: Mapping[str, CoercionAnswer] = field(default_factory=dict)
+    """By variable, as the rulebook declares them."""
+    notes: tuple[str, ...] = ()
+    """About the inputs, such as a missing score."""
+    at: date | None = None
+    """The day of the facts; null where none depends on it."""
 
 
-class OtherwiseAnswer(Answer):
-    """What would stand under another condition."""
-
-    value: float | str
-    origin: Origin
-    note: str
-
-
-class ConvertAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConvertAnswer(Record):
     """`comity convert --json`."""
 
     source: str
@@ -128,16 +113,19 @@ class ConvertAnswer(Answer):
     rulebook: str
     variables: int
     parameters: int
-    rules: int = Field(description="As written; a rule may become several.")
-    changed: tuple[str, ...] = Field(description="What is there in another form, or was chosen.")
-    lost: tuple[str, ...] = Field(description="What the new file cannot say to a program.")
+    rules: int
+    """As written; a rule may become several."""
+    changed: tuple[str, ...]
+    """What is there in another form, or was chosen."""
+    lost: tuple[str, ...]
+    """What the new file cannot say to a program."""
     inputs_tried: int
-    largest_differences: Mapping[str, float] = Field(
-        description="By parameter, in its unit, between the rulebook and the file read back."
-    )
+    largest_differences: Mapping[str, float]
+    """By parameter, in its unit, between the rulebook and the file read back."""
 
 
-class GradeAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GradeAnswer(Record):
     """How far a rule can be trusted."""
 
     source: str
@@ -145,6 +133,7 @@ class GradeAnswer(Answer):
     counter_evidence: str | None
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
 class OffRuleAnswer(GradeAnswer):
     """A rule that is there to be read, and decides nothing."""
 
@@ -152,19 +141,41 @@ class OffRuleAnswer(GradeAnswer):
     rule: str
 
 
-class GradedRuleAnswer(FiredRuleAnswer, GradeAnswer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GradedRuleAnswer(GradeAnswer):
     """A rule that fired, and how far it can be trusted."""
 
+    number: int
+    rule: str
+    strength: float
 
-class GradedShiftAnswer(Answer):
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GradedShiftAnswer(Record):
     """By how much the situation moved a value, and how far the rules that said so can be trusted."""
 
-    value: float = Field(description="In the parameter's unit.")
+    value: float
+    """In the parameter's unit."""
     rules: tuple[GradedRuleAnswer, ...]
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ShownValueAnswer(ValueAnswer):
     """A value with the rules behind it."""
 
     rules: tuple[GradedRuleAnswer, ...]
-    shift: GradedShiftAnswer | None = Field(description="Null where the situation moves nothing.")
+    shift: GradedShiftAnswer | None
+    """Null where the situation moves nothing."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SettledAnswer(Record):
+    """A value and what it is made of."""
+
+    value: float | str
+    unit: str | None
+    spread: float | None
+    origin: Origin
+    contributions: tuple[Contribution, ...]
+    parts: tuple[PartValue, ...]
+    note: str

@@ -3,92 +3,121 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any, Literal
 
-from pydantic import Field
-
-from comity.answers.base import Answer
+from comity_fis.record import Record
 
 
-class StudyPlanAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyPlanAnswer(Record):
     """`comity study plan --json`."""
 
     study: str
-    statement: str = Field(description="What its differences between people are, and what they are not.")
+    statement: str
+    """What its differences between people are, and what they are not."""
     episodes: int
     scenarios: int
     conditions: int
-    individuals: int = Field(description="0 where the study has no population.")
+    individuals: int
+    """0 where the study has no population."""
     seeds: int
-    groups: Mapping[str, int] = Field(description="Individuals by group.")
-    wishing: int = Field(description="Individuals who state a wish, which goes before culture.")
-    cpu_s_per_episode: float = Field(description="Mean of the episodes that were tried.")
-    estimated_s: float = Field(description="On as many processes as `jobs`.")
+    groups: Mapping[str, int]
+    """Individuals by group."""
+    wishing: int
+    """Individuals who state a wish, which goes before culture."""
+    cpu_s_per_episode: float
+    """Mean of the episodes that were tried."""
+    estimated_s: float
+    """On as many processes as `jobs`."""
     jobs: int
-    estimated_bytes: int = Field(description="Of the journal and the CSV file.")
-    without_effect: tuple[str, ...] = Field(
-        description="Scenarios and conditions, of those that were tried, in which a second seed changed no "
-        "number."
-    )
-    tried: int = Field(description="Scenarios under a condition of which episodes were tried.")
-    first: tuple[Mapping[str, Any], ...] = Field(description="The first episodes: what each is made of.")
+    estimated_bytes: int
+    """Of the journal and the CSV file."""
+    without_effect: tuple[str, ...]
+    """Scenarios and conditions, of those that were tried, in which a second seed changed no number."""
+    tried: int
+    """Scenarios under a condition of which episodes were tried."""
+    first: tuple[Mapping[str, Any], ...]
+    """The first episodes: what each is made of."""
 
 
-class StudyRunAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyRunAnswer(Record):
     """`comity study run --json`, and `study.json` in the folder of a study."""
 
     study: str
-    statement: str = Field(description="What its differences between people are, and what they are not.")
+    statement: str
+    """What its differences between people are, and what they are not."""
     status: Literal["running", "done", "stopped"]
     episodes: int
-    done: int = Field(description="Episodes of the study that the journal holds.")
-    run_now: int = Field(description="Those of them that this command carried out.")
-    failed: int = Field(description="Episodes that raised, or that no worker survived.")
-    rows: int = Field(description="Of the table; 0 before it is written.")
-    lost_workers: int = Field(description="Workers that ended during this command before their episode did.")
+    done: int
+    """Episodes of the study that the journal holds."""
+    run_now: int
+    """Those of them that this command carried out."""
+    failed: int
+    """Episodes that raised, or that no worker survived."""
+    rows: int
+    """Of the table; 0 before it is written."""
+    lost_workers: int
+    """Workers that ended during this command before their episode did."""
     version: str
-    code: str = Field(description="Digest of the installed code.")
+    code: str
+    """Digest of the installed code."""
     fingerprint: str
     folder: str
-    file: str = Field(description="The study's file, from which `study show` plays rows again.")
+    file: str
+    """The study's file, from which `study show` plays rows again."""
     files: tuple[str, ...]
 
 
-class StudyPowerAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyPowerAnswer(Record):
     """`comity study power --json`."""
 
     difference_cm: float
-    sd_cm: float = Field(description="Between people.")
-    measured: int | None = Field(description="People that the spread was measured with; null: stated.")
-    correlation: float | None = Field(
-        description="Of one person's two values, where each meets both conditions; null for two groups."
-    )
-    cluster: int = Field(description="People in each cluster; 1 without clusters.")
+    sd_cm: float
+    """Between people."""
+    measured: int | None
+    """People that the spread was measured with; null: stated."""
+    correlation: float | None
+    """Of one person's two values, where each meets both conditions; null for two groups."""
+    cluster: int
+    """People in each cluster; 1 without clusters."""
     icc: float
-    alpha: float = Field(description="Of a two-sided test.")
-    power: float = Field(description="As asked for.")
-    per_group: int = Field(description="People in each of two groups; all people where each meets both.")
-    people: int = Field(description="In all.")
+    alpha: float
+    """Of a two-sided test."""
+    power: float
+    """As asked for."""
+    per_group: int
+    """People in each of two groups; all people where each meets both."""
+    people: int
+    """In all."""
     clusters_per_group: int | None
     design_effect: float
-    power_reached: float = Field(description="With that many people.")
+    power_reached: float
+    """With that many people."""
 
 
-class SessionAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SessionAnswer(Record):
     """One participant's session."""
 
     participant: str
     group: str
     block: int
-    conditions: tuple[str, ...] = Field(description="In the order in which the participant meets them.")
+    conditions: tuple[str, ...]
+    """In the order in which the participant meets them."""
 
 
-class StudySessionsAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudySessionsAnswer(Record):
     """`comity study sessions --json`."""
 
     study: str
     seed: int
-    groups: Mapping[str, int] = Field(description="Participants by group; empty for one group.")
-    orders: int = Field(description="Different orders of the balanced Latin square.")
+    groups: Mapping[str, int]
+    """Participants by group; empty for one group."""
+    orders: int
+    """Different orders of the balanced Latin square."""
     sessions: tuple[SessionAnswer, ...]
     files: tuple[str, ...]

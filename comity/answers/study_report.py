@@ -3,89 +3,102 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
-from pydantic import Field
-
-from comity.answers.base import Answer
-
-UNIT = Field(description="1 for a share or a count.")
-SAID = Field(description="What differences between profiles are, and what they are not.")
+from comity_fis.record import Record
 
 
-class EstimateAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EstimateAnswer(Record):
     """A mean over individuals and rooms, in the unit of what it is the mean of."""
 
     mean: float
-    low: float | None = Field(
-        description="End of the 95 % interval, which resamples individuals and rooms; null where one "
-        "individual in one room leaves nothing to resample."
-    )
+    low: float | None
+    """End of the 95 % interval, which resamples individuals and rooms; null where one individual in one room
+    leaves nothing to resample."""
     high: float | None
-    monte_carlo_error: float | None = Field(
-        description="Standard error of the mean from seeds alone; null where nothing was repeated."
-    )
-    episodes: int = Field(description="Episodes, or pairs of them, that have a value.")
+    monte_carlo_error: float | None
+    """Standard error of the mean from seeds alone; null where nothing was repeated."""
+    episodes: int
+    """Episodes, or pairs of them, that have a value."""
     individuals: int
     rooms: int
 
 
-class StudyLevelAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyLevelAnswer(Record):
     """An outcome at one level of a factor."""
 
     outcome: str
-    unit: str = UNIT
+    unit: str
+    """1 for a share or a count."""
     factor: str
     level: str
-    estimate: EstimateAnswer | None = Field(description="Null where no episode has the outcome there.")
+    estimate: EstimateAnswer | None
+    """Null where no episode has the outcome there."""
 
 
-class StudyDifferenceAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyDifferenceAnswer(Record):
     """How an outcome differs between two levels, within the same individual, room and seed."""
 
     outcome: str
-    unit: str = UNIT
-    group: str | None = Field(description="Null for all groups together.")
-    first: float = Field(description="Mean at the first level.")
+    unit: str
+    """1 for a share or a count."""
+    group: str | None
+    """Null for all groups together."""
+    first: float
+    """Mean at the first level."""
     second: float
-    difference: EstimateAnswer = Field(description="Second minus first.")
+    difference: EstimateAnswer
+    """Second minus first."""
 
 
-class StudyCompareAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyCompareAnswer(Record):
     """`comity study compare --json`."""
 
     study: str
-    statement: str = SAID
+    statement: str
+    """What differences between profiles are, and what they are not."""
     factor: str
     first: str
     second: str
-    pairs: int = Field(description="Pairs of visits that differ in the factor alone.")
+    pairs: int
+    """Pairs of visits that differ in the factor alone."""
     differences: tuple[StudyDifferenceAnswer, ...]
 
 
-class ShortfallAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShortfallAnswer(Record):
     """What a group misses by one parameter: 0 is best."""
 
     parameter: str
-    unit: str = UNIT
+    unit: str
+    """1 for a share or a count."""
     rulebook: str
     group: str
     missed: EstimateAnswer
 
 
-class ServedWorseAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ServedWorseAnswer(Record):
     """Which group misses most by a parameter, beside the one that misses least."""
 
     parameter: str
-    unit: str = UNIT
+    unit: str
+    """1 for a share or a count."""
     rulebook: str
     worst: str
     worst_missed: float
     best: str
     best_missed: float
-    told_apart: bool = Field(description="Whether the two intervals lie apart.")
+    told_apart: bool
+    """Whether the two intervals lie apart."""
 
 
-class IndividualServedAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class IndividualServedAnswer(Record):
     """An individual that was met outside its comfort."""
 
     individual: str
@@ -94,35 +107,41 @@ class IndividualServedAnswer(Answer):
     outside_comfort_m: float
 
 
-class UnusualVisitAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UnusualVisitAnswer(Record):
     """A row of the table to look at: `comity study show DIR --row N` plays it again."""
 
     row: int
     scenario: str
     condition: str
-    individual: str = Field(description="The person of the scenario where there is no individual.")
+    individual: str
+    """The person of the scenario where there is no individual."""
     seed: str
     what: str
     why: str
-    page: str | None = Field(
-        description="Of its episode, from the report's folder; null if not played again."
-    )
+    page: str | None
+    """Of its episode, from the report's folder; null if not played again."""
 
 
-class StudyReportAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyReportAnswer(Record):
     """`comity study report --json`."""
 
     study: str
-    statement: str = SAID
+    statement: str
+    """What differences between profiles are, and what they are not."""
     page: str
     figures: tuple[str, ...]
-    visits: int = Field(description="Rows that are compared.")
-    left_out: int = Field(description="Rows of people who are no individuals of the population.")
+    visits: int
+    """Rows that are compared."""
+    left_out: int
+    """Rows of people who are no individuals of the population."""
     individuals: int
     rooms: int
     seeds: int
     conditions: int
-    meanings: Mapping[str, str] = Field(description="By outcome and by parameter.")
+    meanings: Mapping[str, str]
+    """By outcome and by parameter."""
     levels: tuple[StudyLevelAnswer, ...]
     comparisons: tuple[StudyCompareAnswer, ...]
     shortfalls: tuple[ShortfallAnswer, ...]
@@ -134,15 +153,20 @@ class StudyReportAnswer(Answer):
     farthest_outliers: tuple[UnusualVisitAnswer, ...]
 
 
-class StudyShowAnswer(Answer):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyShowAnswer(Record):
     """`comity study show --json`."""
 
     study: str
-    statement: str = SAID
+    statement: str
+    """What differences between profiles are, and what they are not."""
     row: int
-    episode: str = Field(description="The run folder.")
+    episode: str
+    """The run folder."""
     page: str
     outcome: str
     trace_sha256: str
-    same: bool = Field(description="Whether that is the digest in the table.")
-    differs: str | None = Field(description="What is not as it was when the study ran; null where all is.")
+    same: bool
+    """Whether that is the digest in the table."""
+    differs: str | None
+    """What is not as it was when the study ran; null where all is."""

@@ -23,7 +23,7 @@ def audit(
 
     For example `comity audit bruno2017-case2`, or `comity audit mine.yaml --json`.
     """
-    from comity.report.rulebooks.audit import audit_answer, audit_text
+    from comity.report.rulebooks.audit import audit_text
     from comity.report.text import show
     from comity_fis import load_rulebook
     from comity_fis.audit import audit as audited
@@ -31,6 +31,6 @@ def audit(
     book = load_rulebook(rulebook)
     found = audited(book)
     if as_json:
-        print_json(audit_answer(found))
+        print_json(found)
     else:
         show(*audit_text(found, book))

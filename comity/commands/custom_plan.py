@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.answers import PlanAnswer
+    from comity.answers.plan import PlanAnswer
     from comity.custom_domain import Others
     from comity_domain import PlanningFailed
     from comity_domain.custom import Bound, CustomPlan, PlanningClock
@@ -133,7 +133,7 @@ def answered(ask: CustomQuestion, clock: PlanningClock) -> PlanAnswer:
             written = _by_engine(ask, bound_domain(domain, problem, ask.binding, AS_WRITTEN))
             before = planned(written, again)
         answer = custom_plan_answer(bound, found, renamed=renamed, files=files)
-        return answer.model_copy(update=_more(ask, answer, (bound, found), (written, before)))
+        return replace(answer, **_more(ask, answer, (bound, found), (written, before)))
     except PlanningFailed as failed:
         return no_custom_plan_answer(bound, _with_limit(failed, ask.limit_s), renamed=renamed, files=files)
 
@@ -206,7 +206,7 @@ def _more(
     answer: PlanAnswer,
     now: tuple[Bound, CustomPlan],
     before: tuple[Bound | None, CustomPlan | None],
-) -> dict[str, object]:
+) -> dict[str, Any]:
     """What else was asked about a plan."""
     from comity.report.custom_domain.plan_diff import custom_diff
     from comity.report.custom_domain.plan_stability import custom_stability

@@ -41,7 +41,7 @@ def draw(
     Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`,
     `comity draw ward --graph`, `comity draw ward --ros-map maps`.
     """
-    from comity.answers import DrawAnswer
+    from comity.answers.figures import DrawAnswer
     from comity.report.drawing import MARKS, form_of
     from comity.report.place_picture import drawing_of
     from comity.report.text import show, unbroken
@@ -76,7 +76,7 @@ def _require_no_picture(out: Path | None, *, graph: bool) -> None:
 
 
 def _write_ros_map(drawing: Drawing, folder: Path, *, as_json: bool) -> None:
-    from comity.answers import DrawAnswer
+    from comity.answers.figures import DrawAnswer
     from comity.report.place_picture import ROS_MARKS
     from comity.report.text import show, unbroken
     from comity.system.own_files import refuse_foreign, write_whole, writing

@@ -16,8 +16,7 @@ from comity.parameters.which_rulebook import which_rulebook
 from comity.people.dated import UNKNOWN
 from comity.people.profile import NOBODY, PERSONAL, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
-from comity_executor import Speaker
-from comity_executor.speech.speaker import ABOUT_WORDS
+from comity_domain.problem.bound_parameters import ABOUT_WORDS
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 from comity_fis.validation.csv_table import NUMBER
 
@@ -82,6 +81,8 @@ def _wordings(parameter: str, inference: Inference) -> tuple[Wording, ...]:
     """What the robot says to such a person, where the parameter chooses words; none it has no words for."""
     if parameter not in ABOUT_WORDS:
         return ()
+    from comity_executor import Speaker
+
     try:
         return Speaker().wordings_of(inference)
     except InputError:

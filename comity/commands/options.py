@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from datetime import date
     from pathlib import Path
 
-    from pydantic import BaseModel
+    from comity_fis.record import Record
 
 
 def _scenarios(begun: str) -> list[str]:
@@ -153,11 +153,13 @@ def require_terminal(command: str, option: str) -> None:
         )
 
 
-def print_json(answer: BaseModel | dict[str, Any]) -> None:
+def print_json(answer: Record | dict[str, Any]) -> None:
     """The one JSON object of a `--json` answer; escaped where standard output cannot write all of it."""
     import json
 
-    content = answer if isinstance(answer, dict) else answer.model_dump(mode="json", by_alias=True)
+    from comity_fis.record import plain
+
+    content = plain(answer)
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
     try:
         text.encode(sys.stdout.encoding)

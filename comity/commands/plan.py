@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -57,7 +57,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.answers import PlanAnswer, ValidationAnswer
+    from comity.answers.plan import PlanAnswer
     from comity.preparation import Prepared
     from comity.scenario import Scenario
 
@@ -165,23 +165,16 @@ def _answered(
         print_json(no_plan_answer(file, failed))
         raise typer.Exit(1) from None
     answer = plan_answer(prepared)
-    answer = answer.model_copy(update=_more(answer, prepared, why=why, written=written, stability=stability))
+    answer = replace(answer, **_more(answer, prepared, why=why, written=written, stability=stability))
     if validates:
-        answer = answer.model_copy(update={"validation": _validation(prepared)})
+        from comity_domain import validate
+
+        answer = replace(answer, validation=validate(prepared.plan, prepared.asked.request))
     if pddl is not None:
         from comity.output.pddl_files import write_pddl
 
         write_pddl(prepared, pddl)
     return answer
-
-
-def _validation(prepared: Prepared) -> ValidationAnswer:
-    from dataclasses import asdict
-
-    from comity.answers import ValidationAnswer
-    from comity_domain import validate
-
-    return ValidationAnswer(**asdict(validate(prepared.plan, prepared.asked.request)))
 
 
 def _what_takes_time(scenario: Scenario) -> str:
@@ -191,7 +184,7 @@ def _what_takes_time(scenario: Scenario) -> str:
 
 def _more(
     answer: PlanAnswer, prepared: Prepared, *, why: str | None, written: Prepared | None, stability: bool
-) -> dict[str, object]:
+) -> dict[str, Any]:
     """What else was asked about a plan."""
     from comity.report.plans.plan_diff import plan_diff
     from comity.report.plans.plan_stability import stability as stability_of

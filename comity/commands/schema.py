@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated
+from pkgutil import resolve_name
+from typing import Annotated, Any
 
 import typer
 
@@ -59,81 +60,61 @@ class Kind(StrEnum):
     STUDY_FIELDS = "study-fields"
 
 
+HOMES = {
+    Kind.SCENARIO: "comity.scenario:Scenario",
+    Kind.MAP: "comity_sim2d.maps.file:MapFile",
+    Kind.PROFILE: "comity.people.profile:Profile",
+    Kind.RULEBOOK: "comity_fis.rulebook.models:RulebookModel",
+    Kind.WORDINGS: "comity_executor.speech.wordings_file:WordingsFile",
+    Kind.BINDING: "comity.specification.binding_file:BindingFile",
+    Kind.RUN: "comity.answers.run:RunAnswer",
+    Kind.PLAN: "comity.answers.plan:PlanAnswer",
+    Kind.INFER: "comity.answers.inference:InferAnswer",
+    Kind.CONVERT: "comity.answers.inference:ConvertAnswer",
+    Kind.EXPLAIN: "comity.answers.explanation:ExplainAnswer",
+    Kind.TRACE: "comity.answers.trace:TraceAnswer",
+    Kind.METRICS: "comity.answers.figures:MetricsAnswer",
+    Kind.FIT: "comity.answers.fit:FitAnswer",
+    Kind.PAPER: "comity.answers.paper:PaperAnswer",
+    Kind.VISITS: "comity.answers.visits:VisitsAnswer",
+    Kind.DRAW: "comity.answers.figures:DrawAnswer",
+    Kind.LEARNT: "comity.people.learnt_file:LearntFile",
+    Kind.CONSENT: "comity.people.consents:ConsentFile",
+    Kind.PROFILE_SHOW: "comity.answers.profile:ProfileAnswer",
+    Kind.PROFILE_ASK: "comity.answers.profile:AskAnswer",
+    Kind.PROFILE_OBSERVE: "comity.answers.profile:ObserveAnswer",
+    Kind.LIFE: "comity.answers.profile:LifeAnswer",
+    Kind.EVALUATE: "comity.answers.measuring:EvaluateAnswer",
+    Kind.LEARN: "comity.answers.learning:LearnAnswer",
+    Kind.AUDIT: "comity_fis.audit.audit:Audit",
+    Kind.TEST: "comity.testing.reporting.answers:TestsAnswer",
+    Kind.STUDY: "comity.study.study_file:StudyFile",
+    Kind.POPULATION: "comity.study.population_file:PopulationFile",
+    Kind.STUDY_PLAN: "comity.answers.study:StudyPlanAnswer",
+    Kind.STUDY_RUN: "comity.answers.study:StudyRunAnswer",
+    Kind.STUDY_REPORT: "comity.answers.study_report:StudyReportAnswer",
+    Kind.STUDY_COMPARE: "comity.answers.study_report:StudyCompareAnswer",
+    Kind.STUDY_SHOW: "comity.answers.study_report:StudyShowAnswer",
+    Kind.STUDY_POWER: "comity.answers.study:StudyPowerAnswer",
+    Kind.STUDY_SESSIONS: "comity.answers.study:StudySessionsAnswer",
+    Kind.QUESTIONNAIRE: "comity.study.questionnaires.questionnaire_file:QuestionnaireFile",
+    Kind.STUDY_SCORE: "comity.answers.study_with_people:StudyScoreAnswer",
+    Kind.COLLECTION: "comity.study.collecting.collection_file:CollectionFile",
+    Kind.STUDY_COLLECT: "comity.answers.study_with_people:StudyCollectAnswer",
+    Kind.STUDY_CLIPS: "comity.answers.study_with_people:StudyClipsAnswer",
+    Kind.STUDY_FIELDS: "comity.answers.study_with_people:StudyFieldsAnswer",
+}
+"""The module and the name of what has a schema: a record of an answer, or the model of a file."""
+
+
 def schema(
     kind: Annotated[Kind, typer.Argument(help="A file that you write, or an answer that you get.")],
 ) -> None:
     """Print the JSON schema of a file or of an answer."""
     from pydantic import BaseModel
 
-    from comity import answers
-    from comity.answers import measuring as measuring_answers
-    from comity.answers import study as study_answers
-    from comity.answers import study_report as study_report_answers
-    from comity.answers.learning import LearnAnswer
-    from comity.answers.study_with_people import (
-        StudyClipsAnswer,
-        StudyCollectAnswer,
-        StudyFieldsAnswer,
-        StudyScoreAnswer,
-    )
-    from comity.people.consents import ConsentFile
-    from comity.people.learnt_file import LearntFile
-    from comity.people.profile import Profile
-    from comity.scenario import Scenario
-    from comity.specification.binding_file import BindingFile
-    from comity.study.collecting.collection_file import CollectionFile
-    from comity.study.population_file import PopulationFile
-    from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
-    from comity.study.study_file import StudyFile
-    from comity.testing.reporting.answers import TestsAnswer
-    from comity_executor.speech.wordings_file import WordingsFile
-    from comity_fis import rulebook_schema
-    from comity_sim2d.maps.file import MapFile
+    from comity.answers.json_schema import schema_of
 
-    if kind is Kind.RULEBOOK:
-        print_json({"$schema": DRAFT, **rulebook_schema()})
-        return
-    models: dict[Kind, type[BaseModel]] = {
-        Kind.SCENARIO: Scenario,
-        Kind.MAP: MapFile,
-        Kind.PROFILE: Profile,
-        Kind.WORDINGS: WordingsFile,
-        Kind.BINDING: BindingFile,
-        Kind.RUN: answers.RunAnswer,
-        Kind.PLAN: answers.PlanAnswer,
-        Kind.INFER: answers.InferAnswer,
-        Kind.CONVERT: answers.ConvertAnswer,
-        Kind.EXPLAIN: answers.ExplainAnswer,
-        Kind.TRACE: answers.TraceAnswer,
-        Kind.METRICS: answers.MetricsAnswer,
-        Kind.FIT: answers.FitAnswer,
-        Kind.PAPER: answers.PaperAnswer,
-        Kind.VISITS: answers.VisitsAnswer,
-        Kind.DRAW: answers.DrawAnswer,
-        Kind.LEARNT: LearntFile,
-        Kind.CONSENT: ConsentFile,
-        Kind.PROFILE_SHOW: answers.ProfileAnswer,
-        Kind.PROFILE_ASK: answers.AskAnswer,
-        Kind.PROFILE_OBSERVE: answers.ObserveAnswer,
-        Kind.LIFE: answers.LifeAnswer,
-        Kind.EVALUATE: measuring_answers.EvaluateAnswer,
-        Kind.LEARN: LearnAnswer,
-        Kind.AUDIT: measuring_answers.AuditAnswer,
-        Kind.TEST: TestsAnswer,
-        Kind.STUDY: StudyFile,
-        Kind.POPULATION: PopulationFile,
-        Kind.STUDY_PLAN: study_answers.StudyPlanAnswer,
-        Kind.STUDY_RUN: study_answers.StudyRunAnswer,
-        Kind.STUDY_REPORT: study_report_answers.StudyReportAnswer,
-        Kind.STUDY_COMPARE: study_report_answers.StudyCompareAnswer,
-        Kind.STUDY_SHOW: study_report_answers.StudyShowAnswer,
-        Kind.STUDY_POWER: study_answers.StudyPowerAnswer,
-        Kind.STUDY_SESSIONS: study_answers.StudySessionsAnswer,
-        Kind.QUESTIONNAIRE: QuestionnaireFile,
-        Kind.STUDY_SCORE: StudyScoreAnswer,
-        Kind.COLLECTION: CollectionFile,
-        Kind.STUDY_COLLECT: StudyCollectAnswer,
-        Kind.STUDY_CLIPS: StudyClipsAnswer,
-        Kind.STUDY_FIELDS: StudyFieldsAnswer,
-    }
-    print_json({"$schema": DRAFT, **models[kind].model_json_schema()})
+    home: Any = resolve_name(HOMES[kind])
+    content = home.model_json_schema() if issubclass(home, BaseModel) else schema_of(home)
+    print_json({"$schema": DRAFT, **content})

@@ -12,7 +12,7 @@ from comity.commands.options import AsJson, print_json
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from comity.answers import DisturbanceAnswer
+    from comity.answers.run import Disturbance
     from comity.report.episodes.trace import StoredTrace
     from comity_executor import TraceEvent
 
@@ -107,7 +107,7 @@ def trace(
 def _changes(
     recorded: StoredTrace,
     chosen: Sequence[TraceEvent],
-    around: Sequence[DisturbanceAnswer],
+    around: Sequence[Disturbance],
     at: float | None,
 ) -> Iterator[str]:
     """Those that were chosen, a line each, with what happened around them, and where the run ended."""

@@ -12,7 +12,7 @@ from comity.commands.options import AsJson, At, PersonsRulebookName, day, print_
 
 if TYPE_CHECKING:
     from comity.adaptation.visits import Acquaintance, Meeting
-    from comity.answers import VisitsAnswer
+    from comity.answers.visits import VisitsAnswer
     from comity.scenario import ComfortSpec
 
 Profile = Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from comity.answers.run import Disturbance
 from comity.live.robot_on_map import RobotOnMap
-from comity.schedule import Disturbance
 from comity_sim2d.frames import FrameRecorder, frame_row
 from comity_sim2d.senses.active_faults import ActiveFaults
 

@@ -64,4 +64,4 @@ def told_late(asked_for: Iterable[Visitee], planned: Iterable[Visitee]) -> Itera
     for each in asked_for:
         if each.by_s is not None and each.name in left:
             told = f"that {each.name} is greeted by {each.by_s:g} s cannot be promised any more"
-            yield Cause("condition", f"{told}: late is better than never")
+            yield Cause("condition", f"{told}: late is better than never", None)

@@ -38,7 +38,7 @@ class News:
     @property
     def causes(self) -> tuple[Cause, ...]:
         """As links of a chain."""
-        behind = () if self.fault is None else (Cause("fault", self.fault),)
+        behind = () if self.fault is None else (Cause("fault", self.fault, None),)
         return (*behind, Cause("reading", self.text, self.value))
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity.answers.run import Disturbance
 from comity.live.operator import OF_PEOPLE, STOPPED, UNAPPROVED, Operator, OperatorCommand
 from comity.monitoring.consenting import consenting
 from comity.monitoring.nudging import nudged
-from comity.schedule import Disturbance
 from comity_executor import Revision
 from comity_fis import InputError
 

@@ -167,7 +167,9 @@ class WorldPlanner:
             if step.person in against
             for name in step.people
         }
-        told = tuple(Cause("condition", f"no longer permitted: {reason}") for reason in against.values())
+        told = tuple(
+            Cause("condition", f"no longer permitted: {reason}", None) for reason in against.values()
+        )
         return Revision(
             without(rest, against),
             dict(self._values),
@@ -189,12 +191,12 @@ class WorldPlanner:
             asked, plan = self._planned_even_late(asked, course)
         except SceneError as error:
             overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
-            return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
+            return NoRevision((*because, Cause("condition", overlap, None)), may_pass=True)
         except (InputError, PlanningFailed, ValueError) as error:
-            return NoRevision((*because, Cause("condition", f"no new plan: {error}")))
+            return NoRevision((*because, Cause("condition", f"no new plan: {error}", None)))
         if not plan.steps:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
-            no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
+            no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}", None)
             robot, refused = self._world.robot, self._refused(course)
             unseen = [
                 name for name in asked.unreachable if name not in self._skipped and robot.would_see(name)
@@ -214,7 +216,9 @@ class WorldPlanner:
     def _as_planned(self, course: Course, because: tuple[Cause, ...], reason: str) -> Revision:
         """The choices stay although they may not be the cheapest: only the numbers are new."""
         plan = renumbered(rest_of(course.plan, course.done, course.progress), self._values)
-        stays = Cause("condition", f"the choices stay as planned, whether or not they are the best: {reason}")
+        stays = Cause(
+            "condition", f"the choices stay as planned, whether or not they are the best: {reason}", None
+        )
         return self._same(plan, (*because, stays))
 
     def _new(self, plan: Plan, asked: PlanningRequest, because: tuple[Cause, ...]) -> Revision:

@@ -45,9 +45,11 @@ def verdict(
     """
     if unreachable:
         reasons = "; ".join(f"{person}: {why}" for person, why in unreachable.items())
-        return Cause("condition", f"not everybody can be served as planned: {reasons}")
+        return Cause("condition", f"not everybody can be served as planned: {reasons}", None)
     if kept is None:
-        return Cause("condition", f"a choice of the plan is not open any more; the best costs {plan.cost} cm")
+        return Cause(
+            "condition", f"a choice of the plan is not open any more; the best costs {plan.cost} cm", None
+        )
     if too_late is not None:
         text = (
             f"as planned, {too_late}; what keeps every deadline costs {plan.cost} cm now instead of {kept} cm"
@@ -79,10 +81,10 @@ def choices(rest: Plan, plan: Plan) -> Iterator[Cause]:
     before = [f"{step.action}({', '.join(step.arguments)})" for step in rest.steps]
     after = [f"{step.action}({', '.join(step.arguments)})" for step in plan.steps]
     for old in (step for step in before if step not in after):
-        yield Cause("step", f"no longer {old}")
+        yield Cause("step", f"no longer {old}", None)
     for new in (step for step in after if step not in before):
-        yield Cause("step", f"instead {new}")
+        yield Cause("step", f"instead {new}", None)
     were, are = (list(dict.fromkeys(step.person for step in each.steps)) for each in (rest, plan))
     stay = set(were) & set(are)
     if [name for name in were if name in stay] != [name for name in are if name in stay]:
-        yield Cause("step", f"in the order {', '.join(are)}")
+        yield Cause("step", f"in the order {', '.join(are)}", None)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
-from comity.answers import ConvertAnswer
+from comity.answers.inference import ConvertAnswer
 from comity.system.own_files import refuse_foreign, write_whole
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
 from comity_fis.loading import is_fis
@@ -59,7 +60,7 @@ def converted(
     )
     write_whole(out, text.encode())
     left = ", ".join(name for name in whole.parameters if name not in rulebook.parameters)
-    return answer.model_copy(update={"lost": (*answer.lost, f"not asked for: {left}")}) if left else answer
+    return replace(answer, lost=(*answer.lost, f"not asked for: {left}")) if left else answer
 
 
 def _part(rulebook: Rulebook, parameters: Sequence[str]) -> Rulebook:

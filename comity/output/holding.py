@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from comity.answers import RunAnswer
+from comity.answers.run import RunAnswer
 from comity.output.run_folder import RUN, RunFolder, is_run
 from comity.system.locks import LOCK
 from comity.system.own_files import read_regular

@@ -33,7 +33,7 @@ def _not_stated(prepared: Prepared) -> Iterator[str]:
         yield f"not stated below: {fact.greeted!a} was greeted already"
     if prepared.happenings:
         first_s = min(happening.at_s for happening in prepared.happenings)
-        yield f"not stated below: what happens on the way, from {first_s:g} s on; the robot plans anew then"
+        yield f"not stated below: what happens on the way, from {first_s:g} s on; the robot replans then"
 
 
 def write_texts(domain: str, problem: str, folder: Path) -> None:

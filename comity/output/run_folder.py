@@ -12,14 +12,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from comity.system.locks import LOCK, is_locked, locked
 from comity.system.own_files import PRIVATE_FOLDER, read_regular, written_whole
 from comity_executor.tracing.file import parts_of
 from comity_fis import InputError, Where
+from comity_fis.record import Record, as_text, reader
 
-Answer = TypeVar("Answer", bound=BaseModel)
+Answer = TypeVar("Answer", bound=Record)
 
 RUN = "run.json"
 SCENARIO = "scenario.yaml"
@@ -50,11 +51,9 @@ class RunFolder:
     def __truediv__(self, name: str) -> Path:
         return self.path / name
 
-    def write(self, name: str, content: str | BaseModel) -> None:
+    def write(self, name: str, content: str | Record) -> None:
         """Write one file whole or not at all."""
-        text = (
-            content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
-        )
+        text = content if isinstance(content, str) else as_text(content)
         (self / name).parent.mkdir(exist_ok=True, mode=PRIVATE_FOLDER)
         with written_whole(self / name, private=True) as part:
             part.write_text(text, encoding="utf-8", newline="\n")
@@ -66,7 +65,7 @@ class RunFolder:
             InputError: if it is missing or damaged.
         """
         try:
-            return model.model_validate_json(read_regular(self / name))
+            return reader(model).validate_json(read_regular(self / name))
         except (OSError, ValidationError) as error:
             raise damaged(self / name, error) from None
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.passing import DISTANCE
-from comity_executor.speech.other_parameters import BOUND
+from comity_domain.problem.bound_parameters import BOUND
 
 if TYPE_CHECKING:
     from comity_fis import Inference, Rulebook

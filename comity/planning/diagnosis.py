@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import dist
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
+from comity.answers.plan import RelaxableCondition, Unmet
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import opened
 from comity.planning.elbow_room import with_elbow_room
@@ -31,31 +32,6 @@ if TYPE_CHECKING:
 XY = tuple[float, float]
 MOST_THINGS = 12
 """Doors, walls and pieces of furniture each: trying one costs about 0.1 s (our choice)."""
-Kind = Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
-
-
-@dataclass(frozen=True, slots=True)
-class RelaxableCondition:
-    """Something that holds and might not."""
-
-    kind: Kind
-    name: str
-    """What of that kind: a wish's parameter, what somebody carries, the thing that blocks, whose deadline."""
-    text: str
-    """What would have to change, as the rest of `if ...`."""
-
-
-@dataclass(frozen=True, slots=True)
-class Unmet:
-    """A goal that fails."""
-
-    person: str
-    reason: str
-    conditions: tuple[RelaxableCondition, ...]
-    """Without any one of them the goal could be met; where `together`, without all of them."""
-    together: bool = False
-    complete: bool = True
-    """False where the search for them was cut off: there may be others, or fewer would do."""
 
 
 class GoalsUnmet(PlanningFailed):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from comity.planning.diagnosis import RelaxableCondition, Unmet
+from comity.answers.plan import RelaxableCondition, Unmet
 from comity_domain import Deadlines, VisitRequest, in_the_way
 
 By = Mapping[str, float]
@@ -96,7 +96,7 @@ class _Diagnosing:
                 reason = (
                     f"the deadline may give way in the place of {instead}'s, with other ones for {others}"
                 )
-            unmet.append(Unmet(name, reason, (self._condition(name, granted.get(name)),)))
+            unmet.append(Unmet(name, reason, (self._condition(name, granted.get(name)),), together=False))
         return tuple(unmet)
 
     def _possible_without(self, by: By) -> Callable[[Sequence[str]], bool]:
@@ -115,7 +115,7 @@ class _Diagnosing:
         earliest = self._deadlines.enough_s(name, {name: own_s})
         known = "" if earliest is None else f": {earliest} s is the first that a plan can promise"
         reason = f"the deadline of {own_s:g} s cannot be kept even if they are visited first{known}"
-        return Unmet(name, reason, (self._condition(name, enough),))
+        return Unmet(name, reason, (self._condition(name, enough),), together=False)
 
     def _excluding(self) -> Iterable[Unmet]:
         """Deadlines that certainly cannot be kept together, as few as can be found by now."""
@@ -129,7 +129,7 @@ class _Diagnosing:
         together = " together" if len(needed) > 1 else ""
         conditions = tuple(self._condition(name, None) for name in needed)
         reason = f"{'these deadlines' if together else 'the deadline'} cannot be kept{together}"
-        yield Unmet(", ".join(needed), reason, conditions, complete=False)
+        yield Unmet(", ".join(needed), reason, conditions, together=False, complete=False)
 
     def _kept(self, by: By) -> bool | None:
         kept = self._deadlines.kept(by)

@@ -15,11 +15,31 @@ from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
 from comity.report.episodes.trace import load
 from comity_executor import read_blackboard
+from comity_fis.record import plain
 
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
     from comity.scenario import ScenarioFile
+
+
+SHOWN = (
+    "status",
+    "outcome",
+    "scenario",
+    "robot",
+    "rulebook",
+    "profiles",
+    "at",
+    "seed",
+    "trace_sha256",
+    "visits",
+    "metrics",
+    "doors",
+    "disturbances",
+    "error",
+)
+"""What the page shows of a run's account."""
 
 
 def episode_data(folder: RunFolder) -> dict[str, object]:
@@ -35,26 +55,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "about": run.file.scenario.about,
         "ending": recorded.ending,
         "end": max(history.end_s, frames.time_s[-1].item() if len(frames) else 0.0),
-        "account": account.model_dump(
-            mode="json",
-            by_alias=True,
-            include={
-                "status",
-                "outcome",
-                "scenario",
-                "robot",
-                "rulebook",
-                "profiles",
-                "at",
-                "seed",
-                "trace_sha256",
-                "visits",
-                "metrics",
-                "error",
-                "doors",
-                "disturbances",
-            },
-        ),
+        "account": {name: plain(getattr(account, name)) for name in SHOWN},
         "place": place_data(run.scene),
         "groups": groups_data(run.scene, frames),
         "people": [_person(name, run.file) for name in run.values],

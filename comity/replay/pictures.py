@@ -16,7 +16,8 @@ from comity_sim2d.pictures.animation import MARK as GIF_MARK
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from comity.answers import ActAnswer, StepAnswer, VisitAnswer
+    from comity.answers.plan import StepAnswer
+    from comity.answers.run import ActAnswer, VisitAnswer
     from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
 

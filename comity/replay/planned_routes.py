@@ -20,7 +20,7 @@ from comity_sim2d import DoorTurn, PlannedRoute, RouteMap, SceneError
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from comity.answers import StepAnswer
+    from comity.answers.plan import StepAnswer
     from comity.replay.saved_run import SavedRun
     from comity_domain import Visitee
     from comity_sim2d import Scene

@@ -2,35 +2,35 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.simulation.changes import changes_of_values
 from comity_executor.tracing.intervention import INSTANT_S
+from comity_fis.record import plain
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from comity.answers import PlanAnswer, RevisionAnswer, RunAnswer
+    from comity.answers.plan import PlanAnswer
+    from comity.answers.run import RevisionAnswer, RunAnswer
     from comity.parameters.cast import Cast
     from comity_fis import Inference
 
-Json = dict[str, object]
-_HIDDEN = {"steps": {"__all__": {"contributions"}}}
-"""They stand with the values."""
+Json = dict[str, Any]
 
 
 def plans_data(plan: PlanAnswer, account: RunAnswer) -> list[Json]:
     """The first plan, and then what became of it, by time."""
-    first = plan.model_dump(mode="json", by_alias=True, include={"cost", "steps"}, exclude=_HIDDEN)
     unserved = {one.person: one.reason for one in plan.unreachable}
-    return [
-        {"t": 0.0, "kind": "planned", "because": [], **first, "unserved": unserved},
-        *map(_revision, account.revisions),
-    ]
+    first = {"t": 0.0, "kind": "planned", "because": [], "cost": plan.cost, "steps": plan.steps}
+    revisions = map(plain, account.revisions)
+    return [_without_contributions(one) for one in (plain({**first, "unserved": unserved}), *revisions)]
 
 
-def _revision(revision: RevisionAnswer) -> Json:
-    return revision.model_dump(mode="json", by_alias=True, exclude=_HIDDEN)
+def _without_contributions(plan: Json) -> Json:
+    """They stand with the values."""
+    steps = [{key: step[key] for key in step if key != "contributions"} for step in plan["steps"]]
+    return {**plan, "steps": steps}
 
 
 def stages_of(

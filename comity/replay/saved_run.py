@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.answers import PlanAnswer, RunAnswer, SettledAnswer
+from comity.answers.inference import SettledAnswer
+from comity.answers.plan import PlanAnswer
+from comity.answers.run import RunAnswer
 from comity.output.run_folder import FRAMES, PLAN, RUN, SCENARIO, damaged
 from comity.parameters.cast import cast_of
 from comity.replay.frames_file import frames_of
@@ -13,7 +15,7 @@ from comity.scenario import load_scenario
 from comity.simulation.changes import changes_of_values
 from comity.simulation.scenery import scene_of
 from comity_executor.tracing.intervention import INSTANT_S
-from comity_fis import Choice, Contribution, Inference, ParameterValue
+from comity_fis import Choice, Inference, ParameterValue
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -78,7 +80,7 @@ def _value(name: str, told: SettledAnswer) -> ParameterValue:
         unit=told.unit,
         spread=told.spread,
         origin=told.origin,
-        contributions=tuple(Contribution(one.origin, one.value, one.text) for one in told.contributions),
+        contributions=told.contributions,
         desirability=Choice({}),  # not told
         fired=(),
         note="",

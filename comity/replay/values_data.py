@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from comity.report.values.inference import outvoted_text
 from comity_executor import DEFAULT_LIMITS
 from comity_fis import NominalVariable, NumericParameter, NumericVariable
-from comity_fis.inference.value import plain
+from comity_fis.inference.value import fact_as_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -47,7 +47,7 @@ def _person(inference: Inference, read: Iterable[str]) -> dict[str, object]:
     return {
         "notes": inference.notes,
         "band": _band(inference["conversational_distance"].number),
-        "inputs": {name: plain(known) for name, known in inference.inputs.items() if name in wanted},
+        "inputs": {name: fact_as_json(known) for name, known in inference.inputs.items() if name in wanted},
         "parameters": {name: _value(value, inference.inputs) for name, value in inference.parameters.items()},
     }
 

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any, TypeVar
-
-from pydantic import BaseModel
 
 from comity.scenario import MapPlace, Scenario
 from comity.sharing.person import pseudonyms
 from comity.specification.goals import Goal
 from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, REACH, RETURN, TASKS
 from comity_executor import NodeId
+from comity_fis.record import Record
 from comity_sim2d.maps.file import MapFile
 
 if TYPE_CHECKING:
     from comity_executor import Cause, Node
 
-Told = TypeVar("Told", bound=BaseModel)
+Told = TypeVar("Told", bound=Record)
 
 # fmt: off
 PROGRAM = frozenset({
@@ -45,7 +44,7 @@ NUMBERED = re.compile(r"[0-9.]+( [a-z/]+)?|passer-by [0-9]+")
 STEP = re.compile(r"(?:no longer |instead )?[A-Z][A-Za-z_]*\(.*\)")
 ORDER = "in the order "
 """What stands before the people of another plan."""
-PLACED = frozenset({"arguments", "origin"})
+PLACED = frozenset({"arguments", "from_"})
 """Names of which each has its place: one that is left out leaves an empty word."""
 EMPTIED = frozenset({"parts", "unmet", "notes", "wordings"})
 """Fields that say where somebody is from, what they speak, or what stands in their way, in words."""
@@ -97,15 +96,15 @@ class RunNames:
 
     def answer(self, answer: Told) -> Told:
         """An answer with numbers, names and words of closed lists; all prose is empty."""
-        fields = type(answer).model_fields
-        return answer.model_copy(update={name: self._value(name, getattr(answer, name)) for name in fields})
+        named = {field.name: getattr(answer, field.name) for field in fields(answer)}
+        return replace(answer, **{name: self._value(name, value) for name, value in named.items()})
 
     def _value(self, field: str, value: Any) -> Any:
         told: Any
         match value:
             case None | bool() | int() | float():
                 told = value
-            case BaseModel():
+            case Record():
                 told = self.answer(value)
             case str():
                 told = self._word(field, value)

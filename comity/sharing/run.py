@@ -11,7 +11,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
-from comity.answers import PlanAnswer, RunAnswer, SharedAnswer
+from comity.answers.plan import PlanAnswer
+from comity.answers.run import RunAnswer, SharedAnswer
 from comity.output import run_folder
 from comity.output.run_folder import INTERRUPTED, RunFolder, claimed, damaged, place_for
 from comity.people.profile import Profile
@@ -155,7 +156,7 @@ def _written(original: _Original, shared: RunFolder, views: Collection[View]) ->
     for table in sorted((folder / run_folder.TABLES).glob("*.csv")):
         shared.write(f"{run_folder.TABLES}/{table.name}", table.read_text(encoding="utf-8"))
     plan = names.answer(folder.read(run_folder.PLAN, PlanAnswer))
-    shared.write(run_folder.PLAN, plan.model_copy(update={"scenario": original.title}))
+    shared.write(run_folder.PLAN, replace(plan, scenario=original.title))
     _copy_trace(folder / run_folder.TRACE, shared / run_folder.TRACE, names)
     frames = frames_of(folder / run_folder.FRAMES)
     renamed = replace(frames, entities=tuple(names.word(name) for name in frames.entities))
@@ -167,7 +168,7 @@ def _written(original: _Original, shared: RunFolder, views: Collection[View]) ->
     shared.write(run_folder.RUN, answer)
     if answer.status == "done":
         show(shared, views)
-    answer = answer.model_copy(update={"files": shared.files()})
+    answer = replace(answer, files=shared.files())
     shared.write(run_folder.RUN, answer)
     return SharedRun(shared, answer)
 
@@ -175,19 +176,18 @@ def _written(original: _Original, shared: RunFolder, views: Collection[View]) ->
 def _account(original: _Original, shared: RunFolder) -> RunAnswer:
     account, extras = original.account, original.people.extras
     digest = sha256(read_regular(shared / run_folder.TRACE)).hexdigest() if account.trace_sha256 else None
-    return original.names.answer(account).model_copy(
-        update={
-            "at": None,
-            "robot": "a real robot" if account.robot else None,
-            "scenario": original.title,
-            "rulebook": account.rulebook if account.rulebook in shipped_rulebooks() else "own rulebook",
-            "episode": shared.path.name,
-            "trace_sha256": digest,
-            "shared": SharedAnswer(culture=Extra.CULTURE in extras, gender=Extra.GENDER in extras),
-            "bytes_per_minute": shared.bytes_per_minute(account.simulated_s),
-            "error": account.error and (account.error if account.error == INTERRUPTED else "not told"),
-            "files": (),
-        }
+    return replace(
+        original.names.answer(account),
+        at=None,
+        robot="a real robot" if account.robot else None,
+        scenario=original.title,
+        rulebook=account.rulebook if account.rulebook in shipped_rulebooks() else "own rulebook",
+        episode=shared.path.name,
+        trace_sha256=digest,
+        shared=SharedAnswer(culture=Extra.CULTURE in extras, gender=Extra.GENDER in extras),
+        bytes_per_minute=shared.bytes_per_minute(account.simulated_s),
+        error=account.error and (account.error if account.error == INTERRUPTED else "not told"),
+        files=(),
     )
 
 

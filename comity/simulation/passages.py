@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity.schedule import Disturbance
+from comity.answers.run import Disturbance
 from comity_sim2d.metrics import clearances_m
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity.schedule import Disturbance
+from comity.answers.run import Disturbance
 
 if TYPE_CHECKING:
     from comity_sim2d import Frames

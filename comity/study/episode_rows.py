@@ -15,7 +15,7 @@ from comity_sim2d import of_episode, of_person
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-    from comity.answers import VisitAnswer
+    from comity.answers.run import VisitAnswer
     from comity.episode import Episode
     from comity.preparation import Prepared
     from comity.scenario import ComfortSpec

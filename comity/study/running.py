@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import closing, suppress
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.answers.study import StudyRunAnswer
 from comity.study.episode_rows import ERROR
@@ -24,6 +25,7 @@ from comity.study.table import StudyTable, study_table
 from comity.study.tasks import task_of
 from comity.system.own_files import write_whole, written_whole
 from comity_fis import InputError
+from comity_fis.record import as_text
 
 if TYPE_CHECKING:
     from comity.study.carrying import EpisodeRunner
@@ -139,8 +141,8 @@ def _written(out: Path, table: StudyTable) -> Iterator[str]:
     yield from (JOURNAL, ACCOUNT, WRITTEN)
 
 
-def _tell(out: Path, account: StudyRunAnswer, **now: object) -> StudyRunAnswer:
+def _tell(out: Path, account: StudyRunAnswer, **now: Any) -> StudyRunAnswer:
     """Write the account as it is now."""
-    answer = account.model_copy(update=now)
-    write_whole(out / ACCOUNT, answer.model_dump_json(indent=2).encode() + b"\n", private=True)
+    answer = replace(account, **now)
+    write_whole(out / ACCOUNT, as_text(answer).encode(), private=True)
     return answer

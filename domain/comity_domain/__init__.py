@@ -23,7 +23,6 @@ from comity_domain.labelling.punctual import Deadlines
 from comity_domain.labelling.skipping import SKIP, cost_of_serving
 from comity_domain.other_engines import plan_with
 from comity_domain.planner import ENGINE, make_plan
-from comity_domain.plans.export import as_json
 from comity_domain.plans.permission import not_permitted, without
 from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.plans.rest import VisitProgress, renumbered, rest_of
@@ -79,7 +78,6 @@ __all__ = [
     "Way",
     "Weights",
     "Why",
-    "as_json",
     "cost_of_serving",
     "differences",
     "distance_desirability",

@@ -1,4 +1,4 @@
-"""The contrast plan: the best one in which somebody is reached from another side, all else planned anew."""
+"""The contrast plan: the best one in which a person is reached from another side, all else replanned."""
 
 from __future__ import annotations
 

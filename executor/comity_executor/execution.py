@@ -46,7 +46,7 @@ from comity_executor.trees.tree import SKIP, Tree, build_tree
 from comity_fis.inference.value import Inference
 
 ExecutionStatus = Literal["running", "success", "failure", "stopped", "stop_unconfirmed"]
-RESUMED = Cause("condition", "the stop was released, and the robot was told to resume")
+RESUMED = Cause("condition", "the stop was released, and the robot was told to resume", None)
 NOBODY: Mapping[str, str] = MappingProxyType({})
 
 

@@ -169,5 +169,5 @@ def another(course: Course, planner: Planner) -> Revision | NoRevision:
 def broken(error: Exception) -> tuple[Cause, ...]:
     """What is to say about a planner that broke down."""
     if isinstance(error, FaultError):
-        return (Cause("fault", str(error)), Cause("condition", "the planner broke down"))
-    return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}"),)
+        return (Cause("fault", str(error), None), Cause("condition", "the planner broke down", None))
+    return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}", None),)

@@ -44,7 +44,7 @@ class Course:
     def failed(self) -> tuple[Cause, ...]:
         """Whose visit was given up, as links of a chain."""
         return tuple(
-            Cause("reading", f"{person} was not served: {why}") for person, why in self.failures.items()
+            Cause("reading", f"{person} was not served: {why}", None) for person, why in self.failures.items()
         )
 
 

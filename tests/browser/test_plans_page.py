@@ -120,7 +120,7 @@ def test_the_keys_go_from_change_to_change_of_the_plan(reader, runs):
 def test_what_changed_and_why_stands_below_the_plan(reader, runs):
     anew, _ = revisions_of(runs["lounge"])
     page = reader.open(page_of(runs["lounge"]), f"#t={anew['t']}")
-    assert page.locator(".revision-text").inner_text() == f"Planned anew: {'; '.join(anew['because'])}"
+    assert page.locator(".revision-text").inner_text() == f"Replanned: {'; '.join(anew['because'])}"
     page.locator(".revision-box summary").click()
     assert page.locator(".revision-box li").all_inner_texts() == anew["because"]
     assert weak_texts(page) == []

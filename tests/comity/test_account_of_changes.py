@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from comity.answers import RunAnswer
+from comity.answers.run import RunAnswer
 from comity.live_episode import LiveEpisode
 from comity.output.run_folder import RunFolder
 from comity.preparation import prepare
 from comity.report.episodes.run import account_before, account_under_way
 from comity.scenario import load_scenario
 from comity.schedule import Stage
+from comity_fis.record import as_text, reader
 
 OFFICE = """
 schema_version: 1
@@ -56,4 +57,4 @@ def test_doors_and_plans_stand_in_the_account_while_the_run_goes_on(tmp_path):
         [step.action for step in revision.plan.steps] for revision in live.revisions
     ]
     assert plans
-    assert RunAnswer.model_validate_json(account.model_dump_json(by_alias=True)) == account
+    assert reader(RunAnswer).validate_json(as_text(account)) == account

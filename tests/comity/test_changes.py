@@ -313,7 +313,7 @@ def test_a_run_with_changes_is_written_read_asked_and_run_again(comity, here):
     )
     said = comity("run", "lounge.scenario.yaml", "--out", "one")
     assert said.code == 0
-    assert "planned anew" in said.out
+    assert ": replanned" in said.out
     assert "bound to new numbers" in said.out
     answer = json.loads((here / "one" / "run.json").read_text())
     assert [revision["kind"] for revision in answer["revisions"]] == ["replanned", "rebound"]
@@ -323,7 +323,7 @@ def test_a_run_with_changes_is_written_read_asked_and_run_again(comity, here):
     assert all(nodes[event.path].name == event.node for event in events)
     shown = comity("trace", "one", "--why", "plan_holds?").out
     assert "plan_holds? was bound to new numbers" in shown
-    assert "plan_holds? was planned anew" not in shown, "only the last of each node"
+    assert "plan_holds? was replanned" not in shown, "only the last of each node"
     listed = comity("trace", "one", "--events", "--node", "plan_holds?", "--json").json
     assert "replanned" in [event["status"] for event in listed["events"]]
     assert "replanned" in (here / "one" / "replay.html").read_text()

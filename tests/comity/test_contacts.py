@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 import comity
@@ -47,7 +49,7 @@ def recorded(tmp_path_factory):
     ],
 )
 def test_a_contact_is_told_where_a_run_is_summed_up(recorded, counts, told):
-    answer = recorded.answer.model_copy(update={"metrics": {**recorded.answer.metrics, **counts}})
+    answer = replace(recorded.answer, metrics={**recorded.answer.metrics, **counts})
     lines = [line for line in summary(answer, recorded.episode) if isinstance(line, str)]
     touched = [line for line in lines if "touched" in line]
     assert len(touched) == (told is not None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.answers import RunAnswer
+from comity.answers.run import RunAnswer
 from comity.output.holding import search
 from comity.output.run_folder import RUN, RunFolder
 from comity.people.store import Store
@@ -45,7 +46,7 @@ def home(tmp_path_factory, monkeypatch):
 def a_run(path, **profiles):
     path.mkdir(parents=True)
     folder = RunFolder(path)
-    folder.write(RUN, ACCOUNT.model_copy(update={"profiles": profiles}))
+    folder.write(RUN, replace(ACCOUNT, profiles=profiles))
     return path
 
 

@@ -7,7 +7,7 @@ import random
 import pytest
 import yaml
 
-from comity.answers import StepAnswer
+from comity.answers.plan import StepAnswer, WhyAnswer
 from comity.preparation import prepare
 from comity.report.plans.asked_step import asked_step
 from comity.report.plans.plan_diff import plan_diff
@@ -262,11 +262,9 @@ def test_what_names_no_step_or_several_says_which_there_are(asked, remedy):
 
 
 def _step(action: str, *arguments: str, people: tuple[str, ...]) -> StepAnswer:
-    nothing = {"parameters": {}, "cost": 0, "cost_parts": {}, "from": None}
-    why = {"text": "", "alternatives": [], "ruled_out": []}
-    return StepAnswer.model_validate(
-        {"action": action, "arguments": ("robot", *arguments), "people": people, "why": why, **nothing}
-    )
+    nothing = {"parameters": {}, "cost": 0, "cost_parts": {}, "from_": None}
+    why = WhyAnswer(text="", alternatives=(), ruled_out=())
+    return StepAnswer(action=action, arguments=("robot", *arguments), people=people, why=why, **nothing)
 
 
 def _name(step: StepAnswer) -> str:

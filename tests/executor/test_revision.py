@@ -23,7 +23,7 @@ from comity_executor import (
 )
 from comity_executor.tracing.file import TraceFile
 
-WHY = (Cause("reading", "something changed"), Cause("condition", "reckoned by hand"))
+WHY = (Cause("reading", "something changed", None), Cause("condition", "reckoned by hand", None))
 
 
 @dataclass

@@ -236,8 +236,8 @@ def test_what_several_studies_find_of_a_pair_counts_once(case2):
     found = held_to(case2, shipped_findings(), attributes(case2))
     rows = [row for row in found.rows if row.finding.larger == StudyGroup("gender", "male")]
     assert [row.finding.relation for row in rows] == [">", ">", ">", "="]
-    assert found.by_attribute["gender"] == OrderCounts(agreeing=1)
-    assert found.findings_by_attribute["gender"] == OrderCounts(agreeing=3, contradicting=3)
+    assert found.by_attribute["gender"] == OrderCounts(1, 0, 0)
+    assert found.findings_by_attribute["gender"] == OrderCounts(3, 3, 0)
     assert found.disputed == ((StudyGroup("gender", "male"), StudyGroup("gender", "female")),)
 
 

@@ -82,7 +82,7 @@ def test_a_robot_that_does_not_brake_is_one_whether_or_not_somebody_walks_up_to_
 def test_a_bump_into_a_thing_is_told_with_what_it_was_and_when() -> None:
     """Planted in the trace; a bump into a person is told by how near the robot came to them."""
     episode = trial(x=9.4, y=0.6, to_x=9.4, to_y=0.7, drive="omnidirectional", acceleration=0.5)
-    person, wall = (Cause("reading", f"bumped into {what}") for what in ("ada", "wall 1"))
+    person, wall = (Cause("reading", f"bumped into {what}", None) for what in ("ada", "wall 1"))
     events = (
         *episode.events[:-2],
         replace(episode.events[-2], because=(person,)),

@@ -14,8 +14,8 @@ export const SIGNS = {
 /** What becomes of a plan, as it stands behind "was". */
 export const PLANS = {
   rebound: "bound to new numbers",
-  replanned: "planned anew",
-  not_replanned: "not planned anew",
+  replanned: "replanned",
+  not_replanned: "not replanned",
 };
 
 const HALTS = {

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from comity.answers import CustomDomainAnswer, PlanAnswer, StepAnswer
-from comity.report.plans.plan import UNTOLD, no_plan
+from comity.answers.plan import CustomDomainAnswer, FailureAnswer, PlanAnswer, StepAnswer
+from comity.report.plans.plan import no_plan, quality_of, step_answer
 from comity.report.plans.proof import quality
-from comity.report.plans.step_values import contributions_of
 from comity.report.text import unbroken
-from comity_domain import as_json
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Collection, Iterator, Mapping
 
     from rich.console import RenderableType
 
@@ -33,18 +32,33 @@ def custom_plan_answer(
         renamed: Names that exported PDDL could not keep.
         files: What was written.
     """
-    content: dict[str, Any] = as_json(found.plan)
-    people = _people(bound)
-    for step, time, person in zip(content["steps"], found.times, found.whose, strict=True):
-        step["start_s"], step["duration_s"] = time or (None, None)
-        values = bound.people[person] if bound.people and person else None
-        step["contributions"] = contributions_of(step["parameters"], values)
-        step["people"] = [name for name in step["arguments"] if name in people]
-        step["cost"] = step["cost"] if found.tells_costs else None
-    if not found.tells_costs:
-        content |= UNTOLD
-    own = _own(bound, renamed, files).model_copy(update={"metric_ignored": found.metric_ignored})
-    return PlanAnswer.model_validate({"scenario": None, "own": own, "solved": True, **content, **NOBODY})
+    plan, people = found.plan, _people(bound)
+    costs: dict[str, Any] = {
+        name: getattr(plan, name) if found.tells_costs else None for name in ("cost", "bound", "gap")
+    }
+    return PlanAnswer(
+        scenario=None,
+        own=replace(_own(bound, renamed, files), metric_ignored=found.metric_ignored),
+        solved=True,
+        **quality_of(plan),
+        **costs,
+        steps=tuple(_steps(bound, found, people)),
+        unreachable=(),
+        unmet=(),
+        already=(),
+    )
+
+
+def _steps(bound: Bound, found: CustomPlan, people: Collection[str]) -> Iterator[StepAnswer]:
+    for step, time, person in zip(found.plan.steps, found.times, found.whose, strict=True):
+        start_s, duration_s = time or (None, None)
+        yield replace(
+            step_answer(step, bound.people[person] if bound.people and person else None),
+            people=tuple(name for name in step.arguments if name in people),
+            cost=step.cost if found.tells_costs else None,
+            start_s=start_s,
+            duration_s=duration_s,
+        )
 
 
 def no_custom_plan_answer(
@@ -58,16 +72,15 @@ def no_custom_plan_answer(
         renamed: Names that exported PDDL could not keep.
         files: What was written.
     """
-    nothing = no_plan(reproducible=not failed.cut_off)
-    failure = {"reason": failed.reason, "remedy": failed.remedy}
-    own = None if bound is None else _own(bound, renamed, files)
-    return PlanAnswer.model_validate(
-        {"scenario": None, "own": own, "solved": False, "failure": failure, **nothing, **NOBODY}
+    return PlanAnswer(
+        scenario=None,
+        own=None if bound is None else _own(bound, renamed, files),
+        failure=FailureAnswer(reason=failed.reason, remedy=failed.remedy),
+        **no_plan(reproducible=not failed.cut_off),
+        unreachable=(),
+        unmet=(),
+        already=(),
     )
-
-
-NOBODY = dict.fromkeys(("unreachable", "unmet", "already"), ())
-"""Goals of PDDL are nobody's."""
 
 
 def _people(bound: Bound) -> tuple[str, ...]:
@@ -92,7 +105,7 @@ def custom_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     assert answer.own is not None
     tells_costs = answer.cost is not None
     cost = f"cost {answer.cost}" if tells_costs else f"found by {answer.engine}, which tells no costs"
-    head = f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}"
+    head = f"Plan for {answer.own.problem} ({answer.own.domain}): {_count(answer)}"
     yield f"{head}, {cost} ({quality(answer)})"
     if answer.own.metric_ignored:
         yield f"{answer.engine} did not look at the metric: another plan may be better by it."
@@ -113,7 +126,7 @@ def custom_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
 _IN = (0, 0, 0, 5)
 
 
-def _steps(answer: PlanAnswer) -> str:
+def _count(answer: PlanAnswer) -> str:
     return "1 step" if len(answer.steps) == 1 else f"{len(answer.steps)} steps"
 
 

@@ -6,12 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from comity.answers import (
-    ChoiceChangeAnswer,
-    DiffAnswer,
-    ParameterChangeAnswer,
-    StepCostChangeAnswer,
-)
+from comity.answers.plan import ChoiceChangeAnswer, DiffAnswer, ParameterChangeAnswer, StepCostChangeAnswer
 from comity.report.plans.cost_change import step_change
 from comity.report.plans.plan_diff import same
 from comity.report.values.inference import because

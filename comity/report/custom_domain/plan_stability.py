@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from comity.answers import PlanFlipAnswer, StabilityAnswer
+from comity.answers.plan import PlanFlipAnswer, StabilityAnswer
 from comity_domain.custom import ALL, weigh
 from comity_domain.explanation.stability import HIGHEST, LOWEST
 

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from comity.answers import StepWhyAnswer, WithoutAnswer
+from comity.answers.plan import StepWhyAnswer
 from comity.report.plans.asked_step import asked_step
 from comity.report.plans.step_values import step_values
 from comity.report.text import number, table, words
 from comity_domain.custom import without
+from comity_domain.custom.forbidding import PlanWithout
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from rich.console import RenderableType
 
-    from comity.answers import PlanAnswer, StepAnswer, StepValueAnswer
+    from comity.answers.plan import PlanAnswer, StepAnswer, StepValueAnswer
     from comity_domain.custom import Bound, CustomPlan
 
 
@@ -38,7 +40,7 @@ def custom_step_why(
     step, person = answer.steps[place - 1], found.whose[place - 1]
     values: tuple[StepValueAnswer, ...] = ()
     if bound.people is not None and person is not None:
-        alone = step.model_copy(update={"people": (person,)})
+        alone = replace(step, people=(person,))
         values = tuple(step_values(alone, {person: bound.people[person]}))
     other = without(bound, found, place - 1, time_limit_s=limit_s) if bound.classical else None
     return StepWhyAnswer(
@@ -46,15 +48,7 @@ def custom_step_why(
         step=step,
         values=values,
         next_instead=(),
-        without=None
-        if other is None
-        else WithoutAnswer(
-            forbidden=other.forbidden,
-            extra_cost=other.extra_cost,
-            proven=other.proven,
-            no_longer=other.no_longer,
-            instead=other.instead,
-        ),
+        without=other,
     )
 
 
@@ -95,7 +89,7 @@ def _value(value: StepValueAnswer) -> tuple[str, str, str]:
     return words(value.parameter), planned, own + value.because
 
 
-def _without(other: WithoutAnswer | None) -> Iterator[str]:
+def _without(other: PlanWithout | None) -> Iterator[str]:
     if other is None:
         yield "not known: engines of numeric and durative domains do not add up what actions cost"
     elif other.extra_cost is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import AttemptsAnswer, FailedAttemptAnswer
+from comity.answers.run import AttemptsAnswer, FailedAttemptAnswer
 from comity.report.episodes.why import links
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers.trace import EntryAnswer
 from comity.output.run_folder import BLACKBOARD
 from comity.report.episodes.times import check_time
 from comity.report.text import table
@@ -33,11 +32,6 @@ def blackboard_at(folder: RunFolder, until: float | None) -> tuple[Write, ...]:
     writes = read_blackboard(folder / BLACKBOARD)
     last = {each.entry: each for each in writes if until is None or each.t <= until}
     return tuple(sorted(last.values(), key=lambda each: each.entry))
-
-
-def blackboard_answer(entries: Iterable[Write]) -> tuple[EntryAnswer, ...]:
-    """The answer of `comity trace --blackboard --json`."""
-    return tuple(EntryAnswer(entry=one.entry, value=one.value, t=one.t, leaf=one.leaf) for one in entries)
 
 
 def blackboard_text(entries: Iterable[Write]) -> Iterator[RenderableType]:

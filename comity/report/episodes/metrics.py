@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from statistics import fmean
 from typing import TYPE_CHECKING
 
-from comity.answers import DefinitionAnswer, FigureAnswer, MetricsAnswer, RunAnswer
+from comity.answers.figures import DefinitionAnswer, FigureAnswer, MetricsAnswer
+from comity.answers.run import RunAnswer
 from comity.output.run_folder import RUN, RunFolder
 from comity.report.text import table, unbroken
 from comity_sim2d import EPISODE, VISIT
@@ -60,8 +61,8 @@ def metrics_csv(answer: MetricsAnswer) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
     for figure in answer.figures:
-        row = figure.model_dump()
-        writer.writerow(["" if row[column] is None else row[column] for column in COLUMNS])
+        row = [getattr(figure, column) for column in COLUMNS]
+        writer.writerow(["" if value is None else value for value in row])
     return text.getvalue()
 
 
@@ -123,24 +124,19 @@ def _by_profile(figures: Iterable[FigureAnswer]) -> dict[str, dict[str, float]]:
 
 def _figures(run: MeasuredRun) -> Iterator[FigureAnswer]:
     account = run.account
-    about = {
-        "run": str(run.folder.path),
-        "scenario": account.scenario,
-        "rulebook": account.rulebook,
-        "seed": account.seed,
-    }
     whole = {"duration_s": account.simulated_s, **account.metrics} if account.metrics else {}
     parts: list[tuple[str | None, Mapping[str, float]]] = [(None, whole), *account.figures.items()]
     for person, figures in parts:
         for name, value in figures.items():
             definition = (VISIT if person else EPISODE).get(name)
-            yield FigureAnswer.model_validate(
-                {
-                    **about,
-                    "person": person,
-                    "profile": account.profiles.get(person) if person else None,
-                    "metric": name,
-                    "value": value,
-                    "unit": definition.unit if definition else "",
-                }
+            yield FigureAnswer(
+                run=str(run.folder.path),
+                scenario=account.scenario,
+                rulebook=account.rulebook,
+                seed=account.seed,
+                person=person,
+                profile=account.profiles.get(person) if person else None,
+                metric=name,
+                value=value,
+                unit=definition.unit if definition else "",
             )

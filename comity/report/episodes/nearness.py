@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity.answers import DisturbanceAnswer
+from comity.answers.run import Disturbance
 from comity.monitoring.measuring import known_of
 from comity.simulation.scene_later import scene_at
 from comity_executor.trees.passing import ASK
@@ -42,7 +42,7 @@ TICK_S = 1e-3
 """Times within it are one: a tick is at least as long."""
 
 
-def nearness_answers(episode: Episode) -> Iterator[DisturbanceAnswer]:
+def nearness_answers(episode: Episode) -> Iterator[Disturbance]:
     """Every stay within the distance of a person whose distance is known, with its reason, by time."""
     known = known_of(
         episode.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
@@ -56,7 +56,7 @@ def nearness_answers(episode: Episode) -> Iterator[DisturbanceAnswer]:
         if stay.length_s > SHORTEST_S
     ]
     for stay in sorted(stays, key=lambda one: one.start_s):
-        yield DisturbanceAnswer(
+        yield Disturbance(
             t=stay.start_s,
             end_s=stay.start_s + stay.length_s,
             kind="nearness",

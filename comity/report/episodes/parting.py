@@ -31,8 +31,8 @@ def _with_faults(found: Divergence, one: StoredTrace, other: StoredTrace) -> Div
     mine, theirs = (dict.fromkeys(_faults_until(found.t, recorded)) for recorded in (one, other))
     told = {cause.text for pair in found.causes for cause in pair if cause}
     pairs = zip_longest(
-        [Cause("fault", text) for text in mine if text not in theirs and text not in told],
-        [Cause("fault", text) for text in theirs if text not in mine and text not in told],
+        [Cause("fault", text, None) for text in mine if text not in theirs and text not in told],
+        [Cause("fault", text, None) for text in theirs if text not in mine and text not in told],
     )
     return replace(found, causes=(*found.causes, *pairs))
 

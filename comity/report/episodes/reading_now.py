@@ -6,9 +6,10 @@ import csv
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from comity.answers import ReadingAnswer
+from comity.answers.trace import ReadingAnswer
 from comity.output.run_folder import READINGS
 from comity_fis import InputError, Where
+from comity_fis.record import reader
 
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
@@ -30,7 +31,7 @@ def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswe
             try:
                 if t is not None and float(row["t"]) > t + 1e-6:
                     break
-                last[row["person"]] = ReadingAnswer.model_validate(row)
+                last[row["person"]] = reader(ReadingAnswer).validate_python(row)
             except (KeyError, TypeError, ValueError):
                 raise InputError(
                     expected="readings of a run, one a line",

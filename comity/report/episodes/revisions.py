@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import DisturbanceAnswer, DoorTurnAnswer, RevisionAnswer
+from comity.answers.run import DoorTurnAnswer, RevisionAnswer
 from comity.report.plans.plan import steps_answer
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from comity.schedule import Disturbance
     from comity_executor import Revision, TraceEvent
     from comity_sim2d import DoorTurn
 
@@ -45,9 +44,3 @@ def door_answers(turns: Iterable[DoorTurn]) -> Iterator[DoorTurnAnswer]:
     """Every door that was opened or shut."""
     for turn in turns:
         yield DoorTurnAnswer(t=turn.t, door=turn.door, open=turn.is_open)
-
-
-def disturbance_answers(disturbances: Iterable[Disturbance]) -> Iterator[DisturbanceAnswer]:
-    """Every disturbance."""
-    for one in disturbances:
-        yield DisturbanceAnswer(t=one.t, end_s=one.end_s, kind=one.kind, about=one.about, text=one.text)

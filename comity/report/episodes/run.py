@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import shlex
+from dataclasses import replace
 from itertools import combinations
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from comity.answers import (
+from comity.answers.run import (
     ActAnswer,
     ActTowardsAnswer,
-    DeedAnswer,
-    DisturbanceAnswer,
+    Disturbance,
     LoopAnswer,
     PersonAnswer,
     PlannedInsteadAnswer,
     RunAnswer,
-    SettledAnswer,
     VisitAnswer,
 )
 from comity.episode import fingerprint
@@ -26,12 +25,12 @@ from comity.parameters.unread import notes_of_unread
 from comity.report.episodes.attempts import repeated
 from comity.report.episodes.facing import facing_error_deg
 from comity.report.episodes.nearness import nearness_answers
-from comity.report.episodes.revisions import disturbance_answers, door_answers, revision_answers
+from comity.report.episodes.revisions import door_answers, revision_answers
 from comity.report.episodes.trace import disturbance_text
 from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
 from comity.report.text import number, spans, table, words
-from comity.report.values.inference import because
+from comity.report.values.inference import because, settled
 from comity.report.values.wordings import unreviewed_text, wording_answers
 from comity_domain import ENGINE
 from comity_executor import Utterance
@@ -39,7 +38,7 @@ from comity_executor.memory.meeting import NO_GESTURE
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
@@ -48,7 +47,7 @@ if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.preparation import Prepared
     from comity_executor import LoopReport, Visit
-    from comity_fis import Inference, ParameterValue
+    from comity_fis import ParameterValue
     from comity_sim2d import ActEvent
 
 SAME_CM = 0.05
@@ -76,7 +75,12 @@ def account_before(
         simulated_s=0.0,
         at=prepared.day,
         visits=(),
-        values={person: _person(inference) for person, inference in prepared.values.items()},
+        values={
+            person: PersonAnswer(
+                notes=inference.notes, parameters={name: settled(value) for name, value in inference.items()}
+            )
+            for person, inference in prepared.values.items()
+        },
         metrics={},
         files=(),
     )
@@ -88,49 +92,38 @@ def _command(prepared: Prepared, folder: RunFolder, seed: int) -> list[str]:
     return ["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed), *engine]
 
 
-def _person(inference: Inference) -> PersonAnswer:
-    """What the robot went by: no curve, no rules, which `comity explain` has."""
-    values = {name: value.as_json() for name, value in inference.parameters.items()}
-    kept = SettledAnswer.model_fields.keys()
-    return PersonAnswer.model_validate(
-        {
-            "notes": inference.notes,
-            "parameters": {
-                name: {key: value[key] for key in value if key in kept} for name, value in values.items()
-            },
-        }
-    )
-
-
 def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
     """What happened, in numbers."""
     measured = of_episode(episode.metrics)
     simulated_s = measured["duration_s"]
-    return before.model_copy(
-        update={
-            "status": "done",
-            "outcome": episode.outcome,
-            "trace_sha256": episode.trace_sha256,
-            "simulated_s": simulated_s,
-            "bytes_per_minute": folder.bytes_per_minute(simulated_s),
-            "visits": tuple(visit_answers(episode)),
-            "acts": tuple(ActTowardsAnswer(person=act.person, **_facts(act)) for act in episode.acts),
-            "metrics": measured,
-            "revisions": tuple(revision_answers(episode.events, episode.revisions)),
-            "doors": tuple(door_answers(episode.door_turns)),
-            "disturbances": tuple(_disturbances(episode)),
-            "repeated": tuple(repeated(episode.events, episode.nodes)),
-            "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
-            "loop": _loop(episode.loop),
-            "files": folder.files(),
-        }
+    return replace(
+        before,
+        status="done",
+        outcome=episode.outcome,
+        trace_sha256=episode.trace_sha256,
+        simulated_s=simulated_s,
+        bytes_per_minute=folder.bytes_per_minute(simulated_s),
+        visits=tuple(visit_answers(episode)),
+        acts=tuple(ActTowardsAnswer(person=act.person, **_facts(act)) for act in episode.acts),
+        metrics=_floats(measured),
+        revisions=tuple(revision_answers(episode.events, episode.revisions)),
+        doors=tuple(door_answers(episode.door_turns)),
+        disturbances=tuple(_disturbances(episode)),
+        repeated=tuple(repeated(episode.events, episode.nodes)),
+        figures={name: _floats(of_person(episode.metrics, name)) for name in episode.frames.entities[1:]},
+        loop=_loop(episode.loop),
+        files=folder.files(),
     )
 
 
-def _disturbances(episode: Episode) -> Iterator[DisturbanceAnswer]:
+def _floats(metrics: Mapping[str, float]) -> dict[str, float]:
+    """Counts as numbers like all others, `2.0`."""
+    return {name: float(value) for name, value in metrics.items()}
+
+
+def _disturbances(episode: Episode) -> Iterator[Disturbance]:
     """What happened, and where the robot was nearer to a person than they like, by time."""
-    happened = disturbance_answers(episode.disturbances)
-    yield from sorted([*happened, *nearness_answers(episode)], key=lambda one: one.t)
+    yield from sorted([*episode.disturbances, *nearness_answers(episode)], key=lambda one: one.t)
 
 
 def _loop(report: LoopReport | None) -> LoopAnswer | None:
@@ -146,12 +139,11 @@ def _loop(report: LoopReport | None) -> LoopAnswer | None:
 
 def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
     """What became of the plan and of the doors so far: a run that is cut short keeps it."""
-    return before.model_copy(
-        update={
-            "revisions": tuple(revision_answers(live.events, live.revisions)),
-            "doors": tuple(door_answers(live.door_turns)),
-            "disturbances": tuple(disturbance_answers(live.disturbances)),
-        }
+    return replace(
+        before,
+        revisions=tuple(revision_answers(live.events, live.revisions)),
+        doors=tuple(door_answers(live.door_turns)),
+        disturbances=live.disturbances,
     )
 
 
@@ -250,10 +242,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
         planned_instead=tuple(_planned_instead(visit.person, episode)),
-        agenda=tuple(
-            DeedAnswer(action=deed.action, arguments=deed.arguments, done_s=deed.done_s)
-            for deed in visit.agenda
-        ),
+        agenda=visit.agenda,
         acts=acts,
         together_with=visit.together_with,
         by_s=deadline_s(prepared, visit.person),

@@ -10,9 +10,9 @@ from math import inf
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from comity.answers import DisturbanceAnswer, RunAnswer, TraceAnswer
+from comity.answers.run import Disturbance, RunAnswer
+from comity.answers.trace import TraceAnswer
 from comity.output.run_folder import INTERRUPTED, RUN, TRACE
-from comity.report.episodes.blackboard import blackboard_answer
 from comity.report.episodes.times import check_time, check_times, time_of
 from comity.report.episodes.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
 from comity_executor import (
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sized
     from pathlib import Path
 
-    from comity.answers import ReadingAnswer
+    from comity.answers.trace import ReadingAnswer
     from comity.output.run_folder import RunFolder
     from comity_executor import Write
 
@@ -117,7 +117,7 @@ def selected(
 
 def selected_disturbances(
     recorded: StoredTrace, *, node: str | None, between: tuple[float, float] | None, until: float | None
-) -> tuple[DisturbanceAnswer, ...]:
+) -> tuple[Disturbance, ...]:
     """What happened around the tree at some times; as `selected`, which refuses what is no node or time."""
     first, last = _span(between, until)
     return tuple(
@@ -133,7 +133,7 @@ def _span(between: tuple[float, float] | None, until: float | None) -> tuple[flo
 def trace_answer(
     recorded: StoredTrace,
     events: Iterable[TraceEvent],
-    disturbances: Iterable[DisturbanceAnswer],
+    disturbances: Iterable[Disturbance],
     *,
     whys: Iterable[NodeExplanation] | None = None,
     differences: Iterable[Divergence] | None = None,
@@ -147,7 +147,7 @@ def trace_answer(
         bytes_per_minute=recorded.account.bytes_per_minute,
         events=tuple(map(event_answer, events)),
         disturbances=tuple(disturbances),
-        blackboard=None if entries is None else blackboard_answer(entries),
+        blackboard=None if entries is None else tuple(entries),
         why=None if whys is None else tuple(reason_answer(why, readings) for why in whys),
         differences=None if differences is None else tuple(map(difference_answer, differences)),
     )
@@ -255,7 +255,7 @@ def size_text(bytes_per_minute: Mapping[str, int]) -> str:
     return f"{', '.join(sizes)} per simulated minute"
 
 
-def events_text(events: Iterable[TraceEvent], disturbances: Iterable[DisturbanceAnswer]) -> Iterator[str]:
+def events_text(events: Iterable[TraceEvent], disturbances: Iterable[Disturbance]) -> Iterator[str]:
     """One line for every event: when, which node, what, and the nearest cause; and for every disturbance.
 
     At one time the disturbance stands first: the world moves before the tree is ticked.
@@ -265,7 +265,7 @@ def events_text(events: Iterable[TraceEvent], disturbances: Iterable[Disturbance
     yield from (text for _, text in merge(around, changes, key=lambda line: line[0]))
 
 
-def disturbance_text(one: DisturbanceAnswer) -> str:
+def disturbance_text(one: Disturbance) -> str:
     """What happened, and until when."""
     until = "" if one.end_s is None or one.end_s == one.t else f", until t={one.end_s:.2f} s"
     return f"{one.kind}: {one.text}{until}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from comity.answers import CauseAnswer, DifferenceAnswer, EventAnswer, ReadingAnswer, ReasonAnswer
+from comity.answers.trace import DifferenceAnswer, EventAnswer, ReadingAnswer, ReasonAnswer
 from comity.report.episodes.reading_now import reading_for, reading_text
 from comity.report.text import table, unbroken
 from comity_executor import first_divergence
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 OF_PLANS = {
     "rebound": "bound to new numbers",
-    "replanned": "planned anew",
-    "not_replanned": "not planned anew",
+    "replanned": "replanned",
+    "not_replanned": "not replanned",
 }
 """What becomes of a plan, as it stands behind `was`."""
 _STATES = {"running": "is running", "success": "succeeded", "failure": "failed"}
@@ -31,7 +31,7 @@ def reason_answer(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -
         event=event_answer(why.event),
         switched_by=event_answer(why.switched_by) if why.switched_by else None,
         standing_on=tuple(map(event_answer, why.standing_on)),
-        because=tuple(map(_cause_answer, why.because)),
+        because=why.because,
         now=reading_for(why, readings),
     )
 
@@ -43,10 +43,7 @@ def difference_answer(divergence: Divergence) -> DifferenceAnswer:
         in_behaviour=divergence.in_behaviour,
         one=event_answer(divergence.one) if divergence.one else None,
         other=event_answer(divergence.other) if divergence.other else None,
-        causes=tuple(
-            (_cause_answer(mine) if mine else None, _cause_answer(theirs) if theirs else None)
-            for mine, theirs in divergence.causes
-        ),
+        causes=divergence.causes,
     )
 
 
@@ -155,9 +152,5 @@ def event_answer(event: TraceEvent) -> EventAnswer:
         path=event.path,
         status=event.status,
         halt=event.halt,
-        because=tuple(map(_cause_answer, event.because)),
+        because=event.because,
     )
-
-
-def _cause_answer(cause: Cause) -> CauseAnswer:
-    return CauseAnswer(kind=cause.kind, text=cause.text, value=cause.value)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from datetime import date
 from typing import TYPE_CHECKING
 
-from comity.answers import AskAnswer, SettledAnswer
+from comity.answers.profile import AskAnswer
 from comity.report.text import number, unbroken, words
+from comity.report.values.inference import settled
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,13 +29,8 @@ def ask_answer(
         counts_as=counts_as,
         at=question.day,
         situation=question.situation,
-        value=_settled(value) if value else None,
+        value=settled(value) if value else None,
     )
-
-
-def _settled(value: ParameterValue) -> SettledAnswer:
-    answer = value.as_json()
-    return SettledAnswer.model_validate({key: answer[key] for key in SettledAnswer.model_fields})
 
 
 def ask_text(

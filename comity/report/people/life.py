@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import LifeAnswer
+from comity.answers.profile import LifeAnswer, YearAnswer, YearValueAnswer
 from comity.report.text import number, table, words, words_of
+from comity.report.values.inference import inputs_answer
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -18,29 +19,24 @@ if TYPE_CHECKING:
 
 def life_answer(name: str, years: Sequence[Year], picture: str | None) -> LifeAnswer:
     """The answer of `comity profile show --years --json`."""
-    return LifeAnswer.model_validate(
-        {
-            "name": name,
-            "rulebook": years[0].inference.rulebook,
-            "years": [
-                {
-                    "at": year.day,
-                    "changed": year.changed,
-                    "inputs": year.inference.as_json()["inputs"],
-                    "parameters": {
-                        value.name: {
-                            "value": value.value,
-                            "unit": value.unit,
-                            "spread": value.spread,
-                            "origin": value.origin,
-                        }
-                        for value in year.inference.parameters.values()
-                    },
-                }
-                for year in years
-            ],
-            "picture": picture,
-        }
+    return LifeAnswer(
+        name=name,
+        rulebook=years[0].inference.rulebook,
+        years=tuple(
+            YearAnswer(
+                at=year.day,
+                changed=tuple(year.changed),
+                inputs=inputs_answer(year.inference.inputs),
+                parameters={
+                    value.name: YearValueAnswer(
+                        value=value.value, unit=value.unit, spread=value.spread, origin=value.origin
+                    )
+                    for value in year.inference.values()
+                },
+            )
+            for year in years
+        ),
+        picture=picture,
     )
 
 

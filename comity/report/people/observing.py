@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from comity.answers import ObservationAnswer, ObserveAnswer, SettledAnswer
+from comity.answers.profile import ObservationAnswer, ObserveAnswer
 from comity.people.consents import was_covered
 from comity.report.text import number, words
+from comity.report.values.inference import settled
 from comity_fis.learning.signals import SAID
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def observe_answer(
         notes=tuple(_notes(observed)),
         observed=tuple(_row(name, seen) for name, seen in observed),
         undone=tuple(_row(name, seen) for name, seen in undone),
-        values={name: _settled(value) for name, value in values.items()},
+        values={name: settled(value) for name, value in values.items()},
     )
 
 
@@ -84,8 +85,3 @@ def _row(name: str, seen: Observation) -> ObservationAnswer:
         distance_m=seen.distance_m,
         model_m=seen.model_m,
     )
-
-
-def _settled(value: ParameterValue) -> SettledAnswer:
-    answer = value.as_json()
-    return SettledAnswer.model_validate({key: answer[key] for key in SettledAnswer.model_fields})

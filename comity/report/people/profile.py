@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
-from comity.answers import ProfileAnswer
+from comity.answers.inference import ShownValueAnswer
+from comity.answers.profile import ProfileAnswer
 from comity.people.learnt_file import LearntFile, in_words
 from comity.people.store import LEARNT_ABOUT
 from comity.report.text import number, stated, table, unbroken, words
 from comity.report.values.explanation_answer import graded_rule, graded_shift
-from comity.report.values.inference import speaks
+from comity.report.values.inference import inputs_answer, speaks, value_fields
 from comity_fis import rests_on_facts
 
 if TYPE_CHECKING:
@@ -42,30 +43,28 @@ class ShownProfile:
 
 def profile_answer(shown: ShownProfile) -> ProfileAnswer:
     """The answer of `comity profile show --json`."""
-    inference, file = shown.inference.as_json(), shown.declared.file
-    return ProfileAnswer.model_validate(
-        {
-            "name": shown.declared.profile.name,
-            "place": shown.place,
-            "file": str(file.path) if file else "",
-            "at": shown.day,
-            "declared": shown.declared.profile.model_dump(mode="json", exclude_defaults=True),
-            "learnt": shown.learnt,
-            "consents": [one.model_dump(mode="json") for one in shown.consents.consents]
-            if shown.consents
-            else [],
-            "rulebook": shown.inference.rulebook,
-            "inputs": inference["inputs"],
-            "notes": shown.inference.notes,
-            "parameters": {
-                name: {
-                    **value.as_json(),
-                    "rules": [graded_rule(fired) for fired in value.fired],
-                    "shift": graded_shift(value.shift) if value.shift else None,
-                }
-                for name, value in shown.inference.parameters.items()
-            },
-        }
+    file, inference = shown.declared.file, shown.inference
+    return ProfileAnswer(
+        name=shown.declared.profile.name,
+        place=shown.place,
+        file=str(file.path) if file else "",
+        at=shown.day,
+        declared=shown.declared.profile.model_dump(mode="json", exclude_defaults=True),
+        learnt=shown.learnt,
+        consents=tuple(one.model_dump(mode="json") for one in shown.consents.consents)
+        if shown.consents
+        else (),
+        rulebook=inference.rulebook,
+        inputs=inputs_answer(inference.inputs),
+        notes=inference.notes,
+        parameters={
+            name: ShownValueAnswer(
+                **value_fields(value),
+                rules=tuple(map(graded_rule, value.fired)),
+                shift=graded_shift(value.shift) if value.shift else None,
+            )
+            for name, value in inference.items()
+        },
     )
 
 

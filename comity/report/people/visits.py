@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
-from comity.answers import MeetingAnswer, VisitsAnswer
+from comity.answers.visits import MeetingAnswer, VisitsAnswer
 from comity.report.text import number, table, unbroken
 from comity_fis.learning.signals import SAID
 

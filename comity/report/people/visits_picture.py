@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from comity.answers import VisitsAnswer
+    from comity.answers.visits import VisitsAnswer
 
 BLUE, VERMILLION, GREEN = COLOURS[:3]
 MARKS = {

@@ -10,7 +10,7 @@ from comity_fis import InputError, Where, closest
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from comity.answers import StepAnswer
+    from comity.answers.plan import StepAnswer
 
 MOST_NAMED = 6
 GREETING = "greet_"

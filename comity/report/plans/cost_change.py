@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from comity.answers import CostPartChangeAnswer, StepCostChangeAnswer
+from comity.answers.plan import CostPartChangeAnswer, StepCostChangeAnswer
 from comity.report.plans.leg_change import why_this_leg
 from comity.report.text import number
 from comity_domain import visits_of

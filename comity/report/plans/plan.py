@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from comity.answers import PlanAnswer, StepAnswer
+from comity.answers.plan import FailureAnswer, PlanAnswer, StepAnswer, UnreachableAnswer, WhyAnswer
 from comity.parameters.perception import NOTE_OF_SAY
 from comity.parameters.unread import notes_of_unread
 from comity.report.plans.proof import quality
 from comity.report.plans.side import SIDES
 from comity.report.plans.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
-from comity_domain import Plan, as_json
 from comity_sim2d.senses.sight import too_short_for
 
 if TYPE_CHECKING:
@@ -21,30 +19,40 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.answers import UnmetAnswer
+    from comity.answers.plan import Unmet
     from comity.planning.diagnosis import GoalsUnmet
     from comity.preparation import Prepared
     from comity.scenario import ScenarioFile
+    from comity_domain import Plan, PlanStep
     from comity_fis import Inference
 
 
 def plan_answer(prepared: Prepared) -> PlanAnswer:
     """The answer of `comity plan --json`, and `plan.json` in the run folder."""
-    unreachable, content = prepared.asked.unreachable, as_json(prepared.plan)
-    return PlanAnswer.model_validate(
-        {
-            "scenario": prepared.file.scenario.name,
-            "rulebook": prepared.rulebook.name,
-            "rulebook_reason": prepared.chosen.why,
-            "solved": True,
-            **content,
-            "steps": steps_answer(prepared.plan, prepared.values),
-            "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
-            "unmet": [asdict(goal) for goal in prepared.unmet],
-            "already": _already(prepared.file),
-            "notes": (*notes_of_unread(prepared.rulebook), *_unverified(prepared), *_unheard(prepared)),
-        }
+    plan = prepared.plan
+    return PlanAnswer(
+        scenario=prepared.file.scenario.name,
+        rulebook=prepared.rulebook.name,
+        rulebook_reason=prepared.chosen.why,
+        solved=True,
+        **quality_of(plan),
+        cost=plan.cost,
+        bound=plan.bound,
+        gap=plan.gap,
+        steps=steps_answer(plan, prepared.values),
+        unreachable=tuple(
+            UnreachableAnswer(person=person, reason=reason)
+            for person, reason in prepared.asked.unreachable.items()
+        ),
+        unmet=prepared.unmet,
+        already=_already(prepared.file),
+        notes=(*notes_of_unread(prepared.rulebook), *_unverified(prepared), *_unheard(prepared)),
     )
+
+
+def quality_of(plan: Plan) -> dict[str, Any]:
+    """By which engine a plan was found, and how far it can be trusted to be the best."""
+    return {name: getattr(plan, name) for name in ("engine", "optimal", "reproducible", "killed")}
 
 
 def _unverified(prepared: Prepared) -> Iterator[str]:
@@ -73,17 +81,22 @@ def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswe
         plan: The plan.
         values: By person, as they were planned with.
     """
-    steps: Any = as_json(plan)["steps"]
-    return tuple(
-        StepAnswer.model_validate(
-            {**step, "contributions": contributions_of(planned.parameters, values[planned.person])}
-        )
-        for step, planned in zip(steps, plan.steps, strict=True)
+    return tuple(step_answer(step, values[step.person]) for step in plan.steps)
+
+
+def step_answer(step: PlanStep, values: Inference | None) -> StepAnswer:
+    """A step, with what its values are made of where they are a person's."""
+    return StepAnswer(
+        action=step.action,
+        arguments=step.arguments,
+        people=step.people,
+        parameters=step.parameters,
+        contributions=contributions_of(step.parameters, values),
+        cost=step.cost,
+        cost_parts=step.cost_parts,
+        from_=step.origin,
+        why=WhyAnswer(text=step.why.text, alternatives=step.why.alternatives, ruled_out=step.why.ruled_out),
     )
-
-
-UNTOLD: Mapping[str, None] = dict.fromkeys(("cost", "bound", "gap"))
-"""What nobody knows where there is no plan, or where its engine tells no costs."""
 
 
 def no_plan(*, reproducible: bool) -> dict[str, Any]:
@@ -92,34 +105,25 @@ def no_plan(*, reproducible: bool) -> dict[str, Any]:
     Args:
         reproducible: Whether no limit had a part in that.
     """
-    return {
-        "engine": "none",
-        "optimal": False,
-        "reproducible": reproducible,
-        "killed": False,
-        "steps": (),
-        **UNTOLD,
-    }
+    quality = {"engine": "none", "optimal": False, "reproducible": reproducible, "killed": False}
+    return {"solved": False, **quality, "cost": None, "bound": None, "gap": None, "steps": ()}
 
 
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
     """The answer where there is no plan."""
-    return PlanAnswer.model_validate(
-        {
-            "scenario": file.scenario.name,
-            "solved": False,
-            "failure": {"reason": failed.reason, "remedy": failed.remedy},
-            **no_plan(reproducible=not failed.cut_off),
-            "unreachable": [],
-            "unmet": [asdict(goal) for goal in failed.unmet],
-            "already": _already(file),
-        }
+    return PlanAnswer(
+        scenario=file.scenario.name,
+        failure=FailureAnswer(reason=failed.reason, remedy=failed.remedy),
+        **no_plan(reproducible=not failed.cut_off),
+        unreachable=(),
+        unmet=failed.unmet,
+        already=_already(file),
     )
 
 
-def _already(file: ScenarioFile) -> list[str]:
+def _already(file: ScenarioFile) -> tuple[str, ...]:
     wanted = {goal.person for goal in file.scenario.goals}
-    return [fact.greeted for fact in file.scenario.already if fact.greeted in wanted]
+    return tuple(fact.greeted for fact in file.scenario.already if fact.greeted in wanted)
 
 
 ALTERNATIVES_SHOWN = 3
@@ -189,7 +193,7 @@ def choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:
     return arguments[2:] if arguments[1:2] == step.arguments[1:2] else arguments[1:]
 
 
-def _ways_out(goal: UnmetAnswer) -> Iterator[str]:
+def _ways_out(goal: Unmet) -> Iterator[str]:
     """What would have to change, a line for each condition."""
     if not goal.conditions:
         yield "  No single thing would change that."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import ChoiceChangeAnswer, DiffAnswer, ParameterChangeAnswer, StepCostChangeAnswer
+from comity.answers.plan import ChoiceChangeAnswer, DiffAnswer, ParameterChangeAnswer, StepCostChangeAnswer
 from comity.report.plans.cost_change import cost_changes
 from comity.report.text import number, words
 from comity.report.values.inference import because

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import PlanFlipAnswer, StabilityAnswer
+from comity.answers.plan import PlanFlipAnswer, StabilityAnswer
 from comity_domain import differences, flips, visits_of
 from comity_domain.explanation.stability import HIGHEST, LOWEST
 

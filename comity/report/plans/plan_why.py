@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import ContrastAnswer, NextInsteadAnswer, StepAnswer, StepWhyAnswer
+from comity.answers.plan import ContrastAnswer, StepAnswer, StepWhyAnswer
 from comity.report.plans.asked_step import asked_step
 from comity.report.plans.plan import choice
 from comity.report.plans.skipping import skipping, skipping_text
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.answers import PlanAnswer, StepValueAnswer
+    from comity.answers.plan import PlanAnswer, StepValueAnswer
     from comity.preparation import Prepared
 
 PARTS = {
@@ -53,9 +53,7 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
         number=place,
         step=step,
         values=tuple(step_values(step, prepared.values)),
-        next_instead=tuple(
-            NextInsteadAnswer(person=each.person, extra_cost=each.extra_cost) for each in instead
-        ),
+        next_instead=instead,
         contrast=tuple(_contrast(prepared, step)) if step.action == "Reach_user" else (),
         skipping=skipping(prepared, step.people[0]) if step.action == SKIP else None,
     )
@@ -119,14 +117,14 @@ def _replanned(why: StepWhyAnswer) -> Iterator[RenderableType]:
     from rich.padding import Padding
 
     if why.contrast:
-        yield "\nInstead, with all else planned anew"
+        yield "\nInstead, with all else replanned"
     for contrast in why.contrast:
         yield Padding(_contrast_text(contrast), (0, 0, 0, 2))
 
 
 def _next(why: StepWhyAnswer) -> Iterator[RenderableType]:
     if why.next_instead:
-        yield "\nSomebody else first, all that follows planned anew"
+        yield "\nAnother person first, all that follows replanned"
     for each in why.next_instead:
         cost = (
             "no deadline, route or order allows it" if each.extra_cost is None else f"{each.extra_cost} more"

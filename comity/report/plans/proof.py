@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from comity.answers import PlanAnswer
+    from comity.answers.plan import PlanAnswer
 
 
 def quality(answer: PlanAnswer, *, proven: str = "no plan costs less") -> str:

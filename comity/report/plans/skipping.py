@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import SkippingAnswer
+from comity.answers.plan import SkippingAnswer
 from comity.planning.agenda import places_for
 from comity.planning.request import spots_of, what_bars, why_unserved
 from comity_domain import SKIP, cost_of_serving

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import ContributionAnswer, StepValueAnswer
+from comity.answers.plan import StepValueAnswer
 from comity.report.values.inference import because
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from comity.answers import StepAnswer
+    from comity.answers.plan import StepAnswer
     from comity_fis import Inference
+    from comity_fis.inference.value import Contribution
 
-Contributions = dict[str, tuple[ContributionAnswer, ...]]
+Contributions = dict[str, "tuple[Contribution, ...]"]
 
 ORIGINS = {"setting": "asked for", "neutral": "neutral value"}
 """Origins that people call otherwise."""
@@ -27,14 +28,7 @@ def contributions_of(parameters: Mapping[str, object], inference: Inference | No
         inference: Whose they are; None where they are nobody's.
     """
     known = inference.parameters if inference else {}
-    return {
-        name: tuple(
-            ContributionAnswer(origin=one.origin, value=one.value, text=one.text)
-            for one in known[name].contributions
-        )
-        for name in parameters
-        if name in known
-    }
+    return {name: known[name].contributions for name in parameters if name in known}
 
 
 def step_values(step: StepAnswer, values: Mapping[str, Inference]) -> Iterator[StepValueAnswer]:
@@ -56,7 +50,7 @@ def step_values(step: StepAnswer, values: Mapping[str, Inference]) -> Iterator[S
                 planned=planned,
                 value=own.value,
                 unit=own.unit,
-                contributions=contributions_of({name: planned}, inference)[name],
+                contributions=own.contributions,
                 because=because(own, inference.inputs),
             )
 

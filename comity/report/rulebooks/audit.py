@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from itertools import groupby
 from typing import TYPE_CHECKING, get_args
 
-from comity.answers.measuring import AuditAnswer
 from comity.report.difference import counted, difference, share
 from comity.report.text import number, table, words, words_of
 from comity_fis import NumericParameter
+from comity_fis.audit.audit import Audit
 from comity_fis.audit.order import BAND_M
 from comity_fis.rules.rule import Evidence
 
@@ -26,11 +25,6 @@ LABELS_SHOWN = 6
 """Values in one cell; of more, their number is enough."""
 CALLED = {"culture": "nationality"}
 """Attributes that the audit calls by what they are used for."""
-
-
-def audit_answer(audit: Audit) -> AuditAnswer:
-    """The answer of `comity audit --json`."""
-    return AuditAnswer.model_validate(asdict(audit))
 
 
 def audit_text(audit: Audit, rulebook: Rulebook) -> Iterator[RenderableType]:

@@ -10,7 +10,7 @@ from comity.report.text import table, unbroken
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from comity.answers import ConvertAnswer
+    from comity.answers.inference import ConvertAnswer
 
 
 def convert_text(answer: ConvertAnswer) -> Sequence[RenderableType]:

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import TYPE_CHECKING
 
-from comity.answers.measuring import (
-    EvaluateAnswer,
-    MeasuredRowAnswer,
-    NumbersAnswer,
-    StudyAccuracyAnswer,
-    StudyAgreementAnswer,
-    WordsAnswer,
-)
+from comity.answers.measuring import EvaluateAnswer, MeasuredRowAnswer, NumbersAnswer, WordsAnswer
 from comity.report.difference import bare, counted, difference, shown_unit
 from comity.report.text import number, stated, table, words
+from comity_fis.audit.accuracy import StudyAccuracy
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -50,10 +43,7 @@ def evaluate_answer(evaluation: Evaluation, files: tuple[str, ...] = ()) -> Eval
         words={
             name: WordsAnswer(
                 rows=tuple(_row_answer(row, {}) for row in one.rows),
-                studies={
-                    study: StudyAgreementAnswer.model_validate(asdict(agreement))
-                    for study, agreement in one.studies.items()
-                },
+                studies=one.studies,
             )
             for name, one in evaluation.words.items()
         },
@@ -70,12 +60,7 @@ def _numbers_answer(numbers: Numbers) -> NumbersAnswer:
             _row_answer(row, {reading: errors[i] for reading, errors in numbers.errors.items()})
             for i, row in enumerate(numbers.rows)
         ),
-        readings={
-            reading: {
-                study: StudyAccuracyAnswer.model_validate(asdict(one)) for study, one in studies.items()
-            }
-            for reading, studies in numbers.readings.items()
-        },
+        readings=numbers.readings,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from comity.answers import ClusterCount, FitAnswer, FittedTermAnswer
+from comity.answers.fit import ClusterCount, FitAnswer, FittedTermAnswer
 from comity.report.text import table
 from comity.tables.fit import LONGEST
 from comity_fis import variable_data

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from comity.answers import ExplainAnswer
+from comity.answers.explanation import ExplainAnswer, ExplainedPartAnswer
 from comity.report.text import number, table, words
 from comity.report.values.explanation import explain_text
 from comity.report.values.explanation_answer import explain_answer
+from comity.report.values.inference import inputs_answer, value_fields
 from comity.report.values.wordings import wording_answers, wordings_text
 
 if TYPE_CHECKING:
@@ -39,25 +40,29 @@ class Explained:
 
 def explained_answer(explained: Explained) -> ExplainAnswer:
     """The answer of `comity explain --json`."""
-    notes = {"notes": explained.inference.notes, "wordings": wording_answers(explained.wordings)}
+    notes, wordings = explained.inference.notes, wording_answers(explained.wordings)
     if explained.alone:
-        return explain_answer(explained.alone).model_copy(update=notes)
-    inference, value = explained.inference, explained.value
-    none = ("rules", "categories", "reads", "derivatives", "alternatives", "flips", "leading", "off")
-    return ExplainAnswer.model_validate(
-        {
-            **value.as_json(),
-            **dict.fromkeys(none, ()),
-            **notes,
-            "rulebook": inference.rulebook,
-            "parameter": value.name,
-            "inputs": inference.as_json()["inputs"],
-            "without_setting": None,
-            "by_culture": [
-                {"name": name, "share": share, "explanation": explain_answer(part)}
-                for name, share, part in explained.parts
-            ],
-        }
+        return replace(explain_answer(explained.alone), notes=notes, wordings=wordings)
+    return ExplainAnswer(
+        **value_fields(explained.value),
+        rulebook=explained.inference.rulebook,
+        parameter=explained.value.name,
+        inputs=inputs_answer(explained.inference.inputs),
+        leading=(),
+        rules=(),
+        off=(),
+        categories=(),
+        reads=(),
+        derivatives=(),
+        alternatives=(),
+        flips=(),
+        without_setting=None,
+        notes=notes,
+        wordings=wordings,
+        by_culture=tuple(
+            ExplainedPartAnswer(name=name, share=share, explanation=explain_answer(part))
+            for name, share, part in explained.parts
+        ),
     )
 
 

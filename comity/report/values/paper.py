@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, get_args
 
-from comity.answers import ComputedDistanceAnswer, PaperAnswer, PrintedDistanceAnswer
+from comity.answers.paper import ComputedDistanceAnswer, PaperAnswer, PrintedDistanceAnswer
 from comity.report.text import table
 from comity_fis import Mode, NumericParameter, Rulebook, load_rulebook
 
@@ -31,12 +31,12 @@ class Printed:
 
 
 PRINTED = (
-    Printed(1, 38, None, 69.9),
-    Printed(1, 67, None, 100.7),
-    Printed(2, 38, "female", 63.63),
-    Printed(2, 67, "female", 84.7),
-    Printed(2, 38, "male", 87.51),
-    Printed(2, 67, "male", 109.34),
+    Printed(1, 38.0, None, 69.9),
+    Printed(1, 67.0, None, 100.7),
+    Printed(2, 38.0, "female", 63.63),
+    Printed(2, 67.0, "female", 84.7),
+    Printed(2, 38.0, "male", 87.51),
+    Printed(2, 67.0, "male", 109.34),
 )
 """Bruno et al., FUZZ-IEEE 2017."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from comity.answers import WordingAnswer
+from comity.answers.wording import WordingAnswer
 from comity.report.text import table, words
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def wordings_text(wordings: Iterable[WordingAnswer]) -> Iterator[RenderableType]
         (
             words(one.use),
             one.language,
-            one.register_ + (", first meeting only" if one.occasion else ""),
+            one.register + (", first meeting only" if one.occasion else ""),
             " = ".join(filter(None, (one.text, one.latin))),
             review_text(one),
         )
@@ -56,7 +56,7 @@ def wordings_text(wordings: Iterable[WordingAnswer]) -> Iterator[RenderableType]
 
 def unreviewed_text(wordings: Iterable[WordingAnswer]) -> str:
     """In which languages something was said that nobody has reviewed; empty where all was, or was plain."""
-    said = {one.language for one in wordings if one.reviewed_by is None and one.register_ != "plain"}
+    said = {one.language for one in wordings if one.reviewed_by is None and one.register != "plain"}
     return (
         f"  Words that nobody who speaks the language has reviewed: {', '.join(sorted(said))}" if said else ""
     )

@@ -151,7 +151,7 @@ def _difference(
 
 def estimate_answer(found: ClusterEstimate) -> EstimateAnswer:
     """The same as an answer."""
-    return EstimateAnswer.model_validate(asdict(found))
+    return EstimateAnswer(**asdict(found))
 
 
 def level_answers(

@@ -128,7 +128,7 @@ def _told(parting: Divergence) -> Iterator[str]:
     yield f"golden    {_event(parting.one)}"
     yield f"now       {_event(parting.other)}"
     for mine, theirs in parting.causes:
-        kind = (mine or theirs or Cause("reading", "")).kind
+        kind = (mine or theirs or Cause("reading", "", None)).kind
         if mine and theirs and mine.text == theirs.text:  # they differ in digits that the words leave out
             yield f"{kind:9} {mine.text}: {mine.value} -> {theirs.value}"
         else:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 
-from comity_domain.problem.request import PARAMETERS
+from comity_domain.problem.bound_parameters import ABOUT_VISITS
 from comity_executor.memory.meeting import SAY_ACT
 from comity_sim2d.metrics import EPISODE, VISIT, by_short_name
 from comity_sim2d.robot.acts import VERBS
@@ -16,7 +16,7 @@ _Put = str | Callable[[re.Match[str]], str]
 _NUMBER = r"(\d+(?:\.\d+)?)"
 _SPACED: Mapping[str, str] = {
     name.replace("_", " "): name
-    for name in (*PARAMETERS, *by_short_name(EPISODE), *by_short_name(VISIT))
+    for name in (*ABOUT_VISITS, *by_short_name(EPISODE), *by_short_name(VISIT))
     if "_" in name
 }
 """Names of figures and parameters, with spaces in them."""

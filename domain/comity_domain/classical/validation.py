@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_domain.classical.problem import to_unified_planning
+from comity_fis.record import Record
 
 if TYPE_CHECKING:
     from comity_domain.plans.plan import Plan
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Validation:
+class Validation(Record):
     """What the validator says."""
 
     valid: bool

@@ -12,13 +12,14 @@ from comity_domain.custom.solving.planning import CustomPlan, plan_custom
 from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import argument_of
 from comity_domain.errors import NoPlan, PlanningFailed
+from comity_fis.record import Record
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
 
 
 @dataclass(frozen=True, slots=True)
-class PlanWithout:
+class PlanWithout(Record):
     """The best plan without a choice."""
 
     forbidden: str

@@ -14,14 +14,15 @@ from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.tour import PlannedVisit, best_tour, path, served, tour_cost
+from comity_fis.record import Record
 
 MOST_PEOPLE = 12
 """Beyond so many the answers would not be exact, and slow."""
 
 
 @dataclass(frozen=True, slots=True)
-class NextInstead:
-    """Another person to go to at one stop of a plan, all that follows being planned anew."""
+class NextInstead(Record):
+    """Another person to go to at one stop of a plan, all that follows being replanned."""
 
     person: str
     extra_cost: int | None

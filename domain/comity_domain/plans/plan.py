@@ -7,24 +7,25 @@ from dataclasses import dataclass, field
 
 from comity_domain.plans.deferred import Deferred
 from comity_fis.html_table import html_table
+from comity_fis.record import Record
 
 SHOWN = 8
 """Steps in a plan's `repr`."""
 
 
 @dataclass(frozen=True, slots=True)
-class Alternative:
+class Alternative(Record):
     """Another way to do a step, and what it would have cost on top."""
 
     arguments: tuple[str, ...]
     extra_cost: int
     """In plan cost units (1 cm of metre-equivalents); 0 is a tie."""
-    because: str = ""
+    because: str
     """Where the price of it comes from: its desirability and the rule behind that."""
 
 
 @dataclass(frozen=True, slots=True)
-class RuledOut:
+class RuledOut(Record):
     """A way to do a step that is not open, whatever the cost."""
 
     arguments: tuple[str, ...]

@@ -7,20 +7,12 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 
 from comity_domain.problem.agenda import Agenda, offers, require_agenda
+from comity_domain.problem.bound_parameters import ABOUT_VISITS
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.problem.spot import Nearness, Spot, Travel, Way, names_in, place_of
 from comity_domain.problem.survey import Survey
 from comity_fis.errors import InputError
 from comity_fis.inference.value import Inference
-
-PARAMETERS = (
-    "conversational_distance",
-    "approach_direction",
-    "approach_speed",
-    "greeting_modality",
-    "greeting_gesture",
-)
-"""What reaching and greeting a person binds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +48,10 @@ class Visitee:
         require_price(self.name, "skipping", self.skip_m or 0.0)
         if self.by_s is not None and not 0.0 < self.by_s < math.inf:
             raise ValueError(f"{self.name}: a deadline is a time after the start, got {self.by_s!r} s")
-        missing = [name for name in PARAMETERS if name not in self.values.parameters]
+        missing = [name for name in ABOUT_VISITS if name not in self.values.parameters]
         if missing:
             raise InputError(
-                expected=f"a rulebook with all the parameters of a visit ({', '.join(PARAMETERS)})",
+                expected=f"a rulebook with all the parameters of a visit ({', '.join(ABOUT_VISITS)})",
                 got=f"{self.values.rulebook!r}, which has no {', '.join(missing)}",
                 remedy="Plan with the rulebook bruno2017, or add the parameters to yours.",
             )

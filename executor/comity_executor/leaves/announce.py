@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from py_trees.common import Status
 
 from comity_domain.plans.actions import ANNOUNCED
+from comity_domain.problem.bound_parameters import ABOUT_SPEECH, ABOUT_WORDS
 from comity_domain.problem.circumstances import SPOKEN_TO_M
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.leaves.motion import MotionAction
@@ -19,8 +20,7 @@ from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.robots.goals import ActGoal, speech
-from comity_executor.speech.manner import ABOUT_SPEECH, manner_of
-from comity_executor.speech.speaker import ABOUT_WORDS
+from comity_executor.speech.manner import manner_of
 from comity_executor.speech.utterance import Utterance
 from comity_fis.inference.value import Inference
 

@@ -6,6 +6,7 @@ from py_trees.common import Status
 
 from comity_domain.plans.actions import LEAVE
 from comity_domain.problem.agenda import Say
+from comity_domain.problem.bound_parameters import ABOUT_GESTURES, ABOUT_SPEECH, ABOUT_WORDS
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.memory.task import Task
@@ -16,8 +17,6 @@ from comity_executor.robots.carrier import HAND_OVER
 from comity_executor.robots.goals import ActGoal, speech
 from comity_executor.robots.noticed import noticed
 from comity_executor.robots.robot import Reading
-from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
-from comity_executor.speech.speaker import ABOUT_WORDS
 from comity_executor.speech.utterance import Utterance
 
 

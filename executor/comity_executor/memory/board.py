@@ -117,7 +117,7 @@ class Namespace:
         words = in_words(value)
         if self._last.get(key) != words:
             self._last[key] = words
-            self.history.append(Write(self._clock(), key, words, client.name))
+            self.history.append(Write(key, words, self._clock(), client.name))
 
     def shared(self) -> Mapping[str, Shared]:
         """All that has a value, by key, in the order in which the keys were opened."""

@@ -11,6 +11,7 @@ from comity_executor.robots.goals import GoalId, PlannedPose, RelativePose, unve
 from comity_executor.robots.noticed import Noticed
 from comity_executor.robots.robot import Reading, is_seen
 from comity_fis.inference.value import Inference
+from comity_fis.record import Record
 
 Outcome = Literal["pending", "greeted", "unfinished", "declined", "unreached", "not_greeted", "skipped"]
 PROPER_OUTCOMES: tuple[Outcome, ...] = ("greeted", "declined", "skipped")
@@ -18,7 +19,7 @@ PROPER_OUTCOMES: tuple[Outcome, ...] = ("greeted", "declined", "skipped")
 
 
 @dataclass(frozen=True, slots=True)
-class Deed:
+class Deed(Record):
     """One thing on the agenda of a visit, and what came of it."""
 
     action: str

@@ -7,18 +7,19 @@ from dataclasses import dataclass
 from comity_domain.plans.plan import PlanStep
 from comity_executor.robots.noticed import Noticed
 from comity_fis.inference.value import Inference
+from comity_fis.record import Record
 
 
 @dataclass(frozen=True, slots=True)
-class Write:
+class Write(Record):
     """One entry got another value."""
 
-    t: float
-    """The world's time at the start of the tick [s]."""
     entry: str
     """The entry's key, relative to the namespace of the execution: `johanna/docked`."""
     value: str
     """In words."""
+    t: float
+    """The world's time at the start of the tick [s]."""
     leaf: str
     """The name of the leaf that wrote it; `execution` where none did."""
 

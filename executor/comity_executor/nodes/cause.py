@@ -18,18 +18,19 @@ from comity_domain.plans.plan import PlanStep
 from comity_fis.explanation.disclosure import facts_first
 from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.record import Record
 from comity_fis.rules.rule import Is, Rule
 
 CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule", "variable", "source"]
 
 
 @dataclass(frozen=True, slots=True)
-class Cause:
+class Cause(Record):
     """One link of the chain."""
 
     kind: CauseKind
     text: str
-    value: float | str | None = None
+    value: float | str | None
     """A reading's or a parameter's number or word, the strength of a rule, what a variable was; else None."""
 
     @property
@@ -109,14 +110,14 @@ def chain(condition: str | None, account: Account | None, grounds: Grounds | Non
         account: What that node read.
         grounds: The plan step and the parameters that the node serves.
     """
-    causes = [Cause("fault", account.fault)] if account and account.fault else []
+    causes = [Cause("fault", account.fault, None)] if account and account.fault else []
     if account:
         causes.append(Cause("reading", account.text, account.value))
     if condition is not None:
-        causes.append(Cause("condition", condition))
+        causes.append(Cause("condition", condition, None))
     if grounds:
         step = grounds.step
-        causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})"))
+        causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})", None))
         if account and account.parameter:
             causes += _parameter(account.parameter, grounds)
             causes += [cause for name in account.others for cause in _parameter(name, grounds)]
@@ -158,7 +159,7 @@ def _variables(rule: Rule, values: Inference) -> list[Cause]:
     for name in (name for name in rule.reads if name in values.inputs):
         causes.append(_variable(name, values.inputs[name]))
         if source := values.sources.get(name):
-            causes.append(Cause("source", source))
+            causes.append(Cause("source", source, None))
     return causes
 
 

@@ -8,9 +8,6 @@ from math import isfinite
 from comity_fis.errors import InputError
 from comity_fis.inference.value import Inference
 
-ABOUT_SPEECH = ("voice_volume", "speech_rate")
-ABOUT_GESTURES = ("gesture_amplitude",)
-
 NORMAL_VOLUME, NORMAL_RATE, NORMAL_AMPLITUDE = 0.5, 1.0, 0.5
 """Where a rulebook has no such parameter; our choice, the neutral values of the rulebook `evidence`."""
 

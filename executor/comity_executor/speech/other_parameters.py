@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from comity_domain.problem.request import PARAMETERS
-from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
+from comity_domain.problem.bound_parameters import BOUND
 from comity_fis.inference.value import Inference
-
-BOUND = frozenset((*PARAMETERS, *ABOUT_SPEECH, *ABOUT_GESTURES, "greeting_language"))
-"""What the arguments of goals and acts are made of: pose, speed, act, words and manner."""
 
 
 def other_parameters(values: Inference | None) -> Mapping[str, float | str]:

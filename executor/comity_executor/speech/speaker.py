@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from comity_domain.problem.bound_parameters import GREETING_LANGUAGE
 from comity_executor.speech.address import Address
 from comity_executor.speech.phrasebook import DEFAULT_LANGUAGE, SHIPPED, Phrasebook
 from comity_executor.speech.utterance import Called, Utterance
 from comity_executor.speech.wording import Register, Use, Wording
 from comity_fis.errors import InputError, closest
 from comity_fis.inference.value import Inference
-
-GREETING_LANGUAGE = "greeting_language"
-ABOUT_WORDS = (GREETING_LANGUAGE, "formality", "rhetorical_style", "verbal_directness")
-"""The parameters that choose among wordings, in the order in which the words follow them."""
 
 INFORMAL = 0.3
 FORMAL = 0.7

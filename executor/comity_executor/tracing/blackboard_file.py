@@ -69,10 +69,11 @@ def _writes(rows: Iterator[list[str]], path: Path) -> Iterator[Write]:
     for number, row in enumerate(rows, start=2):
         if len(row) != len(COLUMNS):
             raise _damaged(path, number, f"{len(COLUMNS)} columns", f"{len(row)}")
-        t = _number(row[0])
+        time, entry, value, leaf = row
+        t = _number(time)
         if t is None:
-            raise _damaged(path, number, "a time [s] in column t", repr(row[0]))
-        yield Write(t, *row[1:])
+            raise _damaged(path, number, "a time [s] in column t", repr(time))
+        yield Write(entry, value, t, leaf)
 
 
 def _number(cell: str) -> float | None:

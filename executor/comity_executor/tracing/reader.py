@@ -11,7 +11,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from comity_executor.nodes.cause import Cause
+from comity_executor.nodes.cause import Cause, CauseKind
 from comity_executor.nodes.node import Node
 from comity_executor.tracing.file import parts_of
 from comity_executor.tracing.trace import FORMAT, EventStatus, Halt, TraceEvent
@@ -25,6 +25,15 @@ _TREE = '{"nodes"'
 
 
 @dataclass(frozen=True, slots=True)
+class _Cause:
+    """A cause as it is written, without what is empty."""
+
+    kind: CauseKind
+    text: str
+    value: float | str | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class _Line:
     """An event as it is written."""
 
@@ -33,7 +42,7 @@ class _Line:
     path: int
     status: EventStatus
     halt: Halt | None = None
-    because: tuple[Cause | int, ...] = ()
+    because: tuple[_Cause | int, ...] = ()
 
 
 def read_trace(path: Path) -> tuple[TraceEvent, ...]:
@@ -121,11 +130,11 @@ def _events(lines: Sequence[tuple[Where, str]], nodes: Sequence[Node]) -> Iterat
             raise _damaged(f"path {line.path}", where, f"the place of {line.node}")
         because: list[Cause] = []
         for cause in line.because:
-            if isinstance(cause, Cause):
-                known.append(cause)
+            if isinstance(cause, _Cause):
+                known.append(Cause(cause.kind, cause.text, cause.value))
             elif not 0 <= cause < len(known):
                 raise _damaged(f"cause {cause}", where, f"the number of one of {len(known)} causes before")
-            because.append(known[cause] if isinstance(cause, int) else cause)
+            because.append(known[cause if isinstance(cause, int) else -1])
         yield TraceEvent(line.t, nodes[line.path], line.status, line.halt, tuple(because))
 
 

@@ -10,7 +10,7 @@
 It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free; and
 beside Go_to, with `tea, u` in the brackets, where the way is to what is fetched for somebody (`fetching`).
 After people were asked in vain the next attempt goes round, however far that is; where no way leads round,
-they are asked once more, and never again unless they move, whatever is planned anew (`asking`).
+they are asked once more, and never again unless they move, whatever is replanned (`asking`).
 """
 
 from __future__ import annotations

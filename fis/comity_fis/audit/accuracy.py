@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from comity_fis.audit.order import OrderCounts, directions
 from comity_fis.audit.rank_correlation import RankCorrelation, rank_correlation
+from comity_fis.record import Record
 
 Floats = NDArray[np.float64]
 
@@ -35,7 +36,7 @@ class Compared:
 
 
 @dataclass(frozen=True, slots=True)
-class StudyAccuracy:
+class StudyAccuracy(Record):
     """What the rows of one study say about a rulebook. Errors in the parameter's unit."""
 
     rows: int
@@ -117,7 +118,7 @@ def line_error(scores: Floats, measured: Floats) -> float | None:
 
 def order_of(measured: Floats, predicted: Floats, band: float) -> OrderCounts:
     """How the order of every pair of rows comes out, each pair once; what was measured equal has none."""
-    counts = OrderCounts()
+    counts = OrderCounts(0, 0, 0)
     for i in range(len(measured) - 1):
         found = directions(measured[i + 1 :] - measured[i], band)
         said = directions(predicted[i + 1 :] - predicted[i], band)

@@ -6,9 +6,11 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from comity_fis.record import Record
+
 
 @dataclass(frozen=True, slots=True)
-class StudyAgreement:
+class StudyAgreement(Record):
     """What the rows of one study say about a nominal parameter."""
 
     rows: int

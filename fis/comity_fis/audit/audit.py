@@ -13,6 +13,7 @@ from comity_fis.audit.evidence import EvidenceCount, count_evidence
 from comity_fis.audit.findings import HeldToFindings, held_to, shipped_findings
 from comity_fis.audit.sweep import decided_by, sweep
 from comity_fis.audit.treatment import Effect, Pairs, effect, pairs
+from comity_fis.record import Record
 from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ COMPARED = (CULTURE, "gender")
 
 
 @dataclass(frozen=True, slots=True)
-class Audit:
+class Audit(Record):
     """Everything that an audit finds about one rulebook."""
 
     rulebook: str

@@ -11,6 +11,7 @@ import numpy as np
 
 from comity_fis.audit.coverage import said
 from comity_fis.audit.sweep import combinations, decided_by
+from comity_fis.record import Record
 from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ POINTS = 401
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Conflict:
+class Conflict(Record):
     """Two rules that fire together for different things."""
 
     parameter: str

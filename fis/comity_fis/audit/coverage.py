@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity_fis.audit.evidence import deciding_rules
 from comity_fis.audit.sweep import decided_by
+from comity_fis.record import Record
 from comity_fis.rules.rule import literals
 from comity_fis.scores.shipped import individualism_scores
 from comity_fis.variables.variable import NominalVariable
@@ -21,7 +22,7 @@ CULTURE = "culture"
 
 
 @dataclass(frozen=True, slots=True)
-class Reached:
+class Reached(Record):
     """People of whom one fact alone is known, and one parameter."""
 
     parameter: str
@@ -38,7 +39,7 @@ class Reached:
 
 
 @dataclass(frozen=True, slots=True)
-class Coverage:
+class Coverage(Record):
     """Whom a rulebook knows anything about."""
 
     scored: int

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, get_args
 
+from comity_fis.record import Record
 from comity_fis.rules.rule import Evidence
 
 if TYPE_CHECKING:
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class EvidenceCount:
+class EvidenceCount(Record):
     """The rules of one rulebook, by how well they are supported."""
 
     grades: Mapping[Evidence, tuple[int, ...]]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, cast
 
 from comity_fis.audit.coverage import said
 from comity_fis.audit.order import OrderCounts, Verdict, counted, equality_band, verdict
+from comity_fis.record import Record
 from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ Relation = Literal[">", "="]
 
 
 @dataclass(frozen=True, slots=True)
-class StudyGroup:
+class StudyGroup(Record):
     """One of two groups, by one fact about its people."""
 
     attribute: str
@@ -33,7 +34,7 @@ class StudyGroup:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StudyFinding:
+class StudyFinding(Record):
     """What one study found about two groups."""
 
     key: str
@@ -58,7 +59,7 @@ class StudyFinding:
 
 
 @dataclass(frozen=True, slots=True)
-class FindingCheck:
+class FindingCheck(Record):
     """A rulebook held to one finding."""
 
     finding: StudyFinding
@@ -75,7 +76,7 @@ class FindingCheck:
 
 
 @dataclass(frozen=True, slots=True)
-class HeldToFindings:
+class HeldToFindings(Record):
     """A rulebook held to all findings."""
 
     rows: tuple[FindingCheck, ...]

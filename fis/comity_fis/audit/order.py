@@ -12,6 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.record import Record
 from comity_fis.variables.parameter import NumericParameter
 
 Verdict = Literal["agreeing", "contradicting", "equal"]
@@ -26,12 +27,13 @@ ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class OrderCounts:
+class OrderCounts(Record):
     """How many pairs went which way."""
 
-    agreeing: int = 0
-    contradicting: int = 0
-    equal: int = 0
+    agreeing: int
+    contradicting: int
+    equal: int
+    """Pairs of which a difference was found, and the rulebook makes none."""
 
     @property
     def pairs(self) -> int:

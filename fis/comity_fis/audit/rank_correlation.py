@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import atanh, sqrt, tanh
 
+from comity_fis.record import Record
+
 Z = 1.959963984540054
 """Of the standard normal distribution, for an interval of 95 %."""
 DIGITS = 12
@@ -15,7 +17,7 @@ FEWEST = 4
 
 
 @dataclass(frozen=True, slots=True)
-class RankCorrelation:
+class RankCorrelation(Record):
     """How far two rows of numbers have one order."""
 
     value: float

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.record import Record
 from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ ALIKE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Effect:
+class Effect(Record):
     """What one attribute can do to one parameter, everything else being equal."""
 
     parameter: str
@@ -41,7 +42,7 @@ class Effect:
 
 
 @dataclass(frozen=True, slots=True)
-class UnequalPair:
+class UnequalPair(Record):
     """Two people who differ in one attribute alone, and are treated differently."""
 
     first: str
@@ -54,7 +55,7 @@ class UnequalPair:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Pairs:
+class Pairs(Record):
     """All pairs of people who differ in one attribute alone."""
 
     parameter: str

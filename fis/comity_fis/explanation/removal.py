@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from comity_fis.explanation.what_if import WhatIf
 from comity_fis.inference.value import Origin
+from comity_fis.record import Record
 
 
 @dataclass(frozen=True, slots=True)
-class Without:
+class Without(Record):
     """What would stand if the rulebook did not have a rule."""
 
     value: float | str

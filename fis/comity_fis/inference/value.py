@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from comity_fis.html_table import html_table
+from comity_fis.record import Record
 
 if TYPE_CHECKING:
     from comity_fis.defuzzification.curve import Choice, Curve
@@ -18,7 +19,7 @@ Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral
 
 
 @dataclass(frozen=True, slots=True)
-class Contribution:
+class Contribution(Record):
     """One step on the way to a value; numeric contributions add up to the value."""
 
     origin: Origin
@@ -40,7 +41,7 @@ class FiredRule(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class PartValue:
+class PartValue(Record):
     """What one of several cultures alone would give."""
 
     name: str
@@ -191,7 +192,7 @@ class Inference(Mapping[str, ParameterValue]):
         return {
             "rulebook": self.rulebook,
             "mode": self.mode,
-            "inputs": {name: plain(value) for name, value in self.inputs.items()},
+            "inputs": {name: fact_as_json(value) for name, value in self.inputs.items()},
             "parameters": {name: value.as_json() for name, value in self.parameters.items()},
             "coercions": {
                 name: {"to": str(coercion.to), "reason": coercion.reason}
@@ -206,6 +207,6 @@ def _shown(value: Known, unit: str | None = None) -> str:
     return f"{value:.4g} {unit or ''}".rstrip() if isinstance(value, float | int) else str(value)
 
 
-def plain(value: Known | None) -> object:
+def fact_as_json(value: Known | None) -> object:
     """What is known of a variable, as JSON has it: an interval becomes a list of its two ends."""
     return value if value is None or isinstance(value, float | int | str) else value.as_json()

@@ -49,7 +49,7 @@ def _others(
 ) -> Iterator[Alternative]:
     options = [argument.lower() for argument in binding.options]
     for other, extra in other_ways(index, actions, options, bound):
-        yield Alternative(tuple(map(bound.own.as_written, other.arguments)), extra)
+        yield Alternative(tuple(map(bound.own.as_written, other.arguments)), extra, "")
 
 
 def _option(name: str, parameter: str, preference: Preference, person: Inference) -> str:

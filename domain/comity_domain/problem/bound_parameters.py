@@ -1,0 +1,19 @@
+"""The parameters of a person that Comity's own actions read, by what reads them."""
+
+from __future__ import annotations
+
+ABOUT_VISITS = (
+    "conversational_distance",
+    "approach_direction",
+    "approach_speed",
+    "greeting_modality",
+    "greeting_gesture",
+)
+"""What reaching and greeting a person binds; a rulebook for visits has all of them."""
+GREETING_LANGUAGE = "greeting_language"
+ABOUT_WORDS = (GREETING_LANGUAGE, "formality", "rhetorical_style", "verbal_directness")
+"""What chooses the words of an utterance."""
+ABOUT_SPEECH = ("voice_volume", "speech_rate")
+ABOUT_GESTURES = ("gesture_amplitude",)
+BOUND = frozenset((*ABOUT_VISITS, GREETING_LANGUAGE, *ABOUT_SPEECH, *ABOUT_GESTURES))
+"""What the arguments of goals and acts are made of: pose, speed, act, language and manner."""
