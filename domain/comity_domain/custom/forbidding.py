@@ -69,11 +69,11 @@ def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float 
 def _chosen(action: GroundAction, bound: Bound) -> Sequence[str]:
     """The arguments that make the choice, in the action's order."""
     names = [parameter.name for parameter in bound.problem.action(action.name).parameters]
-    for written, binding in bound.binding.actions.items():
-        if written.lower() == action.name and binding.options:
-            wanted = {binding.person.lower(), *map(str.lower, binding.options)}
-            return [name for name in names if name in wanted]
-    return names
+    binding = bound.binding.of(action.name)
+    if binding is None or not binding.options:
+        return names
+    wanted = {binding.person.lower(), *map(str.lower, binding.options)}
+    return [name for name in names if name in wanted]
 
 
 def _forbidding(problem: Problem, action: GroundAction, chosen: Sequence[str], bound: Bound) -> Problem:

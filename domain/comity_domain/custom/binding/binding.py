@@ -71,3 +71,7 @@ class Binding:
     fluents: Mapping[str, FluentBinding] = field(default_factory=dict)
     cost_scale: int = 100
     """The planner counts in this part of the domain's own cost: 100 makes centimetres of metres."""
+
+    def of(self, action: str) -> ActionBinding | None:
+        """What is bound to an action, by its name in any case."""
+        return next((one for name, one in self.actions.items() if name.lower() == action.lower()), None)

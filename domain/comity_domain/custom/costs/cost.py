@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
-    from unified_planning.model import Action, FNode, Object, Problem
+    from unified_planning.model import Action, FNode, Problem
 
 MAX_GROUNDED = 100_000
 """Combinations of objects in one action's costs."""
@@ -62,7 +62,7 @@ def groundings(
     Raises:
         InputError: if there are more than `MAX_GROUNDED`.
     """
-    pools = [[one.name for one in objects_for(problem, action, argument)] for argument in arguments]
+    pools = [objects_for(problem, action, argument) for argument in arguments]
     if prod(map(len, pools)) > MAX_GROUNDED:
         raise InputError(
             expected=f"at most {MAX_GROUNDED} combinations of objects in the cost of {action.name}",
@@ -74,9 +74,9 @@ def groundings(
         yield dict(zip(arguments, names, strict=True))
 
 
-def objects_for(problem: Problem, action: Action, argument: str) -> list[Object]:
-    """The objects that an argument may be."""
-    return list(problem.objects(action.parameter(argument).type))
+def objects_for(problem: Problem, action: Action, argument: str) -> list[str]:
+    """The objects that an argument may be, by name."""
+    return [one.name for one in problem.objects(action.parameter(argument).type)]
 
 
 Values = Mapping[tuple[str, ...], Fraction]

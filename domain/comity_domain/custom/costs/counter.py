@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from comity_domain.custom.costs.classical import is_timed, read_in
 from comity_domain.custom.costs.cost import functions_in
 from comity_domain.custom.reading.reading import COST
 
@@ -45,13 +45,7 @@ def _minimized(problem: Problem) -> str | None:
 
 
 def _only_increased(problem: Problem, counter: str) -> bool:
-    from unified_planning.model import InstantaneousAction
-
-    if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
-        return False
-    if not all(isinstance(action, InstantaneousAction) for action in problem.actions):
-        return False
-    if any(counter in functions_in(one) for one in _read(problem)):
+    if is_timed(problem) or any(counter in functions_in(one) for one in read_in(problem)):
         return False
     changes = (effect for action in problem.actions for effect in action.effects)
     return all(
@@ -59,15 +53,6 @@ def _only_increased(problem: Problem, counter: str) -> bool:
         for effect in changes
         if effect.fluent.fluent().name == counter
     )
-
-
-def _read(problem: Problem) -> Iterator[FNode]:
-    """All that decides whether something is done or holds, or what a number becomes."""
-    yield from problem.goals
-    for action in problem.actions:
-        yield from action.preconditions
-        for effect in action.effects:
-            yield from (effect.value, effect.condition)
 
 
 def _taken_out(action: InstantaneousAction, counter: str) -> FNode:

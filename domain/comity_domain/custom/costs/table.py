@@ -89,9 +89,8 @@ def tables(own: CustomProblem, binding: Binding, people: BoundPeople | None) -> 
     """
     pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
     bound = {name.lower(): name for name in binding.actions}
-    by_name = {name.lower(): one for name, one in binding.actions.items()}
     return {
-        action.name: pricing.table(action, bound.get(action.name, ""), by_name.get(action.name))
+        action.name: pricing.table(action, bound.get(action.name, ""), binding.of(action.name))
         for action in own.problem.actions
     }
 
@@ -176,11 +175,10 @@ class _Pricing:
         """How everybody who may be the action's person sees what may be chosen."""
         assert self.people is not None
         people = self.people
-        persons = [one.name for one in objects_for(self.own.problem, action, binding.person.lower())]
+        persons = objects_for(self.own.problem, action, binding.person.lower())
         found = {}
         for argument, option in binding.options.items():
-            objects = [one.name for one in objects_for(self.own.problem, action, argument.lower())]
-            full = option.full(self.own, objects)
+            full = option.full(self.own, objects_for(self.own.problem, action, argument.lower()))
             try:
                 found[argument.lower()] = {
                     person: preferences(full, people[written][option.parameter], written)

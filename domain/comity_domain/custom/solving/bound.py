@@ -142,6 +142,22 @@ def priced_anew(problem: Problem, costs: Mapping[str, FNode]) -> Problem:
     return problem
 
 
+def with_goals(problem: Problem, goals: Iterable[FNode]) -> Problem:
+    """A copy with other goals."""
+    copy = problem.clone()
+    copy.clear_goals()
+    for goal in goals:
+        copy.add_goal(goal)
+    return copy
+
+
+def require(action: Action, conditions: Iterable[FNode]) -> None:
+    """Replace an action's preconditions."""
+    action.clear_preconditions()
+    for condition in conditions:
+        action.add_precondition(condition)
+
+
 def _copy_fluents(problem: Problem, compiled: Problem) -> tuple[str, ...]:
     from unified_planning.model import Fluent
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from comity_domain.custom.costs.classical import MAXIMIZED, beyond_classical
+from comity_domain.custom.costs.classical import MAXIMIZED, beyond_classical, beyond_strips
 from comity_domain.errors import NoEngine, PlanningFailed
 from comity_fis.errors import InputError, Where, closest
 
@@ -71,19 +71,12 @@ def without_quantifiers(problem: Problem) -> tuple[Problem, Callable[[Any], Any]
     """
     from unified_planning.engines import CompilationKind
 
-    kind = problem.kind
-    wanted = {
-        CompilationKind.QUANTIFIERS_REMOVING: kind.has_existential_conditions()
-        or kind.has_universal_conditions()
-        or kind.has_forall_effects(),
-        CompilationKind.DISJUNCTIVE_CONDITIONS_REMOVING: kind.has_disjunctive_conditions(),
-        CompilationKind.CONDITIONAL_EFFECTS_REMOVING: kind.has_conditional_effects(),
-    }
-    kinds = [name for name, is_wanted in wanted.items() if is_wanted]
+    kinds = [CompilationKind[f"{name}_REMOVING"] for name in beyond_strips(problem)]
     if not kinds:
         return None
+    factory = problem.environment.factory
     try:
-        with problem.environment.factory.Compiler(problem_kind=kind, compilation_kinds=kinds) as compiler:
+        with factory.Compiler(problem_kind=problem.kind, compilation_kinds=kinds) as compiler:
             result: Any = compiler.compile(problem)
             return result.problem, result.map_back_action_instance
     except Exception:  # whatever they do not take, there is none

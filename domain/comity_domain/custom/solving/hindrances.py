@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.solving.bound import Bound
+from comity_domain.custom.solving.bound import Bound, require, with_goals
 from comity_domain.custom.solving.choosing import FAST_DOWNWARD
 from comity_domain.custom.solving.engines import solve
 from comity_domain.custom.solving.ruled_out import reason, ruled_out_steps
@@ -19,7 +19,7 @@ from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.explanation.relaxing import in_the_way
 
 if TYPE_CHECKING:
-    from unified_planning.model import Action, FNode, Problem
+    from unified_planning.model import FNode, Problem
 
 MOST_NAMED = 3
 """Of the steps that are ruled out."""
@@ -124,13 +124,11 @@ class _Search:
         """
         if self.left_s <= 0.0:
             return None
-        problem = self.bound.problem.clone()
-        problem.clear_goals()
+        problem = with_goals(self.bound.problem, goals)
         problem.clear_quality_metrics()  # any plan will do
-        for goal in goals:
-            problem.add_goal(goal)
         for one in without:
-            _lift(problem.action(one.action), one.condition)
+            action = problem.action(one.action)
+            require(action, [part for part in _parts(action.preconditions) if part != one.condition])
         return self._has_plan(problem, min(EACH_S, self.left_s))
 
     def _has_plan(self, problem: Problem, limit_s: float) -> bool | None:
@@ -179,10 +177,3 @@ def _conjuncts(condition: FNode) -> Iterator[FNode]:
             yield from _conjuncts(part)
     else:
         yield condition
-
-
-def _lift(action: Action, lifted: FNode) -> None:
-    kept = [part for part in _parts(action.preconditions) if part != lifted]
-    action.clear_preconditions()
-    for part in kept:
-        action.add_precondition(part)

@@ -106,10 +106,9 @@ def _solved(bound: Bound, time_limit_s: float) -> Solution:
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
-    by_action = _by_action(bound)
     for index, action in enumerate(actions):
         row = row_of(action, bound) if bound.classical else None
-        binding = by_action.get(action.name)
+        binding = bound.binding.of(action.name)
         yield PlanStep(
             action=bound.own.as_written(action.name),
             arguments=tuple(map(bound.own.as_written, action.arguments)),
@@ -137,14 +136,10 @@ def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> d
     return found
 
 
-def _by_action(bound: Bound) -> dict[str, ActionBinding]:
-    return {name.lower(): one for name, one in bound.binding.actions.items()}
-
-
 def _person(action: GroundAction, binding: ActionBinding, bound: Bound) -> str:
     return bound.own.as_written(argument_of(action, binding.person.lower(), bound))
 
 
 def _whose(action: GroundAction, bound: Bound) -> str | None:
-    binding = _by_action(bound).get(action.name)
+    binding = bound.binding.of(action.name)
     return _person(action, binding, bound) if binding else None

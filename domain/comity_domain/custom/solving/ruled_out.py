@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import objects_for
 from comity_domain.custom.costs.preference import preferences
-from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew
+from comity_domain.custom.solving.bound import Bound, new_fluent, priced_anew, require, with_goals
 from comity_domain.custom.solving.choosing import FAST_DOWNWARD
 from comity_domain.custom.solving.engines import solve
 from comity_domain.custom.solving.solution import GroundAction
@@ -40,19 +40,14 @@ def ruled_out_steps(bound: Bound, goals: Sequence[FNode], *, time_limit_s: float
 def _with_fines(bound: Bound, goals: Sequence[FNode]) -> Problem:
     """The problem where what is ruled out costs 1 instead, and all else nothing."""
     free = bound.problem.environment.expression_manager.Int(0)
-    problem = bound.problem.clone()
-    problem.clear_goals()
-    for goal in goals:
-        problem.add_goal(goal)
+    problem = with_goals(bound.problem, goals)
     costs = {action.name: free for action in problem.actions}
     for name, ruling in bound.rulings.items():
         action, table = problem.action(name), bound.tables[name]
         kept = [
             one for one in action.preconditions if not (one.is_fluent_exp() and one.fluent().name == ruling)
         ]
-        action.clear_preconditions()
-        for condition in kept:
-            action.add_precondition(condition)
+        require(action, kept)
         fine = new_fluent(f"fine_for_{name}", "int", action, table.arguments, problem, default=1)
         for objects in table.rows:
             problem.set_initial_value(fine(*map(problem.object, objects)), 0)
@@ -90,17 +85,12 @@ def _not_permitted(step: GroundAction, named: str, bound: Bound) -> tuple[str, s
 def _against(step: GroundAction, bound: Bound) -> Iterator[str]:
     """Each option that a person does not permit, with what they want instead."""
     own, people = bound.own, bound.people
-    binding = next(
-        (one for name, one in bound.binding.actions.items() if name.lower() == step.name),
-        None,
-    )
+    binding = bound.binding.of(step.name)
     if binding is None or people is None:
         return
     person = own.as_written(argument_of(step, binding.person.lower(), bound))
     for argument, option in binding.options.items():
-        objects = [
-            one.name for one in objects_for(bound.problem, bound.problem.action(step.name), argument.lower())
-        ]
+        objects = objects_for(bound.problem, bound.problem.action(step.name), argument.lower())
         chosen, value = argument_of(step, argument.lower(), bound), people[person][option.parameter]
         full = option.full(own, objects)
         if not preferences(full, value, person)[chosen].permitted:

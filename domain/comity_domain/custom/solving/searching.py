@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from comity_domain.custom.costs.classical import beyond_strips
+
 if TYPE_CHECKING:
     from unified_planning.model import Problem
 
@@ -33,20 +35,8 @@ def search_for(problem: Problem, time_limit_s: float) -> str:
         f"lazy_wastar([ff()],w=2,{quick})",
         f"eager_wastar([ff()],w=1,{quick})",
     ]
-    if _is_beyond_landmarks(problem):
+    if beyond_strips(problem):  # LM-cut does not know it
         stages += ["astar(blind())"]
     else:
         stages += [f"eager_wastar([lmcut()],w=2,{quick})", "astar(lmcut())"]
     return f"iterated([{','.join(stages)}],pass_bound=false)"
-
-
-def _is_beyond_landmarks(problem: Problem) -> bool:
-    """Whether it holds conditional effects, quantifiers or disjunctions, which LM-cut does not know."""
-    kind = problem.kind
-    return bool(
-        kind.has_conditional_effects()
-        or kind.has_disjunctive_conditions()
-        or kind.has_existential_conditions()
-        or kind.has_universal_conditions()
-        or kind.has_forall_effects()
-    )

@@ -112,9 +112,7 @@ def _variants(action: GroundAction, options: Sequence[str], bound: Bound) -> Ite
     """The same step with every other choice of its options that is permitted."""
     declared = bound.problem.action(action.name)
     pools = [
-        [one.name for one in objects_for(bound.problem, declared, parameter.name)]
-        if parameter.name in options
-        else [argument]
+        objects_for(bound.problem, declared, parameter.name) if parameter.name in options else [argument]
         for parameter, argument in zip(declared.parameters, action.arguments, strict=True)
     ]
     for arguments in product(*pools):
