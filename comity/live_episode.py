@@ -306,7 +306,7 @@ class LiveEpisode:
         return tuple(sorted((*self.disturbances, *walks(frames, people), *passed), key=lambda one: one.t))
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
-        """The walks of simulated people without the robot, but of those whom a change moved."""
+        """The walks of simulated people without the robot, those left out that a change moved."""
         world = self._world
         if not isinstance(world, World):
             return {}
@@ -408,7 +408,7 @@ def _refuse_reduced_margin(prepared: Prepared) -> None:
     if margin_m < PERSON_MARGIN_M:
         raise InputError(
             expected=f"margin_m of {PERSON_MARGIN_M:g} before a real robot: it finds its own way to a goal, "
-            "and cannot be told of whom it may pass nearer",
+            "and does not take a reduced margin for single people",
             got=f"{margin_m:g}",
             remedy="Leave `margin_m` out; the simulated robot keeps to it.",
             where=prepared.file.where("robot", "margin_m"),

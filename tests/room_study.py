@@ -1,8 +1,8 @@
 """The study of random rooms: whole episodes among people who stand, walk on errands and pass by.
 
-`python tests/room_study.py [ROOMS]` prints the tables of docs/reference/benchmarks.md: of 1,000 rooms of the
-kind `stand`, and 500 each of `walk` (some walk along routes of the scenario) and `mix` (passers-by, too). A
-second table compares profiles in the same rooms. Rooms are drawn from a wide range: one to three parts with
+`python tests/room_study.py [ROOMS]` prints a table of 1,000 rooms of the kind `stand`, and 500 each of `walk`
+(some walk along routes of the scenario) and `mix` (passers-by, too), and one that compares profiles in the
+same rooms. Rooms are drawn from a wide range: one to three parts with
 doorways, furniture, both drives, noise and delay of the sensors, short sight. The judge (`judging`) reads the
 frames.
 """

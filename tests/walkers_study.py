@@ -1,9 +1,7 @@
 """The study of walkers: random rooms in which the robot is to greet a person who walks.
 
-`python tests/walkers_study.py FIRST LAST [FILE]` plays the rooms of these seeds that are not in FILE
-(`walkers.jsonl`) yet, and adds a line of JSON for each. `python tests/walkers_study.py [FILE]` prints the
-table of docs/how-to/people-who-move.md from it. The rooms are those of `encounter_study`; in each the first
-person walks:
+`python tests/walkers_study.py [ROOMS]` prints the table of docs/how-to/people-who-move.md, of 200 rooms
+without a number. The rooms are those of `encounter_study`; in each the first person walks:
 
 - `stops`: stops for a robot that comes up to them and turns to them;
 - `passes`: walks on, whatever the robot does;
@@ -16,17 +14,16 @@ behind, and whether it came nearer to a person who had declined.
 
 from __future__ import annotations
 
-import json
 import math
 import random
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from encounter_study import judged, random_scene
+from studying import studied
 
 from comity_domain import Plan, PlanStep, Why
 from comity_executor import Execution
@@ -37,7 +34,6 @@ KINDS = {"stops": 0.40, "passes": 0.25, "shies": 0.15, "accompanied": 0.20}
 """How often each kind of walker is drawn."""
 LIMIT_S, AGAIN_S = 120.0, 5.0
 """An episode ends after the first; a person who declined is asked for again for the second."""
-RESULTS = Path("walkers.jsonl")
 MET, DECLINED, MISSED = "met", "declined", "missed"
 
 BEHIND_DEG, NEAR_M, WALKS_M_S, CLOSES_M_S = 120.0, 3.6, 0.15, 0.1
@@ -57,14 +53,13 @@ def random_walker(seed: int) -> tuple[str, Scene]:
         points = (low + (high - low) * (rng.random(), rng.random()) for _ in range(rng.randint(1, 3)))
         route = tuple((float(x), float(y)) for x, y in points)
         slow = kind == "accompanied"
-        options = {"accompanied": True} if slow and hasattr(Walk, "accompanied") else {}
         walk = Walk(
             route,
             loop=len(route) > 1 and rng.random() < 0.6,
             speed_m_s=rng.uniform(0.2, 0.4) if slow else rng.uniform(0.3, 1.4),
             pauses_s=(rng.uniform(0.0, 3.0),) * len(route) if rng.random() < 0.5 else (),
             stops=kind == "stops",
-            **options,
+            accompanied=slow,
         )
         walker = replace(scene.people[0], walk=walk, reacts="scared" if kind == "shies" else None)
         passers_by = PassersBy(rng.choice((0, 0, 1, 2))) if rng.random() < 0.5 else None
@@ -141,20 +136,9 @@ def longest_behind_s(frames: Frames, person: str = "p0") -> float:
     return longest_s
 
 
-def kept(file: Path) -> list[dict[str, object]]:
-    """The answers so far; a line that was being written when a run was killed is left out."""
-    lines = file.read_text(encoding="utf-8").splitlines(keepends=True) if file.exists() else []
-    return [json.loads(line) for line in lines if line.endswith("\n")]
-
-
-def run(seeds: Iterable[int], file: Path) -> None:
-    """Play what is missing, and write down each answer at once."""
-    answers = kept(file)
-    known = {answer["seed"] for answer in answers}
-    file.write_text("".join(f"{json.dumps(answer)}\n" for answer in answers), encoding="utf-8")
-    with file.open("a", encoding="utf-8") as results:
-        for seed in (seed for seed in seeds if seed not in known):
-            print(json.dumps(episode(seed)), file=results, flush=True)
+def episodes(count: int) -> list[dict[str, object]]:
+    """The judged visits of the seeds 0, 1, ..."""
+    return studied("walkers", episode, [(seed,) for seed in range(count)])
 
 
 def table(answers: list[dict[str, object]]) -> Iterator[str]:
@@ -178,7 +162,4 @@ def table(answers: list[dict[str, object]]) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 2:
-        run(range(int(sys.argv[1]), int(sys.argv[2])), Path(sys.argv[3]) if len(sys.argv) > 3 else RESULTS)
-    else:
-        print(*table(kept(Path(sys.argv[1]) if len(sys.argv) > 1 else RESULTS)), sep="\n")
+    print(*table(episodes(int(sys.argv[1]) if len(sys.argv) > 1 else 200)), sep="\n")

@@ -177,13 +177,13 @@ def turns(events: Sequence[TraceEvent]) -> Iterator[tuple[str, float, float]]:
     """The same without gaps: to whom it turned, when [s], and when to the next one, inf for the last."""
     about = stretches(events)
     starts = [*(span.start_s for _, span in about), math.inf]
-    for (whom, _), (start_s, next_s) in zip(about, pairwise(starts), strict=True):
-        yield whom, start_s, next_s
+    for (name, _), (start_s, next_s) in zip(about, pairwise(starts), strict=True):
+        yield name, start_s, next_s
 
 
 def _breaks(person: str, visit: Span, events: Sequence[TraceEvent]) -> tuple[Span, ...]:
-    """When, between the beginning and the end of a visit, the robot was about somebody else."""
-    others = [span for whom, span in stretches(events) if whom != person]
+    """When, between the beginning and the end of a visit, the robot was about another person."""
+    others = [span for name, span in stretches(events) if name != person]
     return tuple(span for span in others if visit.start_s <= span.start_s < visit.end_s)
 
 

@@ -64,8 +64,8 @@ def margin_facts_of(
     Args:
         profile: The profile.
         day: On which its dated facts are taken; None for today.
-        situation: What is told of the person here and now: it goes before the profile.
-        later: What is told of the person later, each time.
+        situation: Facts of the person here and now, which go before the profile.
+        later: Facts of the person by each later change.
     """
     now = {**profile.facts(day or date.today()), **situation}
     each = [_facts({**now, **told}) for told in (NOTHING, *later)]

@@ -6,7 +6,6 @@ import csv
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from hashlib import sha256
-from io import StringIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from comity.answers.plan import PlanAnswer
 from comity.answers.run import RunAnswer, SharedAnswer
 from comity.output import run_folder
+from comity.output.csv_text import csv_text
 from comity.output.run_folder import INTERRUPTED, RunFolder, claimed, damaged, place_for
 from comity.people.profile import Profile
 from comity.recording import VIEWS, Recorded, View, record, show
@@ -210,15 +210,11 @@ def _readings(path: Path, names: RunNames) -> str:
         InputError: if the file is damaged.
     """
     try:
-        rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
-        text = StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(rows[0])
-        for person, *numbers in rows[1:]:
-            writer.writerow([names.word(person), *(float(number) for number in numbers)])
+        heading, *rows = csv.reader(path.read_text(encoding="utf-8").splitlines())
+        shared = [(names.word(person), *map(float, numbers)) for person, *numbers in rows]
     except (OSError, ValueError, IndexError) as error:
         raise damaged(path, error) from None
-    return text.getvalue()
+    return csv_text(heading, shared)
 
 
 def _scenario(original: _Original) -> dict[str, Any]:

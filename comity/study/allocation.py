@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from comity.output.csv_text import csv_text
 from comity.study.latin_square import balanced_orders
 from comity_fis.errors import WrongValueError
 
@@ -99,12 +98,9 @@ def _rng(*words: int) -> np.random.Generator:
 
 def allocation_csv(sessions: Sequence[Session]) -> str:
     """The allocation, a row for each participant."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    count = len(sessions[0].conditions)
-    writer.writerow(["participant", "group", "block", *(f"condition_{i}" for i in range(1, count + 1))])
-    writer.writerows([one.participant, one.group, one.block, *one.conditions] for one in sessions)
-    return text.getvalue()
+    conditions = (f"condition_{i}" for i in range(1, len(sessions[0].conditions) + 1))
+    rows = ((one.participant, one.group, one.block, *one.conditions) for one in sessions)
+    return csv_text(("participant", "group", "block", *conditions), rows)
 
 
 def sheet(session: Session, study: str, trials: int) -> str:

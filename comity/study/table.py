@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from comity.output.csv_text import csv_text
 from comity.study.columns import ColumnDefinition, column_of, columns_of
 from comity.study.episode_rows import ERROR, NO_PLAN
 from comity.study.statement import STATEMENT
@@ -30,11 +29,11 @@ class StudyTable:
 
     def csv(self) -> str:
         """The rows, an empty cell where there is no value; the same bytes for the same rows."""
-        return _csv(self.columns, ([_cell(row.get(name)) for name in self.columns] for row in self.rows))
+        return csv_text(self.columns, ([_cell(row.get(name)) for name in self.columns] for row in self.rows))
 
     def dictionary(self) -> str:
         """The data dictionary, as CSV."""
-        return _csv(
+        return csv_text(
             DICTIONARY,
             ([name, one.unit, one.means, one.source, one.missing] for name, one in self.columns.items()),
         )
@@ -110,11 +109,3 @@ def _cell(value: Any) -> str:
     if value is None:
         return ""
     return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def _csv(heading: Iterable[str], rows: Iterable[Sequence[str]]) -> str:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(heading)
-    writer.writerows(rows)
-    return text.getvalue()

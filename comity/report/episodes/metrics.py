@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean
@@ -11,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers.figures import DefinitionAnswer, FigureAnswer, MetricsAnswer
 from comity.answers.run import RunAnswer
+from comity.output.csv_text import csv_text
 from comity.output.run_folder import RUN, RunFolder
 from comity.report.text import table, unbroken
 from comity_sim2d import EPISODE, VISIT
@@ -57,13 +56,7 @@ def metrics_answer(runs: Sequence[MeasuredRun]) -> MetricsAnswer:
 
 def metrics_csv(answer: MetricsAnswer) -> str:
     """One figure a line."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    for figure in answer.figures:
-        row = [getattr(figure, column) for column in COLUMNS]
-        writer.writerow(["" if value is None else value for value in row])
-    return text.getvalue()
+    return csv_text(COLUMNS, ([getattr(figure, column) for column in COLUMNS] for figure in answer.figures))
 
 
 def metrics_text(runs: Sequence[MeasuredRun], answer: MetricsAnswer) -> Iterator[RenderableType]:

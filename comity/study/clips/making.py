@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
+from comity.output.csv_text import csv_text
 from comity.output.run_folder import open_run
 from comity.recording import record
 from comity.replay import replay_page
@@ -29,6 +28,9 @@ if TYPE_CHECKING:
     from comity.study.study_plan import StudyCell, StudyPlan
 
 KEY, CONFOUNDS, PAGES = "key.csv", "confounds.csv", "pages"
+KEY_COLUMNS = (
+    "clip", "parameter", "value", "scenario", "seed", "rulebook", "outcome", "length_s", "trace_sha256",
+)  # fmt: skip
 LONGEST_S = 60.0
 """A film takes no longer; all of a set play at one speed, the longest decides (our choice)."""
 
@@ -133,15 +135,11 @@ def _filmed(run: Path, out: Path, speed: float) -> Sequence[str]:
 
 def key_csv(scenario: str, parameter: str, clips: Sequence[Clip]) -> str:
     """Which clip shows which value."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(
-        ["clip", "parameter", "value", "scenario", "seed", "rulebook", "outcome", "length_s", "trace_sha256"]
-    )
+    rows = []
     for one in clips:
         told = (scenario, one.seed, one.rulebook, one.outcome, f"{one.length_s:g}", one.trace_sha256)
-        writer.writerow([one.name, parameter, plain(one.value), *told])
-    return text.getvalue()
+        rows.append((one.name, parameter, plain(one.value), *told))
+    return csv_text(KEY_COLUMNS, rows)
 
 
 def plain(value: Any) -> str:
@@ -151,12 +149,11 @@ def plain(value: Any) -> str:
 
 def confounds_csv(clips: Sequence[Clip], confounds: Sequence[Confound]) -> str:
     """What differs, a row for each quantity, a column for each clip."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["person", "quantity", "unit", *(one.name for one in clips), "difference", "definition"])
+    rows = []
     for one in confounds:
         values = ["" if value is None else value for value in one.values]
         difference = "" if one.difference is None else f"{one.difference:.6g}"
         unit, means = one.definition.unit, one.definition.means
-        writer.writerow([one.person, one.column, unit, *values, difference, means])
-    return text.getvalue()
+        rows.append((one.person, one.column, unit, *values, difference, means))
+    heading = ("person", "quantity", "unit", *(one.name for one in clips), "difference", "definition")
+    return csv_text(heading, rows)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
+from comity.output.csv_text import csv_text
 from comity.system.own_files import PRIVATE, write_whole, writing
 from comity_fis import InputError, Where
 
@@ -34,7 +35,7 @@ class GrowingTable:
         Raises:
             OSError: there is no room; what was written before stays.
         """
-        self.file.write(_line([str(cells.get(name, "")) for name in self.columns]))
+        self.file.write(csv_text([str(cells.get(name, "")) for name in self.columns]).encode())
         self.file.flush()
         os.fsync(self.file.fileno())
 
@@ -90,8 +91,7 @@ def without_participant(path: Path, columns: Sequence[str], participant: str) ->
     rows = rows_of(path, columns)
     kept = [row for row in rows if row["participant"] != participant]
     if len(kept) < len(rows):
-        lines = [list(columns), *(list(row.values()) for row in kept)]
-        write_whole(path, b"".join(map(_line, lines)), private=True)
+        write_whole(path, csv_text(columns, (row.values() for row in kept)).encode(), private=True)
     return len(rows) - len(kept)
 
 
@@ -100,9 +100,3 @@ def _whole(path: Path) -> bytes:
     with writing(path):
         content = path.read_bytes()
     return content[: content.rfind(b"\n") + 1]
-
-
-def _line(cells: Sequence[str]) -> bytes:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerow(cells)
-    return text.getvalue().encode()

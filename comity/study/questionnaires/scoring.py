@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
 
+from comity.output.csv_text import csv_text
 from comity.study.questionnaires.answers_table import AnswersTable
 from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
 from comity.study.questionnaires.reliability import Reliability, reliability_of
@@ -81,14 +80,12 @@ def scores_csv(
     questionnaire: QuestionnaireFile, table: AnswersTable, found: tuple[SubscaleScores, ...]
 ) -> str:
     """A row for each participant and condition: each subscale's score and how many items were answered."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     columns = [name for one in found for name in (one.name, f"{one.name}_answered")]
-    writer.writerow(["questionnaire", "participant", "condition", *columns])
+    rows = []
     for i, sheet in enumerate(table.sheets):
         cells = [cell for one in found for cell in (_text(one.scores[i]), one.answered[i])]
-        writer.writerow([questionnaire.name, sheet.participant, sheet.condition, *cells])
-    return text.getvalue()
+        rows.append((questionnaire.name, sheet.participant, sheet.condition, *cells))
+    return csv_text(("questionnaire", "participant", "condition", *columns), rows)
 
 
 def _text(score: float | None) -> str:

@@ -165,11 +165,8 @@ class Locomotion:
 
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
-        self._approach, self._faced, self.motion = (
-            None,
-            person,
-            MotionProgress("running", f"turning to {person}"),
-        )
+        self._approach, self._faced = None, person
+        self.motion = MotionProgress("running", f"turning to {person}")
 
     def _decline(self, person: str) -> None:
         """Stand from now on: the person whom it was told to go to has declined."""
@@ -362,9 +359,8 @@ class Locomotion:
 
     def _steer(self, approach: Approach, base: Base, goal: MovingTarget, ways: RouteMap) -> XY:
         """The velocity along the way to the goal, or to where it waits."""
-        led = MovingTarget(
-            _later(goal, base.lag_s), goal.velocity
-        )  # for where the body is when it has caught up
+        # for where the body is when it has caught up
+        led = MovingTarget(_later(goal, base.lag_s), goal.velocity)
         xy = self._hindrance.look(ways, base.xy, led.xy, approach, self._clock.now_s)
         now = MovingTarget(xy, (0.0, 0.0)) if self._hindrance.now else led
         return approach.steer(base, now, ways, self.standing.movers(approach.person))
