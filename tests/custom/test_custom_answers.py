@@ -193,7 +193,7 @@ def test_a_metric_that_is_no_sum_of_costs_is_named_with_its_line(folder, metric)
     Path("evening.pddl").write_text(
         PAGE["evening.pddl"].replace("minimize (total-cost)", f"minimize {metric}")
     )
-    with pytest.raises(InputError, match=r"beside a metric that is not the sum .*\(evening\.pddl:13:12\)"):
+    with pytest.raises(InputError, match=r"beside a metric that is not the sum .*\(evening\.pddl:13:3\)"):
         bound_domain(*FILES)
 
 

@@ -395,12 +395,12 @@ def test_a_durative_domain_takes_durations_and_parameters_from_people(folder):
     Path("b.yaml").write_text(DURATIVE_BINDING)
     found = plan_custom(bound_domain(*own_files(DURATIVE), Path("b.yaml")))
     ends = 0.0
-    for step, (start, duration) in sorted(
-        zip(found.plan.steps, found.times, strict=True), key=lambda pair: pair[1]
+    for step, action in sorted(
+        zip(found.plan.steps, found.actions, strict=True), key=lambda pair: pair[1].start_s
     ):
-        assert start >= ends
-        assert duration == round(10 * step.parameters["conversational_distance"])
-        ends = start + duration
+        assert action.start_s >= ends
+        assert action.duration_s == round(10 * step.parameters["conversational_distance"])
+        ends = action.start_s + action.duration_s
     assert len(found.plan.steps) == 2
 
 

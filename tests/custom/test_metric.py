@@ -131,7 +131,7 @@ def test_an_engine_that_improves_by_the_metric_is_let_to(own):
     pytest.importorskip("up_aries")
     found = plan_custom(own(TOUR), time_limit_s=4.0)
     assert not found.metric_ignored
-    assert max(start + lasting for start, lasting in found.times) == pytest.approx(14.0, abs=0.5)
+    assert max(one.start_s + one.duration_s for one in found.actions) == pytest.approx(14.0, abs=0.5)
 
 
 def test_where_no_engine_looked_at_the_metric_the_answer_says_so(own, comity):

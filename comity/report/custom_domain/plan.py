@@ -50,14 +50,13 @@ def custom_plan_answer(
 
 
 def _steps(bound: Bound, found: CustomPlan, people: Collection[str]) -> Iterator[StepAnswer]:
-    for step, time, person in zip(found.plan.steps, found.times, found.whose, strict=True):
-        start_s, duration_s = time or (None, None)
+    for step, action, person in zip(found.plan.steps, found.actions, found.whose, strict=True):
         yield replace(
             step_answer(step, bound.people[person] if bound.people and person else None),
             people=tuple(name for name in step.arguments if name in people),
             cost=step.cost if found.tells_costs else None,
-            start_s=start_s,
-            duration_s=duration_s,
+            start_s=action.start_s,
+            duration_s=action.duration_s,
         )
 
 

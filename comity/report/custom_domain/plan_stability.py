@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import TYPE_CHECKING
 
 from comity.answers.plan import PlanFlipAnswer, StabilityAnswer
@@ -15,7 +14,6 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity_domain.custom import Bound, CustomPlan
-    from comity_domain.custom.weighing import Steps
 
 
 def custom_stability(bound: Bound, found: CustomPlan, limit_s: float) -> StabilityAnswer:
@@ -27,7 +25,6 @@ def custom_stability(bound: Bound, found: CustomPlan, limit_s: float) -> Stabili
         limit_s: Seconds for each engine call.
     """
     weighed = weigh(bound, found, time_limit_s=limit_s)
-    planned = tuple((step.action, step.arguments) for step in found.plan.steps)
     return StabilityAnswer(
         lowest=LOWEST,
         highest=HIGHEST,
@@ -37,19 +34,14 @@ def custom_stability(bound: Bound, found: CustomPlan, limit_s: float) -> Stabili
             PlanFlipAnswer(
                 weight=flip.weight,
                 factor=round(flip.factor, 3),
-                changes=tuple(_changes(planned, flip.steps)),
+                changes=(
+                    *(f"no longer {step}" for step in flip.no_longer),
+                    *(f"instead {step}" for step in flip.instead),
+                ),
             )
             for flip in weighed.flips
         ),
     )
-
-
-def _changes(planned: Steps, other: Steps) -> Iterator[str]:
-    were, are = Counter(planned), Counter(other)
-    for action, arguments in (were - are).elements():
-        yield f"no longer {action}({', '.join(arguments)})"
-    for action, arguments in (are - were).elements():
-        yield f"instead {action}({', '.join(arguments)})"
 
 
 def custom_stability_text(found: StabilityAnswer) -> Iterator[RenderableType]:

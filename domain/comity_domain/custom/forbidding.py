@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -43,27 +42,19 @@ def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float 
         index: Of the step, from 0.
         time_limit_s: Wall-clock seconds for the engine, > 0.
     """
-    step = found.plan.steps[index]
-    action = GroundAction(step.action.lower(), tuple(map(str.lower, step.arguments)))
+    action = found.actions[index]
     chosen = _chosen(action, bound)
     names = [bound.own.as_written(argument_of(action, name, bound)) for name in chosen]
-    forbidden = f"{step.action}({', '.join(names)})"
+    forbidden = f"{bound.own.as_written(action.name)}({', '.join(names)})"
     other = replace(bound, problem=_forbidding(bound.problem, action, chosen, bound))
     try:
-        plan = plan_custom(other, time_limit_s=time_limit_s, diagnose=False).plan
+        best = plan_custom(other, time_limit_s=time_limit_s, diagnose=False)
     except NoPlan:
         return PlanWithout(forbidden, None, True, (), ())
     except PlanningFailed:
         return PlanWithout(forbidden, None, False, (), ())
-    were = Counter(f"{one.action}({', '.join(one.arguments)})" for one in found.plan.steps)
-    are = Counter(f"{one.action}({', '.join(one.arguments)})" for one in plan.steps)
-    return PlanWithout(
-        forbidden,
-        plan.cost - found.plan.cost,
-        plan.optimal and found.plan.optimal,
-        tuple((were - are).elements()),
-        tuple((are - were).elements()),
-    )
+    proven = best.plan.optimal and found.plan.optimal
+    return PlanWithout(forbidden, best.plan.cost - found.plan.cost, proven, *found.changes(best))
 
 
 def _chosen(action: GroundAction, bound: Bound) -> Sequence[str]:

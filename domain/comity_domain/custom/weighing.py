@@ -8,7 +8,7 @@ crosses it earlier.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from comity_domain.custom.solving.bound import Bound, bind
@@ -25,8 +25,6 @@ MOST_CROSSINGS = 12
 NEAR = 1e-6
 """Costs nearer to each other are the same, in units of the domain's own cost."""
 
-Steps = tuple[tuple[str, tuple[str, ...]], ...]
-
 
 @dataclass(frozen=True, slots=True)
 class CustomFlip:
@@ -35,8 +33,10 @@ class CustomFlip:
     weight: str
     """An action and the argument of its option, such as `greet ?how`, or `all`."""
     factor: float
-    steps: Steps
-    """Of the plan that is cheaper beyond, by action and arguments."""
+    no_longer: tuple[str, ...]
+    """Steps of the plan that are not in the one that is cheaper beyond."""
+    instead: tuple[str, ...]
+    """Steps of that one that are not in the plan."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,10 +47,6 @@ class Stability:
     """The nearest in each direction, by weight."""
     exact: bool
     """Every search ended by itself; otherwise there may be nearer ones."""
-
-
-Factors = Mapping[tuple[str, str], float]
-"""By action and option argument, as the binding names them."""
 
 
 def weigh(
@@ -66,17 +62,13 @@ def weigh(
         found: Its plan.
         time_limit_s: For each engine call.
     """
-    return _Weighing(bound, _of(found), time_limit_s).all()
-
-
-def _of(found: CustomPlan) -> Steps:
-    return tuple((step.action, step.arguments) for step in found.plan.steps)
+    return _Weighing(bound, found, time_limit_s).all()
 
 
 @dataclass(frozen=True, slots=True)
 class _Weighing:
     bound: Bound
-    steps: Steps
+    found: CustomPlan
     time_limit_s: float
 
     def all(self) -> Stability:
@@ -107,42 +99,39 @@ class _Weighing:
         """Where another plan is cheaper on the way to the end; whether that is exact."""
         flip, factor = None, end
         for _ in range(MOST_CROSSINGS):
-            found = self.cheapest(dict.fromkeys(options, factor))
-            if found is None:
+            other = self.cheapest(dict.fromkeys(options, factor))
+            if other is None:
                 return flip, False
-            steps, proven = found
-            crossing = self.crossing(steps, options, factor)
+            crossing = self.crossing(other, options, factor)
             if crossing is None:
-                return flip, proven
-            flip, factor = CustomFlip(name, crossing, steps), crossing
+                return flip, other.plan.optimal
+            flip, factor = CustomFlip(name, crossing, *self.found.changes(other)), crossing
         return flip, False
 
-    def crossing(self, other: Steps, options: list[tuple[str, str]], factor: float) -> float | None:
+    def crossing(self, other: CustomPlan, options: list[tuple[str, str]], factor: float) -> float | None:
         """Where another plan costs as much as the one in hand; None where it is not cheaper at the factor."""
-        fixed, moving = self.line(self.steps, options)
-        other_fixed, other_moving = self.line(other, options)
+        fixed, moving = self.line(self.found.actions, options)
+        other_fixed, other_moving = self.line(other.actions, options)
         more = other_fixed + factor * other_moving > fixed + factor * moving - NEAR
         if more or abs(moving - other_moving) < NEAR:
             return None
         return min(HIGHEST, max(LOWEST, (other_fixed - fixed) / (moving - other_moving)))
 
-    def line(self, steps: Steps, options: list[tuple[str, str]]) -> tuple[float, float]:
+    def line(self, actions: Sequence[GroundAction], options: list[tuple[str, str]]) -> tuple[float, float]:
         """What a plan costs whatever the weights are, and what it costs on top at a factor of 1."""
         fixed = moving = 0.0
-        for action, arguments in steps:
-            name = action.lower()
-            objects = tuple(one.lower() for one in arguments)
-            row = row_of(GroundAction(name, objects), self.bound)
+        for action in actions:
+            row = row_of(action, self.bound)
             assert row is not None  # no weight rules anything out
-            own = {one.lower() for bound, one in options if bound.lower() == name}
+            own = {one.lower() for bound, one in options if bound.lower() == action.name}
             part = sum(
                 preference.preference_cost for key, preference in row.preferences.items() if key in own
             )
             fixed, moving = fixed + row.base + row.preference_cost - part, moving + part
         return fixed, moving
 
-    def cheapest(self, factors: Factors) -> tuple[Steps, bool] | None:
-        """The cheapest plan with other weights, and whether that is proven; None where none was found."""
+    def cheapest(self, factors: Mapping[tuple[str, str], float]) -> CustomPlan | None:
+        """The cheapest plan with other weights, by action and option; None where none was found."""
         actions = {
             action: replace(
                 one,
@@ -155,7 +144,6 @@ class _Weighing:
         }
         try:
             bound = bind(self.bound.own, replace(self.bound.binding, actions=actions), self.bound.people)
-            found = plan_custom(bound, time_limit_s=self.time_limit_s, diagnose=False)
+            return plan_custom(bound, time_limit_s=self.time_limit_s, diagnose=False)
         except (PlanningFailed, InputError):  # a heavier weight may make a cost too large
             return None
-        return _of(found), found.plan.optimal

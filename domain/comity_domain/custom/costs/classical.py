@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_domain.custom.costs.cost import functions_in
@@ -16,35 +17,53 @@ TIMED = "actions that take time, or things that happen at a time"
 NUMERIC = "numbers that change or are compared"
 
 
-def beyond_classical(problem: Problem) -> str | None:
-    """The first such thing, in words; None where there is none."""
+@dataclass(frozen=True, slots=True)
+class Beyond:
+    """Something that is more than classical planning."""
+
+    words: str
+    part: str
+    """Where it stands: an action's name, or a section of the problem such as `:metric`."""
+
+
+def beyond_classical(problem: Problem) -> Beyond | None:
+    """The first such thing; None where there is none."""
     metric = problem.quality_metrics[0] if problem.quality_metrics else None
     if metric is not None and metric.is_maximize_expression_on_final_state():
-        return MAXIMIZED
-    if is_timed(problem):
-        return TIMED
+        return Beyond(MAXIMIZED, ":metric")
+    if (part := timed_part(problem)) is not None:
+        return Beyond(TIMED, part)
     if problem.kind.has_final_value():
-        return OTHER_METRIC
+        return Beyond(OTHER_METRIC, ":metric")
     numeric = {fluent.name for fluent in problem.fluents if not fluent.type.is_bool_type()}
-    changed = (effect.fluent for action in problem.actions for effect in action.effects)
-    return NUMERIC if any(functions_in(one) & numeric for one in (*read_in(problem), *changed)) else None
+    return next(
+        (Beyond(NUMERIC, part) for part, one in used_in(problem) if functions_in(one) & numeric), None
+    )
 
 
-def is_timed(problem: Problem) -> bool:
-    """Whether actions take time, or something happens at a time."""
+def timed_part(problem: Problem) -> str | None:
+    """The first part in which actions take time, or something happens at a time; None where nothing does."""
     from unified_planning.model import InstantaneousAction
 
-    timed = problem.timed_effects or problem.timed_goals or problem.trajectory_constraints
-    return bool(timed) or not all(isinstance(action, InstantaneousAction) for action in problem.actions)
+    if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
+        return ":init"
+    return next((one.name for one in problem.actions if not isinstance(one, InstantaneousAction)), None)
 
 
-def read_in(problem: Problem) -> Iterator[FNode]:
-    """All that decides whether something is done or holds, or what a number becomes; nothing is timed."""
-    yield from problem.goals
+def used_in(problem: Problem, *, changed: bool = True) -> Iterator[tuple[str, FNode]]:
+    """All that decides whether something is done or holds, or what a number becomes, by part.
+
+    Args:
+        problem: One in which nothing is timed.
+        changed: Whether what actions change counts, too.
+    """
     for action in problem.actions:
-        yield from action.preconditions
+        yield from ((action.name, one) for one in action.preconditions)
         for effect in action.effects:
-            yield from (effect.value, effect.condition)
+            yield from ((action.name, one) for one in (effect.value, effect.condition))
+            if changed:
+                yield action.name, effect.fluent
+    yield from ((":goal", one) for one in problem.goals)
 
 
 _STRIPS_LACKS = {

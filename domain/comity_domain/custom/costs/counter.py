@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity_domain.custom.costs.classical import is_timed, read_in
+from comity_domain.custom.costs.classical import timed_part, used_in
 from comity_domain.custom.costs.cost import functions_in
 from comity_domain.custom.reading.reading import COST
 
@@ -45,7 +45,9 @@ def _minimized(problem: Problem) -> str | None:
 
 
 def _only_increased(problem: Problem, counter: str) -> bool:
-    if is_timed(problem) or any(counter in functions_in(one) for one in read_in(problem)):
+    if timed_part(problem):
+        return False
+    if any(counter in functions_in(one) for _, one in used_in(problem, changed=False)):
         return False
     changes = (effect for action in problem.actions for effect in action.effects)
     return all(

@@ -75,12 +75,14 @@ def _read(domain: PddlText, problem: PddlText) -> Problem:
     texts = [text.text.replace("\t", " ").lower().replace(TOTAL_COST, COST) for text in (domain, problem)]
     words = {form.word for text in (domain, problem) for form in text.define.all()}
     whole = not any(word == "/" or _is_fraction(word) for word in words)
-    with fresh_environment(whole=whole) as environment:
-        try:
-            return PDDLReader(environment).parse_problem_string(*texts)
-        except Exception as refusal:  # the reader raises a dozen kinds, AttributeError among them
-            of_domain = _of_domain(texts[0])
-            raise _complaint(of_domain or refusal, domain if of_domain else problem, domain) from None
+    # The domain first by itself: the reader does not say which of two files it complains about.
+    for read, blamed in ((texts[:1], domain), (texts, problem)):
+        with fresh_environment(whole=whole) as environment:
+            try:
+                found = PDDLReader(environment).parse_problem_string(*read)
+            except Exception as refusal:  # the reader raises a dozen kinds, AttributeError among them
+                raise _complaint(refusal, blamed, domain) from None
+    return found
 
 
 def _is_fraction(word: str) -> bool:
@@ -132,18 +134,6 @@ def as_global(environment: Environment) -> Iterator[None]:
         yield
     finally:
         up.GLOBAL_ENVIRONMENT = before
-
-
-def _of_domain(text: str) -> Exception | None:
-    """What the reader refuses of a domain alone: it does not say which of two files it complains about."""
-    from unified_planning.io import PDDLReader
-
-    with fresh_environment(whole=False) as environment:
-        try:
-            PDDLReader(environment).parse_problem_string(text)
-        except Exception as refusal:
-            return refusal
-    return None
 
 
 def _complaint(refusal: Exception, text: PddlText, domain: PddlText) -> InputError:

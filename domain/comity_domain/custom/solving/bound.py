@@ -10,7 +10,7 @@ from comity_domain.custom.binding.binding import Binding
 from comity_domain.custom.binding.check import check_binding
 from comity_domain.custom.binding.option_check import refuse_options
 from comity_domain.custom.binding.people import BoundPeople
-from comity_domain.custom.costs.classical import beyond_classical
+from comity_domain.custom.costs.classical import Beyond, beyond_classical
 from comity_domain.custom.costs.counter import counter_as_costs
 from comity_domain.custom.costs.table import Table, natural_scale, tables
 from comity_domain.custom.reading.reading import COST, CustomProblem
@@ -33,6 +33,8 @@ class Bound:
     """What the planner gets: one whole number for each action's cost."""
     tables: Mapping[str, Table]
     """By action; empty where the domain is more than classical."""
+    beyond: Beyond | None
+    """What is more than classical: nothing where only costs are numeric, and actions take no time."""
     numbers: Numbers
     """The functions that people's parameters decide."""
     rulings: Mapping[str, str]
@@ -45,7 +47,7 @@ class Bound:
     @property
     def classical(self) -> bool:
         """Whether nothing but costs is numeric, and actions take no time."""
-        return bool(self.tables)
+        return self.beyond is None
 
     @property
     def cost_scale(self) -> int:
@@ -73,14 +75,13 @@ def bind(own: CustomProblem, binding: Binding | None = None, people: BoundPeople
     numbers = _numbers(own, binding, people) if binding and people else {}
     filled = replace(own, problem=_with_numbers(own.problem, numbers))
     if beyond := beyond_classical(filled.problem):
-        place = f" ({where})" if (where := filled.places.beyond()) else ""
-        refuse_options(binding or Binding(), f"{beyond}{place}")
-        return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, {}, ())
+        refuse_options(binding or Binding(), f"{beyond.words} ({own.places.of(beyond.part)})")
+        return Bound(filled, binding or Binding(), people, filled.problem, {}, beyond, numbers, {}, ())
     if binding is None:
         binding = Binding(cost_scale=natural_scale(filled))
     priced = tables(filled, binding, people)
     problem, rulings, dropped = _compiled(filled.problem, priced)
-    return Bound(filled, binding, people, problem, priced, numbers, rulings, dropped)
+    return Bound(filled, binding, people, problem, priced, None, numbers, rulings, dropped)
 
 
 def _numbers(own: CustomProblem, binding: Binding, people: BoundPeople) -> Numbers:

@@ -200,12 +200,13 @@ def _can(problem: Problem, name: str) -> bool:
 
 
 def _refuse(problem: Problem) -> NoReturn:
-    beyond, features = beyond_classical(problem), problem.kind.features
-    if beyond is None:
+    more, features = beyond_classical(problem), problem.kind.features
+    if more is None:
         raise NoEngine(
             "a custom domain needs the planning engine Fast Downward, which is not installed",
             remedy=f"Install it with: {_EXTRA}.",
         )
+    beyond = more.words
     has_aries = "aries" in problem.environment.factory.engines
     durative = problem.kind.has_continuous_time() or problem.kind.has_discrete_time()
     install = f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}."

@@ -6,9 +6,9 @@ As for visits (`relaxing`), goals and conditions are lifted one at a time, each 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity_domain.custom.solving.bound import Bound, require, with_goals
 from comity_domain.custom.solving.choosing import FAST_DOWNWARD
@@ -154,13 +154,17 @@ class _Search:
 
     def words(self, node: FNode) -> str:
         """A condition as PDDL has it."""
-        if node.is_fluent_exp():
-            return f"({' '.join((self._name(node.fluent().name), *map(self.words, node.args)))})"
-        if node.is_parameter_exp():
-            return f"?{node.parameter().name}"
-        if node.is_object_exp():
-            return self._name(node.object().name)
-        return f"(not {self.words(node.arg(0))})" if node.is_not() else f"({node})"
+        from unified_planning.io.pddl_writer import ConverterToPDDLString
+        from unified_planning.model import Parameter, Variable
+
+        def name(item: Any) -> str:
+            return f"?{item.name}" if isinstance(item, Parameter | Variable) else self._name(item.name)
+
+        environment = self.bound.problem.environment
+        if environment.simplifier.simplify(node).is_bool_constant():  # unified-planning cannot write it
+            return f"({node})"
+        text: str = ConverterToPDDLString(environment, name).convert(node)
+        return " ".join(text.split())
 
     def _name(self, name: str) -> str:
         return self.bound.own.as_written(name)
@@ -168,12 +172,6 @@ class _Search:
 
 def _parts(conditions: Sequence[FNode]) -> list[FNode]:
     """What is joined by `and`, one by one."""
-    return [part for condition in conditions for part in _conjuncts(condition)]
+    from unified_planning.engines.compilers.utils import split_all_ands
 
-
-def _conjuncts(condition: FNode) -> Iterator[FNode]:
-    if condition.is_and():
-        for part in condition.args:
-            yield from _conjuncts(part)
-    else:
-        yield condition
+    return list(split_all_ands(list(conditions)))

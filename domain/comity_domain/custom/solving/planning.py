@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -28,10 +29,18 @@ class CustomPlan:
     """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
     metric_ignored: bool
     """The problem has a metric, and the engine did not look at it: another plan may be better by it."""
-    times: tuple[tuple[float, float] | None, ...]
-    """When each step starts and how long it takes [s]; None where the plan is a mere order."""
+    actions: tuple[GroundAction, ...]
+    """The steps in the words of the planning problem, with their times."""
     whose: tuple[str | None, ...]
     """The person whose preferences are bound to each step; None where none are."""
+
+    def changes(self, other: CustomPlan) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The steps that only this plan has, and those that only the other one has."""
+        were, are = (
+            Counter(f"{step.action}({', '.join(step.arguments)})" for step in one.plan.steps)
+            for one in (self, other)
+        )
+        return tuple((were - are).elements()), tuple((are - were).elements())
 
 
 def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = True) -> CustomPlan:
@@ -67,15 +76,12 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
         steps=steps,
         killed=solution.killed,
     )
-    times = tuple(
-        None if one.start_s is None else (one.start_s, one.duration_s or 0.0) for one in solution.actions
-    )
     return CustomPlan(
         plan,
         bound.cost_scale,
         bound.classical,
         solution.metric_ignored,
-        times,
+        solution.actions,
         tuple(_whose(action, bound) for action in solution.actions),
     )
 
@@ -100,8 +106,7 @@ def _solved(bound: Bound, time_limit_s: float) -> Solution:
             require_able(bound.engine, bound.problem)
         return solve(bound.problem, engine=engine, time_limit_s=time_limit_s)
     except NoEngine as refusal:
-        place = bound.own.places.beyond()
-        where = f" ({place})" if place else ""
+        where = f" ({bound.own.places.of(bound.beyond.part)})" if bound.beyond else ""
         raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
 
 

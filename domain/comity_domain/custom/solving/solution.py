@@ -45,5 +45,5 @@ def ground_actions(plan: Any) -> Iterator[GroundAction]:
             action.action.name,
             tuple(argument.object().name for argument in action.actual_parameters),
             None if start is None else float(start),
-            None if duration is None else float(duration),
+            None if start is None else float(duration or 0),
         )
