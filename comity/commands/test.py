@@ -183,9 +183,16 @@ def _run(arguments: Sequence[str], options: Sequence[str], *, quiet: bool) -> Ru
 
 
 def _require_tests(ran: Run, arguments: Sequence[str], *, words: str | None, fast: bool) -> None:
-    """Refuse a call that chooses no test."""
-    if ran.code != NO_TESTS or ran.results:
+    """Refuse a call that chooses no test, or after which pytest has looked for none."""
+    if ran.results or ran.not_run or ran.stopped or ran.code in ENDED_EARLY:
         return
+    if ran.code != NO_TESTS:
+        raise InputError(
+            expected="pytest to look for tests and to run them",
+            got="neither",
+            remedy="Leave out options after -- that only show something, or install pytest again.",
+            where=Where("comity test"),
+        )
     chosen = " and ".join([*([f"-k {words!r}"] if words else []), *(["--fast"] if fast else [])])
     if chosen:
         raise InputError(

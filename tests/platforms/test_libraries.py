@@ -64,6 +64,15 @@ def test_with_an_empty_package_in_its_place_the_command_fails(library: str, tmp_
     assert library in done.stdout + done.stderr
 
 
+def test_where_pytest_does_nothing_no_scenario_test_passes(tmp_path: Path) -> None:
+    stub = package(tmp_path, "pytest")
+    shutil.copy(TESTS / "platforms/nothing.py", stub / "__init__.py")
+    done = python(tmp_path, "comity", *NEEDED["pytest"].split(), stub=stub)
+    assert done.returncode == 2
+    assert "expected pytest to look for tests" in done.stderr
+    assert "passed" not in done.stdout
+
+
 @pytest.mark.parametrize("library", TESTED)
 def test_with_one_that_does_nothing_its_tests_fail(library: str, tmp_path: Path) -> None:
     """Although everything can be imported from it; without pytest no test can be run at all."""

@@ -40,6 +40,15 @@ def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
     assert "PASSED" not in done.out
 
 
+@pytest.mark.parametrize(("option", "code"), [("--version", 2), ("--collect-only", 0)])
+def test_where_pytest_looks_for_no_test_nothing_is_called_good(option, code, comity):
+    """To collect and not to run is what was asked for: the account says how many tests were not run."""
+    done = comity("johanna", "--", option)
+    assert done.code == code
+    assert ("5 not run" in done.out) == (code == 0)
+    assert ("expected pytest to look for tests" in done.err) == (code == 2)
+
+
 @needs_fast_downward
 def test_another_engine_of_unified_planning_plans_what_is_tested(comity, write):
     """The plan has the same steps, and a failure says how to see it again with that engine."""

@@ -71,8 +71,8 @@ def reason(step: GroundAction, bound: Bound) -> tuple[str, str]:
     if atom is None:
         return f"{named} had a cost", f"Its cost is divided by 0 ({where}): keep 0 out of what divides it."
     function = f"({' '.join(map(own.as_written, atom))})"
-    do = f"The cost of {action} reads it ({where}): add (= {function} NUMBER) under :init ({own.places.of(':init')})."
-    return f"{function} had a value", do
+    add = f"add (= {function} NUMBER) under :init ({own.places.of(':init')})"
+    return f"{function} had a value", f"The cost of {action} reads it ({where}): {add}."
 
 
 def _not_permitted(step: GroundAction, named: str, bound: Bound) -> tuple[str, str]:
