@@ -41,11 +41,11 @@ class KnowingRobot(Robot, Protocol):
         ...
 
     def would_see(self, person: str) -> bool:
-        """Whether it need only turn to see whether somebody is where it believes them."""
+        """Whether it need only turn to see whether a person is where it believes them."""
         ...
 
     def has_to_watch(self, person: str) -> bool:
-        """Whether it has to face somebody to notice that they go."""
+        """Whether it has to face a person to notice that they go."""
         ...
 
     def carried(self) -> str | None:

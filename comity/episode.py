@@ -114,7 +114,7 @@ class Episode:
         raise ValueError(f"expected frames, events or readings, got {table!r}")
 
     def values_at(self, person: str, t: float) -> Inference:
-        """Somebody's parameters at a time [s], as they had been told by then.
+        """A person's parameters at a time [s], as they had been told by then.
 
         Raises:
             KeyError: if nobody of the scenario is called so.
@@ -128,7 +128,7 @@ class Episode:
 
     @property
     def trace_sha256(self) -> str:
-        """The digest of the trace, written out anew whenever it is asked for: equal for equal episodes."""
+        """The digest of the trace, written out again whenever it is asked for: equal for equal episodes."""
         return trace_sha256(trace_lines(self.events, self.nodes))
 
     def why(self, t: float) -> tuple[NodeExplanation, ...]:

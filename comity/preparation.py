@@ -54,7 +54,7 @@ class Prepared:
     scene: Scene
     route_map: RouteMap
     visitees: tuple[Visitee, ...]
-    """Whom the goals name, whether or not a plan can serve them."""
+    """People whom the goals name, whether or not a plan can serve them."""
     asked: PlanningRequest
     plan: Plan
     learnt: Mapping[str, Mapping[str, Learnt]]
@@ -74,7 +74,7 @@ class Prepared:
 
     @property
     def unmet(self) -> tuple[Unmet, ...]:
-        """Their goals, with what stands in the way: found anew when asked, by trying other worlds."""
+        """Their goals, with what stands in the way: found again when asked, by trying other worlds."""
         return tuple(diagnose(case, reason) for case, reason in self.without_visit)
 
 
@@ -230,7 +230,7 @@ def _goals_unmet(
 
 
 def _case(cast: Cast, scene: Scene, visitee: Visitee) -> UnservedCase:
-    """Somebody who cannot be reached, and how they would be met without some of their wishes."""
+    """A person who cannot be reached, and how they would be met without some of their wishes."""
     settings = cast.declared[visitee.name].profile.settings
     return UnservedCase(scene, visitee, partial(_values_without, cast, visitee.name), tuple(settings))
 

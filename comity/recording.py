@@ -70,7 +70,7 @@ def record(
         unreviewed_wordings: Whether a real robot says wordings that nobody has reviewed.
 
     Raises:
-        InputError: if the folder cannot be used, `acts` names no act, or somebody who is kept did not agree
+        InputError: if the folder cannot be used, `acts` names no act, or a person who is kept did not agree
             to be recorded; nothing is written then.
     """
     for name in filter(None, prepared.kept_as.values()):

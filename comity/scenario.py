@@ -99,7 +99,7 @@ class RandomPlace(BaseModel):
 
 
 class Placement(BaseModel):
-    """Where somebody is and which way they face."""
+    """Where a person is and which way they face."""
 
     model_config = _FILE
 
@@ -183,7 +183,7 @@ class RobotStart(Placement):
 
 
 class ComfortSpec(BaseModel):
-    """At which distances somebody is at ease, and how they show when they are not: hidden from the robot."""
+    """At which distances a person is at ease, and how they show when they are not: hidden from the robot."""
 
     model_config = _FILE
 
@@ -197,7 +197,7 @@ class ComfortSpec(BaseModel):
 
 
 class PersonSpec(Placement):
-    """Somebody in the place. Without a profile nothing is known about them, which is fine."""
+    """A person in the place. Without a profile nothing is known about them, which is fine."""
 
     profile: Name | Profile = Field(
         default="unknown", description="A shipped profile, a file, or a profile written out."

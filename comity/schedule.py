@@ -22,7 +22,7 @@ class Listener(Protocol):
     """Who plans."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
-        """Somebody's parameters are others from now on, and why."""
+        """A person's parameters are others from now on, and why."""
         ...
 
     def note(self, about: str, text: str, fault: str | None) -> None:

@@ -57,7 +57,7 @@ class Question:
             What they named [m].
 
         Raises:
-            InputError: for an answer that could not be granted as a wish either, or of somebody who did not
+            InputError: for an answer that could not be granted as a wish either, or of a person who did not
                 agree that meetings teach about them; nothing is changed.
         """
         document = edited({"name": self.name}, {f"settings.{PARAMETER}": said}, self.judges)
@@ -87,7 +87,7 @@ class Question:
 
 
 def ask_in(name: str, judges: Books, day: date, told: Mapping[str, Fact]) -> Question:
-    """The question to somebody who is kept, in their usual situation but for what is told of it.
+    """The question to a person who is kept, in their usual situation but for what is told of it.
 
     Raises:
         InputError: if nobody of that name is kept, or their profile is damaged.

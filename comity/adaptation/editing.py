@@ -50,7 +50,7 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
     """A profile's document with some keys changed; `unknown` takes one back.
 
     Args:
-        document: As it is kept; empty for somebody new.
+        document: As it is kept; empty for a new person.
         words: `KEY=VALUE`: a key of the profile, `settings.PARAMETER` or a friendly word for one,
             `other.VARIABLE`. Values are YAML.
         judges: They know which parameters there are.
@@ -87,7 +87,7 @@ def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
     """Change some keys of what is kept of a person; nobody else changes it meanwhile.
 
     Args:
-        name: Of the person; somebody new is kept from now on.
+        name: Of the person; a new person is kept from now on.
         words: As for `edited`.
         judges: They know which parameters there are, and which wishes can be granted.
 
@@ -112,7 +112,7 @@ def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
 
 
 def kept_document(name: str, file: YamlFile | None) -> Document:
-    """What a person's file holds, checked to be a profile; of somebody new, their name.
+    """What a person's file holds, checked to be a profile; of a new person, their name.
 
     Raises:
         InputError: if the file in the store was damaged.

@@ -58,7 +58,7 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
             and visit.person not in episode.uncertain
             and _is_adult(episode, visit.person)
         ):
-            invented = person.comfort is not None  # the scenario reacted, not whoever is kept
+            invented = person.comfort is not None  # the scenario reacted, not the stored person
             found[kept] = seen.model_copy(update={"simulated": invented})
     return found
 
@@ -74,7 +74,7 @@ def keep(seen: Mapping[str, Observation]) -> frozenset[str]:
     """Remember what was observed, by the names under which people are kept.
 
     Returns:
-        Those of whom it is remembered: not whoever was deleted meanwhile.
+        Those of whom it is remembered: not people who were deleted meanwhile.
     """
     return frozenset(name for name, one in seen.items() if remember(name, [one]))
 

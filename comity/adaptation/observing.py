@@ -47,7 +47,7 @@ def observe(sights: Iterable[ObservedSignal], rulebook: Rulebook) -> tuple[Obser
         rulebook: It says what culture and situation alone gave.
 
     Raises:
-        InputError: if somebody did not agree to it, asks for a distance of their own, is a child, or a
+        InputError: if a person did not agree to it, asks for a distance of their own, is a child, or a
             situation cannot be used; nothing is written.
     """
     checked = [(sight.name, _observation(sight, rulebook)) for sight in sights]

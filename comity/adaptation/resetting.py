@@ -18,7 +18,7 @@ def reset(name: str, parameter: str | None = None) -> tuple[str, ...]:
     A file of what was learnt that is damaged is forgotten like any other.
 
     Args:
-        name: Of somebody who is kept.
+        name: Of a person who is kept.
         parameter: Only this one, by its name or the friendly word for it; everything when None.
 
     Returns:

@@ -85,7 +85,7 @@ class Acquaintance:
 def acquainted(
     profile: str, rulebook: str | None, *, every_days: int, begin: date | None, seed: int
 ) -> tuple[Acquaintance, str | None]:
-    """How somebody is going to be met, with what is remembered of them.
+    """How a person is going to be met, with what is remembered of them.
 
     Args:
         profile: A shipped or kept name, or a file.
@@ -147,10 +147,10 @@ def likes(acquaintance: Acquaintance) -> ComfortSpec:
 
 
 def meet(acquaintance: Acquaintance, comfort: ComfortSpec, times: int) -> Iterator[Meeting]:
-    """Visit somebody again and again.
+    """Visit a person again and again.
 
     Args:
-        acquaintance: Whom, and how often.
+        acquaintance: The people met, and how often.
         comfort: What the person likes; the robot does not know it.
         times: How many visits.
 
@@ -210,7 +210,7 @@ def _meet(
 
 
 def _with(file: ScenarioFile, comfort: ComfortSpec | None) -> ScenarioFile:
-    """The stage, with somebody who likes just that."""
+    """The stage, with a person who likes just that."""
     if comfort is None:
         return file
     person = file.scenario.people[PERSON].model_copy(update={"comfort": comfort})

@@ -30,10 +30,10 @@ class StepAnswer(Record):
     action: str
     arguments: tuple[str, ...]
     people: tuple[str, ...]
-    """Whom it serves: several where a group is greeted at once."""
+    """The people whom it serves: several where a group is greeted at once."""
     parameters: Mapping[str, float | str]
     contributions: Mapping[str, tuple[Contribution, ...]] = field(default_factory=dict)
-    """By parameter that a rulebook decides: what suits best whom the robot stands before, and what that is
+    """By parameter that a rulebook decides: what suits the person the robot stands before, and what that is
     made of. The word that is planned may be another one, for the moment or the price."""
     cost: int | None
     """Null where the engine tells no costs."""
@@ -50,7 +50,7 @@ class StepAnswer(Record):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UnreachableAnswer(Record):
-    """Somebody whom no plan can visit."""
+    """A person whom no plan can visit."""
 
     person: str
     reason: str
@@ -131,7 +131,7 @@ class StepValueAnswer(Record):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkippingAnswer(Record):
-    """What leaving somebody out is weighed against: ways that are reckoned alike for everybody."""
+    """What leaving a person out is weighed against: ways that are computed alike for everybody."""
 
     price: int
     """What the scenario says that leaving them out costs, in cm."""
@@ -217,7 +217,7 @@ class DiffAnswer(Record):
     cost: tuple[int, int] | None
     """Null where the engine tells no costs."""
     order: tuple[tuple[str, ...], tuple[str, ...]]
-    """Whom the robot goes to, before and after."""
+    """People the robot goes to, before and after."""
     parameters: tuple[ParameterChangeAnswer, ...]
     choices: tuple[ChoiceChangeAnswer, ...]
     costs: tuple[StepCostChangeAnswer, ...]
@@ -283,7 +283,7 @@ class PlanAnswer(Record):
     """The share of the cost that a better plan could at most save. Null like the cost."""
     steps: tuple[StepAnswer, ...]
     unreachable: tuple[UnreachableAnswer, ...]
-    """Whom no plan can serve."""
+    """People whom no plan can serve."""
     unmet: tuple[Unmet, ...]
     """Every goal that fails, with what stands in its way."""
     already: tuple[str, ...]

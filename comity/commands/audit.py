@@ -1,4 +1,4 @@
-"""`comity audit`: what a rulebook rests on, whom it covers, and what it does to whom."""
+"""`comity audit`: what a rulebook rests on, which people it covers, and what it does to whom."""
 
 from __future__ import annotations
 

@@ -199,7 +199,7 @@ def _with_alone() -> InputError:
 
 
 def _under(pseudonym: str, name: str, extras: Collection[Extra]) -> Export:
-    """What is kept of somebody, as it may be passed on."""
+    """What is kept of a person, as it may be passed on."""
     from comity.people.profile import day_for, load_profile
     from comity.people.remembered import remembered
     from comity.people.store import Store
@@ -221,7 +221,7 @@ def _under(pseudonym: str, name: str, extras: Collection[Extra]) -> Export:
 
 
 def _kept(name: str) -> Mapping[str, Any] | None:
-    """The document of somebody who is kept, without the note; None where only something learnt is."""
+    """The document of a person who is kept, without the note; None where only something learnt is."""
     from comity.adaptation.editing import kept_document
     from comity.people.store import Store, without_note
 

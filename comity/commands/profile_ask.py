@@ -85,7 +85,7 @@ def _heard(
 
 
 def _answer(name: str, rulebook: Rulebook) -> str:
-    """What somebody at the terminal types."""
+    """What a person at the terminal types."""
     from comity_fis import NumericParameter
 
     require_terminal("profile ask", "--answer METRES")
@@ -96,7 +96,7 @@ def _answer(name: str, rulebook: Rulebook) -> str:
 
 
 def _choice() -> CountsAs:
-    """A wish or an observation, as somebody at the terminal types it."""
+    """A wish or an observation, as a person at the terminal types it."""
     import click
 
     chosen: CountsAs = typer.prompt(

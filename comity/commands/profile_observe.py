@@ -1,4 +1,4 @@
-"""`comity profile observe`: what somebody saw and heard at real meetings."""
+"""`comity profile observe`: what an observer saw and heard at real meetings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far something is, on standard error: a line that moves where somebody looks at a terminal."""
+"""How far something is, on standard error: a line that moves where a person looks at a terminal."""
 
 from __future__ import annotations
 

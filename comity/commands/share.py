@@ -23,7 +23,7 @@ def share(
 
     Tracks, numbers, the tree and the plan stay. Names of people, places and things, the day, what was said,
     rules, facts and reasons do not; culture and gender only where --with asks for them. What stays is
-    personal data still: whoever knows who was there, or how somebody moves, can tell who it is.
+    personal data still: whoever knows who was there, or how a person moves, can tell who it is.
 
     For example: comity share runs/johanna-1 --out for-the-archive
     """

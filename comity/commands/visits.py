@@ -99,7 +99,7 @@ def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
 
 
 def _met(acquaintance: Acquaintance, comfort: ComfortSpec, times: int, *, quiet: bool) -> list[Meeting]:
-    """All meetings, with a word on how far they are where somebody watches."""
+    """All meetings, with a word on how far they are where a person watches."""
     from comity.adaptation.visits import meet
     from comity.commands.progress import watching
     from comity.live_episode import EpisodeProgress

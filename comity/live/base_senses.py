@@ -54,7 +54,7 @@ class BaseSenses:
         return None
 
     def tracks(self, now_s: float) -> list[PersonTrack]:
-        """Whom it sees, and whom it saw a moment ago."""
+        """People whom it sees, and whom it saw a moment ago."""
         said = self._said(now_s)
         fresh = {track.track: track for track in said or () if now_s - track.stamp_s <= OLD_S}
         if fresh or (said is not None and not said):
@@ -97,7 +97,7 @@ def one_each(tracks: list[PersonTrack]) -> tuple[list[PersonTrack], frozenset[st
 
 
 def stranger(track: PersonTrack) -> Person:
-    """Somebody of whom nothing is known but where they are."""
+    """A person of whom nothing is known but where they are."""
     return Person(f"track {track.track}", track.x_m, track.y_m, wrap_angle(track.heading_rad or 0.0))
 
 

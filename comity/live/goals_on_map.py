@@ -1,9 +1,9 @@
 """Goals of the tree told to a base as poses of the map.
 
 A pose beside a person moves along with them: where it has moved by more than `FOLLOW_M`, or the robot comes
-near and has to slow down, the base is told anew, which replaces the goal before; for the tree it is still one
-goal. Goals are renewed only while the robot may move, so that a base that does not know where it is, or who
-is there, stops by itself; it is told to stop all the same.
+near and has to slow down, the base receives it again, which replaces the goal before; for the tree it is
+still one goal. Goals are renewed only while the robot may move, so that a base that does not know where it
+is, or who is there, stops by itself; it is told to stop all the same.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from comity_sim2d import Person, Pose
 
 FOLLOW_M, FOLLOW_RAD = 0.05, 5.0 * pi / 180.0
-"""A pose that has moved or turned by more is told to the base anew (our choice)."""
+"""A pose that has moved or turned by more is told to the base again (our choice)."""
 
 
 class GoalsOnMap:
@@ -154,7 +154,7 @@ class GoalsOnMap:
         return MapGoal(goal.kind, goal.to, *xy, direction_to(xy, person.xy), speed_m_s)
 
     def _is_near(self, person: Person, speed_m_s: float) -> bool:
-        """Whether the robot is so near somebody that it has to begin to slow down for them."""
+        """Whether the robot is so near a person that it has to begin to slow down for them."""
         can = self._base.capabilities
         ahead_m = speed_m_s * can.latency_s + speed_m_s**2 / (2.0 * can.braking_m_s2) + FOLLOW_M
         gap_m = dist(self._known.here.xy, person.xy) - self._known.scene.robot.radius_m - person.radius_m

@@ -35,7 +35,7 @@ class Identities:
 
     @property
     def uncertain(self) -> frozenset[str]:
-        """Who may be somebody else."""
+        """Who may be another person."""
         return frozenset(name for name in self._doubted_s if self._sure_s[name] <= self._doubted_s[name])
 
     def take_in(self, tracks: Sequence[PersonTrack], now_s: float, *, doubted: Collection[str] = ()) -> None:

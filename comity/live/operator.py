@@ -161,7 +161,7 @@ class Operator:
 
 
 def plan_words(plan: Plan) -> str:
-    """A plan in a line, for whoever approves it."""
+    """A plan in a line, for the operator who approves it."""
     steps = "; ".join(f"{step.action}({', '.join(step.arguments)})" for step in plan.steps)
     return f"Plan: {steps or 'nothing'}. Type `approve`, or any of: {USAGE}"
 

@@ -1,4 +1,4 @@
-"""Whom a robot's tracker sees, and where everybody else was seen last."""
+"""People whom a robot's tracker sees, and where everybody else was seen last."""
 
 from __future__ import annotations
 

@@ -122,7 +122,7 @@ class RobotOnMap:
         return False
 
     def has_to_watch(self, person: str) -> bool:
-        """Never: whom the tracker sees does not hang on where the robot looks, as far as is known."""
+        """Never: the tracker's view does not depend on where the robot looks, as far as is known."""
         return False
 
     def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class Shadow:
     """A `MapRobot` whose motion goals never end by themselves, and whose acts are done at once.
 
-    That a person was reached is judged from where the robot is, as always: whoever drives it may come there.
+    That a person was reached is judged from where the robot is, as always: its driver may come there.
 
     Args:
         base: The robot. Of it only the clock, localisation, tracker, ears and stop are asked.

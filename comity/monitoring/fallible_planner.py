@@ -30,7 +30,7 @@ class FalliblePlanner:
         self._planner.note(about, text, fault)
 
     def tell(self, person: str, values: Inference, text: str) -> None:
-        """Somebody's parameters are others from now on, and why."""
+        """A person's parameters are others from now on, and why."""
         self._planner.tell(person, values, text)
 
     def has_news(self, t: float) -> bool:

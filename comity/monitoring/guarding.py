@@ -1,6 +1,6 @@
 """What holds of people of whom the robot does not know for sure who they are.
 
-Whoever may be one of several people is met as all of them allow: as a stranger is, and farther and more
+A person who may be one of several is met as all of them allow: as a stranger is, and farther and more
 slowly where anybody among them wants that. What permits (a nearer wish, consent to touch, what was learnt, a
 name) waits until the robot has made sure.
 """
@@ -43,7 +43,7 @@ class Guarding:
         """Of whom it was not sure at some time: nothing that was noticed is learnt about them."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
-        """Somebody's parameters are others: at once where it is sure who they are, or they protect."""
+        """A person's parameters are others: at once where it is sure who they are, or they protect."""
         self._own[person] = values
         if person not in self._uncertain:
             self._planner.tell(person, values, text)

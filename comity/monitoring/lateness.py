@@ -20,7 +20,7 @@ IN_TIME_S = 1e-6
 
 
 def deadline_s(prepared: Prepared, person: str) -> float | None:
-    """By when somebody's greeting is to be over, in the world's time; None: whenever."""
+    """By when a person's greeting is to be over, in the world's time; None: whenever."""
     return next((each.by_s for each in prepared.visitees if each.name == person), None)
 
 

@@ -35,7 +35,7 @@ class BeliefState:
     """Who is going somewhere."""
 
     def own_m(self, name: str) -> float:
-        """How far somebody likes to be passed [m]."""
+        """How far a person likes to be passed [m]."""
         return own_distance_m(self.values[name])
 
     def scene(self, start: Scene, robot: Pose) -> Scene:
@@ -46,7 +46,7 @@ class BeliefState:
             robot: Where the robot is.
 
         Raises:
-            SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
+            SceneError: if a person seems to stand where no plan can be computed from, such as in the robot.
         """
         left = start.without(self.absent)
         groups = (group.of_those_left(left.people, self.people) for group in left.groups)
@@ -60,7 +60,7 @@ class BeliefState:
         scene = partial(replace, left, groups=together, doors=self.doors, robot=body)
         try:
             return scene(people=people)
-        except SceneError:  # noise may have put somebody where nobody can be
+        except SceneError:  # noise may have put a person where nobody can be
             return scene(people=taken_apart(people, body, floor_plan(left, self.doors)))
 
 

@@ -17,15 +17,15 @@ if TYPE_CHECKING:
     from comity_sim2d import Person
 
 MOVED_M, TURNED_DEG = 0.5, 45.0
-"""Somebody who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
+"""A person who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
 robot follows smaller moves without another look at the plan."""
 SETTLED_M, SETTLED_DEG, SETTLED_S = 0.1, 10.0, 0.5
-"""A plan is reviewed once whoever moved or turned has stayed within so much for so long."""
+"""A plan is reviewed once a person who moved or turned has stayed within so much for so long."""
 
 
 @dataclass(frozen=True, slots=True)
 class News:
-    """Something changed about somebody or something."""
+    """Something changed about a person or something."""
 
     about: str
     text: str
@@ -74,7 +74,7 @@ class Watch:
         return bool(self._told)
 
     def has_news(self, t: float) -> bool:
-        """Whether something was told or noted, a door changed, or somebody moved and stands still again."""
+        """Whether something was told or noted, a door changed, or a person moved and stands still again."""
         turned = self._world.doors != self._doors
         return bool(self._told or self._noted) or turned or (self._look(t) and any(self._changed()))
 

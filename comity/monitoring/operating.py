@@ -127,7 +127,7 @@ class Approved:
         return revision
 
     def permitted(self, course: Course) -> Revision | None:
-        """As the planner says: what somebody no longer permits needs no approval to be left out."""
+        """As the planner says: what a person no longer permits needs no approval to be left out."""
         return self.planner.permitted(course)
 
     def replan(self, course: Course) -> Revision | NoRevision:

@@ -33,7 +33,7 @@ class Remaining:
     """Who is going somewhere: they turn round."""
 
     def asked(self, course: Course, scene: Scene) -> PlanningRequest:
-        """The request for whoever is left, from where everybody is now.
+        """The request for the people who are left, from where everybody is now.
 
         What the robot has fetched is for the first who is to get such a thing and can be served; where there
         is nobody, its hands are full with it.

@@ -2,7 +2,7 @@
 
 The world as the robot believes it to be now takes the place of the scenario's start: where it is, what it
 holds, where everybody stands, who is left, what is left to be done with them, and everybody's parameters of
-now. Whoever stands in the only way is taken to make way when asked.
+now. People who stand in the only way are taken to make way when asked.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class WorldPlanner:
         """Who is left out on the way, and why."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
-        """Somebody's parameters are others from now on; the robot keeps to them on its way at once.
+        """A person's parameters are others from now on; the robot keeps to them on its way at once.
 
         Args:
             person: Who.
@@ -110,20 +110,20 @@ class WorldPlanner:
         """Something happens, or does not, that the trace is to tell.
 
         Args:
-            about: Whom or what it is about.
+            about: The person or thing it is about.
             text: What it is, in words.
             fault: What is behind it, if one is.
         """
         self._watch.note(News(about, text, fault=fault))
 
     def has_news(self, t: float) -> bool:
-        """Whether somebody's parameters or a door changed, or somebody moved and stands still again."""
+        """Whether a person's parameters or a door changed, or a person moved and stands still again."""
         return self._watch.has_news(t)
 
     def review(self, course: Course) -> Revision | None:
         """New numbers where the choices are known to stay the cheapest, else another plan, within the cap.
 
-        What somebody no longer permits, or asked for otherwise, is never done: no cap holds against that.
+        What a person no longer permits, or asked for otherwise, is never done: no cap holds against that.
         People say only so much, so that every run ends still.
         """
         was_told = self._watch.was_told
@@ -151,7 +151,7 @@ class WorldPlanner:
         return self._new(plan, asked, (*because, why, *choices(rest, plan)))
 
     def permitted(self, course: Course) -> Revision | None:
-        """The plan without what somebody permits no more, told without planning; None where all of it is."""
+        """The plan without what a person permits no more, told without planning; None where all of it is."""
         return self._without_forbidden(course, ())
 
     def _without_forbidden(self, course: Course, because: tuple[Cause, ...]) -> Revision | None:
@@ -180,7 +180,7 @@ class WorldPlanner:
         )
 
     def replan(self, course: Course) -> Revision | NoRevision:
-        """Another plan for whoever is left, or why there is none."""
+        """Another plan for the people who are left, or why there is none."""
         because = course.failed
         try:
             before, news = self._before, self._take_news()
@@ -244,7 +244,7 @@ class WorldPlanner:
         return self._plan(late, course)
 
     def _asked(self, course: Course) -> PlanningRequest:
-        """The request for whoever is left, from here and now."""
+        """The request for the people who are left, from here and now."""
         asked = self._remaining(course).asked(course, self._scene(self._now()))
         self._met |= {visitee.name for visitee in asked.request.visitees}
         return asked
@@ -263,14 +263,14 @@ class WorldPlanner:
         )
 
     def _refused(self, course: Course) -> tuple[str, ...]:
-        """Who was asked in vain and has not moved since, and whoever they stand together with."""
+        """Who was asked in vain and has not moved since, and the people they stand together with."""
         alone = [name for name in course.refused if name not in self._moved]
         groups = [group.members for group in self._scene(self._now()).groups] if alone else []
         fellows = [name for members in groups if not set(members).isdisjoint(alone) for name in members]
         return tuple(dict.fromkeys((*alone, *fellows)))
 
     def _bears_on_who_is_left(self, news: Iterable[News], before: BeliefState, course: Course) -> bool:
-        """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
+        """Whether a person moved who is left or was asked to make way, or there are other ways now."""
         left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
             return True
@@ -296,7 +296,7 @@ class WorldPlanner:
         return moment_of(self._world, self._values, visited)
 
     def _scene(self, moment: BeliefState) -> Scene:
-        """As everything is or was, with the robot here: where somebody was, it may stand by now."""
+        """As everything is or was, with the robot here: where a person was, it may stand by now."""
         return moment.scene(self._prepared.scene, self._world.robot.pose)
 
     def _take_news(self) -> tuple[News, ...]:

@@ -1,4 +1,4 @@
-"""What people say on the way, as it counts from then on: for figures, and for whoever judges an episode."""
+"""What people say on the way, as it counts from then on: for pictures, and for judging an episode."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ParameterUpdate:
-    """Somebody's parameters are others from a time on."""
+    """A person's parameters are others from a time on."""
 
     t: float
     """In the world's time [s]."""
@@ -29,7 +29,7 @@ class ParameterUpdate:
 def values_at(
     start: Mapping[str, Inference], told: Iterable[ParameterUpdate], person: str, t: float
 ) -> Inference:
-    """Somebody's parameters at a time [s].
+    """A person's parameters at a time [s].
 
     Args:
         start: Everybody's, at the start.
@@ -45,7 +45,7 @@ def values_at(
 
 
 def later_distances_m(told: Iterable[ParameterUpdate]) -> dict[str, tuple[tuple[float, float], ...]]:
-    """Since when [s] somebody likes another distance [m], by name and in order of time."""
+    """Since when [s] a person likes another distance [m], by name and in order of time."""
     later: dict[str, tuple[tuple[float, float], ...]] = {}
     for one in told:
         later[one.person] = (*later.get(one.person, ()), (one.t, own_distance_m(one.values)))

@@ -40,7 +40,7 @@ def verdict(
         rest: What is left of the plan under way.
         kept: What its choices would cost now, in cm; None where one is not open any more.
         plan: The plan that takes over.
-        unreachable: Whom no plan can serve now, and why.
+        unreachable: People whom no plan can serve now, and why.
         too_late: Who would be greeted too late with these choices, on the world's clock.
     """
     if unreachable:

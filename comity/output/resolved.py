@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from comity_fis import Population, PopulationTable, Rulebook
 
 FIRST = ("name", "profile")
-"""People write who or what somebody or something is, and then where."""
+"""People write who or what a person or something is, and then where."""
 
 
 def resolved_files(prepared: Prepared) -> dict[str, str]:

@@ -39,7 +39,7 @@ REPLAY = "replay.html"
 COMPARISON = "comparison.html"
 
 INTERRUPTED = "interrupted"
-"""The error in the account of a run that somebody stopped with Ctrl-C or SIGTERM."""
+"""The error in the account of a run that a person stopped with Ctrl-C or SIGTERM."""
 
 
 @dataclass(frozen=True, slots=True)

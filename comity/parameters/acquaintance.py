@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 STANDING = "standing"
-"""The posture where none is told: nobody is met lying down unless somebody says so."""
+"""The posture where none is told: nobody is met lying down unless a person says so."""
 
 
 def situation_of(person: PersonSpec) -> dict[str, Fact]:
@@ -46,7 +46,7 @@ def usual_situation(declared: Declared, day: date | None) -> dict[str, Fact]:
 def learnt_about(
     declared: Declared, rulebook: Rulebook, situation: Mapping[str, object], day: date | None
 ) -> dict[str, Learnt]:
-    """What earlier meetings with somebody who is kept in the store taught, by parameter.
+    """What earlier meetings with a person who is kept in the store taught, by parameter.
 
     Args:
         declared: Who it is.

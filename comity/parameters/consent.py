@@ -1,7 +1,7 @@
 """Contact needs consent: what `touch: none` rules out, and wishes for contact that rest without it.
 
 In a meeting, consent is what the person says there. What their profile says was said on another day and to
-somebody else: it is shown by `infer` and `explain`, and moves no hand.
+another person: it is shown by `infer` and `explain`, and moves no hand.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ def _gestures(rulebook: Rulebook) -> tuple[Category, ...]:
 
 
 def asks_for_no_touch(wishes: Wishes, rulebook: Rulebook) -> bool:
-    """Whether somebody asked not to be touched, of whom a rulebook could otherwise think they consent."""
+    """Whether a person asked not to be touched, of whom a rulebook could otherwise think they consent."""
     return wishes.get(TOUCH) == NO_TOUCH and CONSENT in rulebook.variables
 
 
@@ -171,7 +171,7 @@ def wishes_at_rest(values: Inference) -> dict[str, str]:
 
 
 def refuse_resting(asked: Iterable[str], rests: Mapping[str, Category]) -> None:
-    """Refuse to promise somebody what could not be granted on the day on which they ask for it.
+    """Refuse to promise a person what could not be granted on the day on which they ask for it.
 
     Args:
         asked: The parameters that they ask for now.

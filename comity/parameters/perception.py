@@ -102,7 +102,7 @@ class Clash:
 def clash_of(wishes: Mapping[str, object], *, hears: bool, sees: bool) -> Clash | None:
     """The first wish that can never be met with what a person perceives; None where all can.
 
-    Of somebody who neither hears nor sees no wish is at fault: no act reaches them.
+    Of a person who neither hears nor sees no wish is at fault: no act reaches them.
 
     Args:
         wishes: By parameter, what the person asked for.

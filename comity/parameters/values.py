@@ -55,7 +55,7 @@ def infer_for(
 ) -> Inference:
     """One person's parameters in one situation.
 
-    Somebody of several cultures is asked about in each, and the answers are combined by weight.
+    A person of several cultures is asked about in each, and the answers are combined by weight.
 
     Args:
         declared: What the person declared.
@@ -138,7 +138,7 @@ class CultureCase:
     """A person as one of their cultures has it."""
 
     name: str
-    """What the culture is called; empty for somebody who declared none."""
+    """What the culture is called; empty for a person who declared none."""
     weight: float
     inputs: Mapping[str, Fact]
     """By variable of the rulebook; only what is disclosed."""

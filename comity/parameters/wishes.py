@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def decided_here(wishes: Wishes, rulebook: Rulebook) -> tuple[dict[str, float | str], tuple[str, ...]]:
     """The wishes that a rulebook judges, and a note for each that only another shipped one could grant.
 
-    That somebody asked for no touch has its effect everywhere, and needs no note. A name
+    That a person asked for no touch has its effect everywhere, and needs no note. A name
     that no shipped rulebook knows is most likely a slip, and stays for the rulebook to refuse.
 
     Args:

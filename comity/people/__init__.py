@@ -1,1 +1,1 @@
-"""Who somebody is: dated facts, languages, cultures, the declared profile, what is kept and was learnt."""
+"""Who a person is: dated facts, languages, cultures, the declared profile, what is kept and was learnt."""

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from comity.people.profile import Profile
 
 ADULT = 18
-"""Years. The Convention on the Rights of the Child (1989), Article 1, calls whoever is younger a child."""
+"""Years. The Convention on the Rights of the Child (1989), Article 1, calls younger people children."""
 AGE_BAND, NO_ADULT = "age_band", f"under {ADULT}"
 """What a run that is passed on says of a child in place of the age."""
 NOTE = f"under {ADULT}: no rule was made for children or tested with them"

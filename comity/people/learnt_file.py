@@ -56,7 +56,7 @@ class Observation(_Dated):
 
     @property
     def how(self) -> Literal["said", "seen"]:
-        """Whether the person put it in words, or somebody saw it."""
+        """Whether the person put it in words, or an observer saw it."""
         return "said" if self.signal in WORDS else "seen"
 
     def added_to(self, known: ComfortPosterior) -> ComfortPosterior:
@@ -117,7 +117,7 @@ class LearntFile(BaseModel):
         return self.model_copy(update={PARAMETER: (*self.conversational_distance, *seen)})
 
     def with_entry(self, seen: Iterable[Observation]) -> LearntFile:
-        """The same with what somebody wrote down at once, under the next number."""
+        """The same with what a person wrote down at once, under the next number."""
         number = 1 + max((one.entry or 0 for one in self._shown), default=0)
         return self.also(one.model_copy(update={"entry": number}) for one in seen)
 

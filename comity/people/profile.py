@@ -258,7 +258,7 @@ NOBODY = Declared(Profile(name="nobody in particular"), None)
 def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Declared:
     """A profile by name, or one from a file.
 
-    A shipped name goes first, so that shipped scenarios mean the same everywhere; then somebody who is kept
+    A shipped name goes first, so that shipped scenarios mean the same everywhere; then a person who is kept
     in the store; then a file, which a path such as `./amal` names for certain. The note `about` of a stored
     person stays in the store: only the file has it. Who agrees to be remembered no more is forgotten.
 

@@ -58,7 +58,7 @@ def remember(name: str, seen: Iterable[Learning]) -> bool:
 
 
 def write_down(name: str, seen: Iterable[Observation]) -> None:
-    """Add what somebody saw and heard of a person, all at once, so that it can be undone at once.
+    """Add what an observer saw and heard of a person, all at once, so that it can be undone at once.
 
     Raises:
         InputError: if the person did not agree to it, or the store cannot be read or written.

@@ -77,7 +77,7 @@ class Store:
         )
 
     def path(self, name: str) -> Path | None:
-        """The profile of somebody who is kept; None where nobody of that name is."""
+        """The profile of a person who is kept; None where nobody of that name is."""
         path = self._folder(name) / PROFILE
         return path if NAME.fullmatch(name) and path.is_file() else None
 
@@ -85,8 +85,8 @@ class Store:
         """Keep another profile of a person than before; nobody else changes it meanwhile.
 
         Args:
-            name: Of the person; somebody new is kept from now on.
-            change: From the file as it is kept, None for somebody new, to the new document.
+            name: Of the person; a new person is kept from now on.
+            change: From the file as it is kept, None for a new person, to the new document.
 
         Raises:
             InputError: for a name that cannot be kept, if `change` refuses, in which case nothing is written,
@@ -97,7 +97,7 @@ class Store:
             path = self.path(name)
             document = change(None if path is None else read_yaml(path))
             if path is None:
-                self._forget(name, LEARNT)  # what was left of somebody else of that name
+                self._forget(name, LEARNT)  # what was left of another person of that name
             return self._write(name, PROFILE, document)
 
     def remember_profile(self, name: str, document: Document) -> Path:
@@ -118,7 +118,7 @@ class Store:
         return None if file is None else file.data
 
     def learnt_file(self, name: str) -> YamlFile | None:
-        """The same as a file that still knows its lines, for whoever checks it."""
+        """The same as a file that still knows its lines, for checks."""
         path = self._folder(name) / LEARNT
         with advising(name):
             return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
@@ -157,8 +157,8 @@ class Store:
         """Record something else of what a person agreed to, and keep a profile of theirs, which may be empty.
 
         Args:
-            name: Of the person; somebody new is kept from now on.
-            change: From the file as it is kept, None for somebody new, to the new document.
+            name: Of the person; a new person is kept from now on.
+            change: From the file as it is kept, None for a new person, to the new document.
 
         Returns:
             The file as it is kept now.
@@ -171,7 +171,7 @@ class Store:
         with alone_in(self._people):
             document = change(self.consent_file(name))
             if self.path(name) is None:
-                self._forget(name, LEARNT)  # what was left of somebody else of that name
+                self._forget(name, LEARNT)  # what was left of another person of that name
                 self._write(name, PROFILE, {"schema_version": 1, "name": name})
             return read_yaml(self._write(name, CONSENT, document))
 
@@ -208,7 +208,7 @@ class Store:
     def exported(self, name: str) -> str:
         """What is kept of a person but for `about`: a usable profile file, with what was learnt as comments.
 
-        Comments that somebody wrote into the files stay in the store, too.
+        Comments that a person wrote into the files stay in the store, too.
 
         Raises:
             InputError: if nobody of that name is kept.
@@ -244,7 +244,7 @@ class Store:
             self._clear(name)
 
     def require(self, name: str) -> Path:
-        """The folder of somebody of whom something has to be kept.
+        """The folder of a person of whom something has to be kept.
 
         Raises:
             InputError: if nothing is.
@@ -276,7 +276,7 @@ class Store:
                 shutil.rmtree(self._folder(name))
 
     def _write(self, name: str, file: str, document: Mapping[str, Any]) -> Path:
-        """Write one file whole or not at all: whoever reads it meanwhile sees the old or the new one."""
+        """Write one file whole or not at all: a reader sees the old or the new one meanwhile."""
         folder = self._folder(name)
         with permitted(folder / file):
             new = not folder.exists()
@@ -315,7 +315,7 @@ def advising(name: str) -> Iterator[None]:
 
 
 def refuse_name(name: str) -> None:
-    """Refuse a name that no folder can have everywhere, or that ships with Comity and means somebody else.
+    """Refuse a name that no folder can have everywhere, or that ships with Comity and means another person.
 
     Raises:
         InputError: with what would be one.

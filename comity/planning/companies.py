@@ -65,7 +65,7 @@ def _overlooks(
 
 
 def _distance_m(name: str, xy: XY, route_map: RouteMap, widest_deg: float) -> float | None:
-    """How far somebody is from the robot; None where they do not see it or are not within earshot."""
+    """How far a person is from the robot; None where they do not see it or are not within earshot."""
     place = route_map.surroundings
     person = place.person(name)
     stands = docked(Pose(*xy, 0.0), place.robot_radius_m, person)

@@ -61,7 +61,7 @@ def in_words(goal: Unmet) -> str:
 
 @dataclass(frozen=True, slots=True)
 class UnservedCase:
-    """Somebody who cannot be served, and how else things could be."""
+    """A person who cannot be served, and how else things could be."""
 
     scene: Scene
     visitee: Visitee
@@ -112,7 +112,7 @@ def _of_the_moment(name: str, now: Circumstances) -> Iterator[RelaxableCondition
 
 
 def _of_the_place(name: str, scene: Scene) -> Iterator[RelaxableCondition]:
-    """What stands around somebody, the nearest first; on a map, nobody takes walls down to get in."""
+    """What stands around a person, the nearest first; on a map, nobody takes walls down to get in."""
     at = scene.person(name).xy
     shut = sorted((door for door in scene.doors if not door.is_open), key=lambda door: dist(door.start, at))
     for door in shut[:MOST_THINGS]:
@@ -133,7 +133,7 @@ def _gap_m(at: XY, corners: Sequence[XY]) -> float:
 
 
 def _served(case: UnservedCase, lifted: Sequence[RelaxableCondition]) -> bool:
-    """Whether somebody could be served without these conditions."""
+    """Whether a person could be served without these conditions."""
     wishes, others = [], set[tuple[str, str]]()
     for condition in lifted:
         if condition.kind == "setting":

@@ -24,7 +24,7 @@ EXACT_M = 1e-6
 
 
 def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) -> Visitee:
-    """The same person without the gestures that would hit a wall, a shut door or somebody.
+    """The same person without the gestures that would hit a wall, a shut door or a person.
 
     Furniture does not count: how high it is is not known, and people greet each other across a counter.
 
@@ -33,7 +33,7 @@ def with_elbow_room(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) ->
 
     Args:
         scene: Where everybody and everything is.
-        visitee: Whom to greet.
+        visitee: The person to greet.
         spots: Where the robot may stand before them.
     """
     reach_m = {gesture: reach_of(gesture, visitee.now.reach_m) for gesture in sorted(_gestures(visitee))}

@@ -42,7 +42,7 @@ class Lengths:
         self._measured: dict[Way, Journey | None] = {}
 
     def travel(self, *, least: bool) -> dict[Leg, float]:
-        """Route lengths from the robot's start and from every spot to every spot of somebody else [m].
+        """Route lengths from the robot's start and from every spot to every spot of another person [m].
 
         Args:
             least: Bounds in their place.

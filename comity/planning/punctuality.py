@@ -110,7 +110,7 @@ class _Diagnosing:
         return by
 
     def _too_soon(self, name: str, enough: float | None) -> Unmet:
-        """Somebody whose deadline is out of reach by itself."""
+        """A person whose deadline is out of reach by itself."""
         own_s = self._by[name]
         earliest = self._deadlines.enough_s(name, {name: own_s})
         known = "" if earliest is None else f": {earliest} s is the first that a plan can promise"

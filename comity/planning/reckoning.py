@@ -1,7 +1,7 @@
-"""How long the robot takes from one person to the next, reckoned so that culture has no say in it.
+"""How long the robot takes from one person to the next, computed so that culture has no say in it.
 
 A deadline that some people's taste could break would decide who is served, and so would the price of a way
-that bends around somebody who likes to be passed at a distance. So the robot is sent, in thought, to the same
+that bends around a person who likes to be passed at a distance. So the robot is sent, in thought, to the same
 distance from everybody, passes everybody at the same distance, and within 1.5 m of the person it visits is as
 slow as any rule may want. What the plan promises is therefore late rather than early.
 """
@@ -69,7 +69,7 @@ class TravelDistances:
         route_map: The routes that it may take: where these lead past people, so do the ways.
         people: Who may be visited, each with where the robot may stand before them: it is sent there, in
             thought, only if no place is free in steps of 5 cm and 5 deg, which are everybody's, or if that
-            one is cut off from where it comes from or goes, as one side of somebody may be.
+            one is cut off from where it comes from or goes, as one side of a person may be.
         kept: Where the robot stands to fetch things, by the place's name.
     """
 

@@ -1,4 +1,4 @@
-"""What the planner is asked: whom to visit, on which sides, and how far everything is apart."""
+"""The planning request: people to visit, on which sides, and how far everything is apart."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class PlanningRequest:
 
     request: VisitRequest
     unreachable: Mapping[str, str]
-    """Whom no plan can serve, whatever its order, with the reason; but those who may be left out."""
+    """People whom no plan can serve, whatever its order, with the reason; but those who may be left out."""
     places: Mapping[str, Pose]
     """Where the robot stands to fetch what is offered, by the place's name."""
 
@@ -70,7 +70,7 @@ def ask(
     Args:
         scene: Where everybody stands.
         route_map: Its routes.
-        visitees: Whom the goals name, with their parameters.
+        visitees: People whom the goals name, with their parameters.
         groups: Who stands together, by a name.
         lost: Of whom it is not known where they are, and why; the scene need not have them.
         attend_s: How long the robot watches how each person takes its coming.
@@ -147,11 +147,11 @@ def _blocked(scene: Scene, served: Sequence[Visitee], spots: Mapping[Spot, XY]) 
 def why_unserved(
     scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY], places: Mapping[str, Pose | None]
 ) -> str | None:
-    """Why no plan can serve somebody; None where one can.
+    """Why no plan can serve a person; None where one can.
 
     Args:
         scene: Where everybody stands.
-        visitee: Whom to greet.
+        visitee: The person to greet.
         spots: Where the robot may stand before them.
         places: Where it may stand to fetch things.
     """
@@ -170,11 +170,11 @@ def why_unserved(
 
 
 def what_bars(scene: Scene, visitee: Visitee) -> str:
-    """What keeps the robot from everywhere before somebody, as the end of the reason; empty where not known.
+    """What keeps the robot from everywhere before a person, as the end of the reason; empty where not known.
 
     Args:
         scene: Where everybody stands.
-        visitee: Whom the robot gets to nowhere.
+        visitee: The person whom the robot cannot reach.
     """
     bar = barring(
         scene,
@@ -186,7 +186,7 @@ def what_bars(scene: Scene, visitee: Visitee) -> str:
 
 
 def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
-    """Where the robot could stand before somebody, had it a way there."""
+    """Where the robot could stand before a person, had it a way there."""
     person, accepted = visitee.name, _accepted(visitee)
     if not accepted:
         return []

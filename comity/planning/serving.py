@@ -22,13 +22,13 @@ def plan_for_most(
     """The plan; where no way leads from some to others, of as many as there are ways between.
 
     Args:
-        asked: Whom to visit.
+        asked: The people to visit.
         scene: Where everybody stands.
         route_map: Its routes, as they were asked with.
         make: Plans.
 
     Returns:
-        What the plan is for, with whoever it leaves out and why; and the plan.
+        What the plan is for, with the people it leaves out and why; and the plan.
 
     Raises:
         PlanningFailed: There is none for these either, or none was found.
@@ -68,13 +68,13 @@ def _only(
 
 
 def _standing_before(visitee: Visitee, scene: Scene, route_map: RouteMap) -> Scene:
-    """The scene with the robot before somebody."""
+    """The scene with the robot before a person."""
     x_m, y_m = next(iter(spots_of(scene, route_map, visitee).values()))
     return replace(scene, robot=replace(scene.robot, x_m=x_m, y_m=y_m))
 
 
 def _what_is_between(scene: Scene, visitee: Visitee) -> str:
-    """What keeps the robot from somebody, as the end of the reason."""
+    """What keeps the robot from a person, as the end of the reason."""
     place = Surroundings.of(scene)
     for space in place.o_spaces:
         others = tuple(other for other in place.o_spaces if other != space)

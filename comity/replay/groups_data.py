@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def groups_data(scene: Scene, frames: Frames) -> list[dict[str, object]]:
     """The spaces from a time [s] on, by time: middle, radius [m] and members of each.
 
-    A space is where its group stood until somebody leaves the group, or comes back.
+    A space is where its group stood until a person leaves the group, or comes back.
     """
     return [{"t": t, "spaces": [_space(space) for space in spaces]} for t, spaces in _turns(scene, frames)]
 

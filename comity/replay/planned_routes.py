@@ -65,7 +65,7 @@ def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAn
             if route is None:
                 return ()
             found += route.points
-    except (InputError, SceneError, KeyError):  # somebody stands in somebody else's place at that moment
+    except (InputError, SceneError, KeyError):  # a person stands in another person's place at that moment
         return ()
     return tuple(found)
 

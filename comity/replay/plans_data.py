@@ -41,7 +41,7 @@ def stages_of(
     Args:
         cast: The people of the run's scenario, resolved.
         first: Everybody's values at the start.
-        revisions: What became of the plan; what somebody said counts from the next one on.
+        revisions: What became of the plan; what a person said counts from the next one on.
     """
     stages, waiting = [first], list(changes_of_values(cast).values())
     for revision in revisions:

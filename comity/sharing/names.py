@@ -1,4 +1,4 @@
-"""Everything in a run that somebody gave a name, with the pseudonym that stands for it."""
+"""Everything in a run that a person gave a name, with the pseudonym that stands for it."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ ORDER = "in the order "
 PLACED = frozenset({"arguments", "from_"})
 """Names of which each has its place: one that is left out leaves an empty word."""
 EMPTIED = frozenset({"parts", "unmet", "notes", "wordings"})
-"""Fields that say where somebody is from, what they speak, or what stands in their way, in words."""
+"""Fields that say where a person is from, what they speak, or what stands in their way, in words."""
 KEPT_CAUSES = frozenset({"step", "parameter", "reading", "condition"})
 """Causes that are told without their words; a rule, a variable and a source name culture and gender."""
 

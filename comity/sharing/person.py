@@ -1,6 +1,6 @@
 """One person as they may be passed on: the filter that runs, exports and tables of a study use.
 
-What is left are still personal data (GDPR, recital 26 and Article 4(5)): whoever has the list of names, or
+What is left are still personal data (GDPR, recital 26 and Article 4(5)): a reader with the list of names, or
 knows how the person moves, can tell who it is.
 """
 

@@ -256,7 +256,7 @@ def _person(original: _Original, name: str) -> dict[str, Any]:
 
 
 def _where(told: dict[str, Any], names: RunNames) -> dict[str, Any]:
-    """Somebody's place, robot or person, under other names."""
+    """A person's place, robot or person, under other names."""
     keys = [key for key in ("name", "at", "carrying") if isinstance(told.get(key), str)]
     named: dict[str, Any] = {key: names.word(told[key]) for key in keys}
     if isinstance(told.get("at"), dict):

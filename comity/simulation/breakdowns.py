@@ -31,7 +31,7 @@ for the whole way, they go a part of it."""
 NOTICED_S = 1.0
 """What is over is behind what the robot meets for so long: it takes a moment to notice."""
 PATIENCE_S = 2.0
-"""Whoever is held up by somebody for so long stands where they are, or looks for another way (our choice)."""
+"""Whoever is held up by a person for so long stands where they are, or looks for another way (our choice)."""
 AHEAD_M = 1.5
 """Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
 
@@ -53,7 +53,7 @@ class PartFails:
 
 @dataclass(frozen=True, slots=True)
 class WalkOff:
-    """Somebody walks away from the robot."""
+    """A person walks away from the robot."""
 
     at_s: float
     person: str
@@ -88,7 +88,7 @@ class WalkOff:
 
 @dataclass(frozen=True, slots=True)
 class StandInTheWay:
-    """Somebody goes and stands on the robot's way, or as near to it as others let them, and goes back.
+    """A person goes and stands on the robot's way, or as near to it as others let them, and goes back.
 
     Whom something else sends elsewhere meanwhile goes there, and stands in the way no longer.
     """
@@ -148,7 +148,7 @@ class DoorTurns:
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """A door that somebody stands in is shut when they have left it; the trace tells whom it waits for.
+        """A door that a person stands in is shut when they have left it; the trace tells whom it waits for.
 
         One that was so already, and not by a fault, stays so: there is nothing to turn back.
         """
@@ -251,7 +251,7 @@ def _is_open(door: str, world: World) -> bool:
 
 
 def _refused(door: str, opens: bool, world: World) -> str | None:
-    """Turn a door; why it could not be turned, as it cannot be shut while somebody stands in it."""
+    """Turn a door; why it could not be turned, as it cannot be shut while a person stands in it."""
     try:
         world.set_door(door, open=opens)
     except ValueError as error:

@@ -104,7 +104,7 @@ class Changes:
 def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:
     """What everybody's parameters become on the way, by the change's place in the file, in order of time.
 
-    What somebody asks for is added to what they asked for before.
+    What a person asks for is added to what they asked for before.
 
     Raises:
         InputError: for a wish that cannot be granted, or a fact that no rulebook knows; with its line.

@@ -1,4 +1,4 @@
-"""The changes of a scenario as they happen: somebody walks or wants something else, the robot is stopped."""
+"""The changes of a scenario as they happen: a person walks or wants something else, the robot is stopped."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ GAP_M = 0.10
 
 @dataclass(frozen=True, slots=True)
 class ValuesChange:
-    """Somebody's parameters are others from a time on."""
+    """A person's parameters are others from a time on."""
 
     at_s: float
     person: str
@@ -69,7 +69,7 @@ class EmergencyStopPressed:
 
 @dataclass(frozen=True, slots=True)
 class WalkStart:
-    """Somebody walks somewhere, around walls and furniture, and waits for whoever stands in their way.
+    """A person walks somewhere, around walls and furniture, and waits for whoever stands in their way.
 
     A door that bars every way is waited for, too, however long.
     """
@@ -83,7 +83,7 @@ class WalkStart:
     round_people: bool = False
     """Whether they go round others and the robot as they stand when they set out, rather than wait."""
     patience_s: float = math.inf
-    """How long they wait for whoever stands in their way; then they stay where they are."""
+    """How long they wait for people in their way; then they stay where they are."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
         """Until something else sends them elsewhere; nothing happens where no way leads there by now."""
@@ -99,7 +99,7 @@ class WalkStart:
     def steps(self, lead: Lead, stage: Stage) -> Iterator[None]:
         """From where they are, step by step, for as long as they are led so.
 
-        Whenever a door turns they look for their way anew; before one that bars every way they wait for it.
+        Whenever a door turns they look for their way again; before one that bars every way they wait for it.
         """
         world, waits_for = stage.world, None
         doors, way = world.doors, self._way(world)
@@ -165,7 +165,7 @@ class WalkStart:
 
 @contextmanager
 def leading(lead: Lead, world: World) -> Iterator[bool]:
-    """Lead somebody; it is said whether something else did until now."""
+    """Lead a person; it is said whether something else did until now."""
     was_led = world.leads.begin(lead)
     try:
         yield was_led

@@ -24,7 +24,7 @@ def map_of(file: ScenarioFile) -> PlaceMap:
     """The place of a scenario, its doors as the scenario has them.
 
     Raises:
-        InputError: if the map cannot be used; a place without a map is checked with whoever stands in it.
+        InputError: if the map cannot be used; a place without a map is checked with the people in it.
     """
     place = file.scenario.place
     if not isinstance(place, MapPlace):

@@ -36,7 +36,7 @@ def placed(file: ScenarioFile, seed: int = 0) -> ScenarioFile:
         seed: For random places. They are drawn in the order of the scenario, the robot's first.
 
     Raises:
-        InputError: if a place that is named does not exist, or there is no room for somebody.
+        InputError: if a place that is named does not exist, or there is no room for a person.
     """
     scenario, stage = file.scenario, _Stage(file, seed)
     robot = stage.named(scenario.robot, "robot")
@@ -72,7 +72,7 @@ class _Stage:
         return floor_plan_of(place.room, place.walls, place.furniture, place.doors)
 
     def occupy(self, standing: Placement, radius_m: float) -> None:
-        """Let nobody be drawn into somebody whose place is known."""
+        """Let nobody be drawn into a person whose place is known."""
         if standing.at_m is not None:
             self._bodies.append((standing.at_m, radius_m))
 

@@ -1,4 +1,4 @@
-"""The way of somebody who is sent somewhere: all of it, or up to a door that is shut."""
+"""The way of a person who is sent somewhere: all of it, or up to a door that is shut."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ Name = Annotated[str, StringConstraints(min_length=1, max_length=100)]
 
 
 class BoundPerson(BaseModel):
-    """Somebody of the problem, in their situation."""
+    """A person of the problem, in their situation."""
 
     model_config = _FILE
 

@@ -24,7 +24,7 @@ class Timed(BaseModel):
 
 
 class Change(Timed):
-    """Somebody walks elsewhere, says what they want or is in another situation; or the robot is stopped."""
+    """A person walks elsewhere, says what they want or is in another situation; or the robot is stopped."""
 
     person: Name | None = Field(default=None, description="Who it is about; nobody for the emergency stop.")
     moves_to_m: tuple[Metres, Metres] | None = Field(

@@ -40,7 +40,7 @@ class SensorBlind(Timed):
 
 
 class PersonWalksOff(Timed):
-    """Somebody walks away from where the robot is then."""
+    """A person walks away from where the robot is then."""
 
     fault: Literal["person walks off"]
     person: Name
@@ -52,7 +52,7 @@ class PersonWalksOff(Timed):
 
 
 class PersonInTheWay(Timed):
-    """Somebody goes and stands on the robot's way, as soon as it is under way, and goes back later."""
+    """A person goes and stands on the robot's way, as soon as it is under way, and goes back later."""
 
     fault: Literal["person in the way"]
     person: Name

@@ -159,12 +159,12 @@ class Goal(BaseModel):
 
     @property
     def person_key(self) -> str:
-        """The key that says about whom."""
+        """The key that names the person."""
         return KINDS[self.kind].person
 
     @property
     def person(self) -> str:
-        """About whom."""
+        """The person it is about."""
         return str(getattr(self, FIELDS.get(self.person_key, self.person_key)))
 
     @property
@@ -179,7 +179,7 @@ class Goal(BaseModel):
 
 
 def greeted(goals: Sequence[Goal]) -> list[tuple[int, str]]:
-    """Whom the goals greet, each with its place in the list."""
+    """People whom the goals greet, each with its place in the list."""
     return [(i, goal.greet) for i, goal in enumerate(goals) if goal.greet is not None]
 
 

@@ -16,7 +16,7 @@ Seconds = Annotated[Number, Field(ge=0, le=36_000)]
 
 
 class Walks(BaseModel):
-    """A way that somebody walks, around walls and furniture."""
+    """A way that a person walks, around walls and furniture."""
 
     model_config = _FILE
 

@@ -43,7 +43,7 @@ class NameCheck:
         """Refuse greetings of nobody, and two of one person.
 
         Args:
-            greeted: Whom the goals greet, each with its place in the list.
+            greeted: People whom the goals greet, each with its place in the list.
         """
         seen: set[str] = set()
         for i, name in greeted:
@@ -67,7 +67,7 @@ class NameCheck:
 
         Args:
             key: The list in the file.
-            people: Whom each of its entries is about; None where it is about nobody.
+            people: The person each of its entries is about; None where it is about nobody.
         """
         for i, name in enumerate(people):
             if name is not None:

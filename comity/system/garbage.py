@@ -1,6 +1,6 @@
 """When Python looks for objects in circles that nobody needs any more; importing this sets it.
 
-For processes of Comity's own, and no part of `import comity`: in somebody else's program it is theirs.
+For processes of Comity's own, and no part of `import comity`: in another person's program it is theirs.
 """
 
 from __future__ import annotations

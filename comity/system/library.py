@@ -65,7 +65,7 @@ def find(
 
 
 def require_file(kind: str, path: Path, name: str, where: Where | None) -> None:
-    """Refuse a path that leads to no file where somebody wrote it, before anything reads it.
+    """Refuse a path that leads to no file where a person wrote it, before anything reads it.
 
     Args:
         kind: What the file should hold.

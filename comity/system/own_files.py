@@ -1,4 +1,4 @@
-"""Files that Comity writes where the user says so: none that somebody else wrote is ever replaced."""
+"""Files that Comity writes where the user says so: none that another person wrote is ever replaced."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ def alone_in(folder: Path) -> Iterator[None]:
 
 
 def replace_whole(path: Path, text: str) -> None:
-    """Write one file whole or not at all: whoever reads it meanwhile sees the old or the new one.
+    """Write one file whole or not at all: a reader sees the old or the new one meanwhile.
 
     Only the user may read it: `mkstemp` sees to that.
 

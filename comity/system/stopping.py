@@ -14,7 +14,7 @@ STOPS = (signal.SIGINT, signal.SIGTERM)
 
 
 class Stopped(SystemExit):
-    """Somebody ends the program: it leaves with 128 and the signal's number, as shells have it.
+    """A person ends the program: it leaves with 128 and the signal's number, as shells have it.
 
     A `SystemExit`, because what makes of `KeyboardInterrupt` something else, such as the command line's
     library, lets that through.
@@ -32,7 +32,7 @@ def stoppable() -> Iterator[None]:
 
     What leaves the program after that is `Stopped`, whatever became of it on its way: Python 3.11 makes a
     `RuntimeError` of all that comes up while a class is told the names of its attributes. A signal that
-    whoever started the program has it ignore stays ignored.
+    the caller had it ignore stays ignored.
     """
     raised: list[Stopped] = []
 

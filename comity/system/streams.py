@@ -23,7 +23,7 @@ _HANDLER = "comity.stand-ins"
 
 
 class _Unread(io.FileIO):
-    """A file whose reader may go: what is written from then on is dropped, and whoever writes goes on."""
+    """A file whose reader may go: what is written from then on is dropped, and the writer goes on."""
 
     def write(self, data: ReadableBuffer, /) -> int:
         """Write to the reader, or to nobody."""

@@ -32,7 +32,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
         time_limit_s: Wall-clock seconds for the engine, > 0.
 
     Raises:
-        InputError: The engine is not installed, or somebody has a deadline: no classical engine keeps one.
+        InputError: The engine is not installed, or a person has a deadline: no classical engine keeps one.
         NoPlan: There is none.
         PlanningFailed: None was found within the limit, or the engine broke.
     """

@@ -1,10 +1,10 @@
-"""New numbers for an old plan: somebody moved, asked for something or was learnt about.
+"""New numbers for an old plan: a person moved, asked for something or was learnt about.
 
 The discrete choice (order, sides, greetings) of the old plan is kept only where it is known to be still the
 cheapest, and it is known exactly, from the new prices of everything on offer: sides and greetings of the old
-order are settled anew by dynamic programming (`tour.best_tour`), and what the best plan of all costs is found
-without a planner by the exact label search, which knows companies, priorities and deadlines. Otherwise: plan
-again.
+order are settled again by dynamic programming (`tour.best_tour`), and the cost of the best plan of all is
+found without a planner by the exact label search, which knows companies, priorities and deadlines. Otherwise
+the visit is replanned.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def kept_late(plan: Plan, request: VisitRequest) -> Late | None:
 
 
 def _kept(plan: Plan, request: VisitRequest) -> tuple[tuple[PlannedVisit, ...], Options] | None:
-    """The visits of an old plan with the options of now; None where somebody of it is not to be visited."""
+    """The visits of an old plan with the options of now; None where a person of it is not to be visited."""
     visits = visits_of(plan)
     names = {visit.spot.place for visit in visits}
     if not names <= {visitee.name for visitee in request.visitees} or not _is_announced(plan, request):
@@ -104,7 +104,7 @@ def _choices(steps: Sequence[PlanStep]) -> list[tuple[tuple[str, ...], object, o
 
 
 def _stops(plan: Plan) -> Iterator[Stop]:
-    """Whom the plan reaches, and whether it greets their company at once."""
+    """The person whom the plan reaches, and whether it greets their company at once."""
     for visit in visits_of(plan):
         yield Stop(visit.spot.place, visit.company, visit.bringing)
 

@@ -61,7 +61,7 @@ class Execution:
         interventions: Results to hold, to see what depends on them; none in earnest.
         planner: Whom to ask when things change and when the tree fails; None: the plan stays as it is, and a
             tree that fails has failed.
-        unserved: Whom the plan leaves out because it cannot serve them, and why: with a planner, they are
+        unserved: People left out because no plan can serve them, and why: with a planner, they are
             looked at again when the rest is done.
         acts: Behaviours of your own in place of the robot's acts, by the act's name (`say` or a gesture):
             what makes one from the name of its node, `juggle(johanna)`, and the person.
@@ -103,7 +103,7 @@ class Execution:
         self._ended_s = 0.0
         self._has_resumed = False
         self._looks: GoalId | None = None
-        """The turn to somebody while no plan is under way."""
+        """The turn to a person while no plan is under way."""
         self._base_rest = Rest(robot, limits.cruise_speed_m_s)
         self._senses = Senses(robot, emergency)
         self._memory = Memory(self._senses.now_s)
@@ -274,7 +274,7 @@ class Execution:
         """Have a leaf raise an exception when it is ticked next: a failure, and never a traceback.
 
         Args:
-            leaf: Its name, `say(johanna)`, or without whom it is about, `say`.
+            leaf: Its name, `say(johanna)`, or without the person, `say`.
             error: What to raise.
             times: In so many of its ticks.
         """

@@ -1,7 +1,7 @@
 """After a failure: another plan at once, a pause and then another plan, a wait for the way, or the end.
 
 What broke may mend and who stood in the way may go: so the robot asks more than once, and waits twice as
-long each time. A cap on the new plans ends the run; it counts from when somebody was last served. New plans
+long each time. A cap on the new plans ends the run; it counts from when a person was last served. New plans
 because the world changed have a cap of the same size to themselves: a door that flaps uses up no attempt to
 go on after a failure.
 
@@ -28,14 +28,14 @@ class Later:
 
     because: tuple[Cause, ...]
     look_for: str | None = None
-    """To where somebody is believed to be the robot is to look meanwhile."""
+    """To where a person is believed to be the robot is to look meanwhile."""
 
 
 class Recovery:
     """Counts the attempts of one execution, and how long it has waited.
 
     Args:
-        planner: Whom to ask.
+        planner: Asked for another plan.
         limits: How often, and how long to wait.
     """
 
@@ -72,7 +72,7 @@ class Recovery:
         self._changes += 1
 
     def begin_again(self) -> None:
-        """Somebody was served: all attempts and all patience are left."""
+        """A person was served: all attempts and all patience are left."""
         self._attempts = self._changes = 0
         self._waited_s = 0.0
 
@@ -110,7 +110,7 @@ class Recovery:
         self._attempts += 1
         if self.is_left and (course.failures or revision.may_pass):
             return self._later(course, revision.because)
-        return revision  # whoever is left could not be served from the start
+        return revision  # the people who are left could not be served from the start
 
     def _go_on(self, course: Course, revision: Revision) -> Revision:
         """Another plan takes over: an attempt, unless it only follows a way that has opened."""

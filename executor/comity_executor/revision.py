@@ -56,15 +56,15 @@ class Revision:
     """For those who are left. The same choices with new numbers, or a new plan."""
     values: Mapping[str, Inference]
     replanned: bool
-    """Whether it is a new plan: the tree is then built anew."""
+    """Whether it is a new plan: the tree is then built again."""
     because: tuple[Cause, ...]
     """What changed, how the choice is known to stand or to fall, and the numbers before and after."""
     unserved: Mapping[str, str] = field(default_factory=dict)
     """Who is left and cannot be served as things stand, and why."""
     was_asked_for: bool = False
-    """Whether somebody said what it follows from: then it is not held against the cap."""
+    """Whether a person said what it follows from: then it is not held against the cap."""
     moved: tuple[str, ...] = ()
-    """Who stands elsewhere than before: they may be asked anew to let the robot pass."""
+    """Who stands elsewhere than before: they may be asked again to let the robot pass."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class NoRevision:
     may_pass: bool = False
     """Whether it is worth asking again although nothing changed: something broke or overlaps."""
     awaits: str | None = None
-    """What may still give a way to whoever has none, in words: then the way is waited for.
+    """What may still give a route to people who have none, in words: then the route is waited for.
 
     None where nothing is known that would.
     """
@@ -94,13 +94,13 @@ class Planner(Protocol):
     def review(self, course: Course) -> Revision | None:
         """Asked when there is news: does the plan still hold? None where nothing follows from it.
 
-        Where `may_replan` is not so, the revision has to keep the choices of the plan, unless somebody no
+        Where `may_replan` is not so, the revision has to keep the choices of the plan, unless a person no
         longer permits one of them or asked for another.
         """
         ...
 
     def permitted(self, course: Course) -> Revision | None:
-        """Asked where `review` broke down: the plan without what somebody no longer permits.
+        """Asked where `review` broke down: the plan without what a person no longer permits.
 
         None where all of it is still permitted, so that the plan stays as it is.
         """

@@ -18,7 +18,7 @@ class VisitSubtree(Behaviour):
     Every begin is an execution of its own, made for how things are then; what was said and shown before a
     halt is not repeated. Halted from above, the robot stops,
     and the trace of that execution says by which node. Its tree hangs below this node as long as it is the
-    last one, for visitors and `py_trees.display`; whoever ticks the tree owns the world's time.
+    last one, for visitors and `py_trees.display`; the caller that ticks the tree owns the world's time.
 
     Args:
         name: The name of the node.

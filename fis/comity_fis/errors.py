@@ -11,7 +11,7 @@ MOST_NAMED = 12
 LONGEST_SHOWN = 80
 """Characters of a value in a message."""
 MOST_TOLD = 12
-"""Errors that are told together: whoever has mended so many looks again."""
+"""Errors that are told together: after mending so many, a user checks again."""
 
 
 Location = tuple[str | int, ...]
@@ -97,7 +97,7 @@ class ManyInputErrors(InputError):  # noqa: N818 - its name says that there are 
 
 
 class WrongValueError(InputError, ValueError):
-    """What a record refuses at construction; whoever reads a file gives it a place.
+    """What a record refuses at construction; the reader of a file gives it a place.
 
     It is a `ValueError` too, which is what pydantic takes for a refusal.
     """

@@ -1,4 +1,4 @@
-"""How far past somebody the robot looks whom it visits, at rest: as it docks it may turn still."""
+"""How far past a person the robot looks whom it visits, at rest: as it docks it may turn still."""
 
 from __future__ import annotations
 

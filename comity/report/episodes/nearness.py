@@ -33,7 +33,7 @@ SAME_M = 0.05
 FOLLOWS_M = 0.03
 """How exactly the robot follows its route [m]."""
 EDGE_M = 0.05
-"""At the edge of a person's distance, as beside somebody who was visited [m]."""
+"""At the edge of a person's distance, as beside a person who was visited [m]."""
 ASKED_S = 15.0
 """So long after a request to let it pass the robot still goes by it [s]."""
 BEFORE_S = 1.0
@@ -92,7 +92,7 @@ class _Why:
     """When the robot was nearest to the person."""
 
     def text(self) -> str:
-        """What somebody did, else where the robot stood, else what routes there were."""
+        """What a person did, else where the robot stood, else what routes there were."""
         return self._of_person() or self._of_place() or self._of_routes()
 
     def _of_person(self) -> str:
@@ -136,7 +136,7 @@ class _Why:
 
     @property
     def _left(self) -> tuple[float, str]:
-        """When the robot was last before somebody, and before whom; the start, and nobody."""
+        """When the robot was last before a person, and before whom; the start, and nobody."""
         return max((visit for visit in self._docked if visit[0] < self.stay.start_s), default=(0.0, ""))
 
     @property
@@ -182,7 +182,7 @@ class _Why:
             route, polite = ways.route(start, goal), ways.polite(start, goal)
         except SceneError:  # bodies overlap at that moment
             return None
-        if route is None:  # somebody stood then where the robot stands later
+        if route is None:  # a person stood then where the robot stands later
             return None
         if polite is None:
             return "no route keeps clear of everybody"

@@ -178,13 +178,13 @@ def visit_answers(episode: Episode) -> Iterator[VisitAnswer]:
 
 
 def _reached_s(visit: Visit) -> tuple[float, bool]:
-    """When the robot was with somebody [s]; whoever it docked at comes before their companions."""
+    """When the robot was with a person [s]; a person it docked at comes before their companions."""
     at_s = visit.docked_s if visit.greeted_s is None else visit.greeted_s
     return (inf if at_s is None else at_s, visit.together_with is not None)
 
 
 def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
-    """What was said and done to somebody, with what was picked up for them."""
+    """What was said and done to a person, with what was picked up for them."""
     for i, event in enumerate(episode.acts):
         if event.act != PICK_UP:
             if event.person == visit.person:

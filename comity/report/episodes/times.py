@@ -1,4 +1,4 @@
-"""Times that somebody asks a trace about, and the refusal of what is none."""
+"""Times that a person asks a trace about, and the refusal of what is none."""
 
 from __future__ import annotations
 

@@ -226,7 +226,7 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
 
 
 def after_end_text(recorded: StoredTrace, why: str) -> Iterator[str]:
-    """What needs to be said where somebody asks about a time beyond the end."""
+    """What needs to be said where a person asks about a time beyond the end."""
     t = time_of(why)
     if t is None or t <= recorded.history.end_s:
         return

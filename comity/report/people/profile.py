@@ -36,7 +36,7 @@ class ShownProfile:
     inference: Inference
     learnt: Mapping[str, Any] | None
     note: str
-    """Free words about the person; no answer for programs has those of somebody who is kept."""
+    """Free words about the person; no answer for programs has those of a person who is kept."""
     consents: ConsentFile | None
     """What they agreed to; None where nothing was recorded."""
 

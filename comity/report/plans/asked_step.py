@@ -1,4 +1,4 @@
-"""Which step of a plan somebody means who asks `--why STEP`."""
+"""Which step of a plan a person means who asks `--why STEP`."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ def _because(
 
 
 def _earlier(step: PlanStep, prepared: Prepared) -> str:
-    """Who is greeted before somebody."""
+    """Who is greeted before a person."""
     stops = [visit.spot.place for visit in visits_of(prepared.plan)]
     return ", ".join(stops[: stops.index(step.person)]) or "nobody"
 

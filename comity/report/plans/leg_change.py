@@ -61,7 +61,7 @@ def _place(origin: tuple[str, str] | None) -> str:
 
 
 def _moved(old: PlanStep, new: PlanStep) -> Iterator[str]:
-    """What of the place before somebody is another one; of another side, the distance alone."""
+    """What of the place before a person is another one; of another side, the distance alone."""
     names = (DISTANCE, BEARING) if old.arguments[-1] == new.arguments[-1] else (DISTANCE,)
     for name in names:
         was, is_ = old.parameters.get(name), new.parameters.get(name)

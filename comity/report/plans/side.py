@@ -17,7 +17,7 @@ SIDES = (
 
 
 def toward(steps: Iterable[PlanStep], person: str, parameter: str) -> str:
-    """` → front` after the approach direction of somebody who is visited, else nothing."""
+    """` → front` after the approach direction of a person who is visited, else nothing."""
     if parameter != "approach_direction":
         return ""
     sides = [step.arguments[-1] for step in steps if step.action == "Reach_user" and step.person == person]

@@ -1,4 +1,4 @@
-"""What leaving somebody out costs, and what it is weighed against."""
+"""What leaving a person out costs, and what it is weighed against."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def skipping(prepared: Prepared, name: str) -> SkippingAnswer:
-    """The price of leaving somebody out, and what serving them would have cost instead.
+    """The price of leaving a person out, and what serving them would have cost instead.
 
     Args:
         prepared: A scenario whose plan leaves them out.

@@ -1,4 +1,4 @@
-"""What was done for somebody, and on which occasion: a farewell has words and gestures, too."""
+"""What was done for a person, and on which occasion: a farewell has words and gestures, too."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Done:
 
 
 def done_for(episode: Episode, person: str) -> tuple[Done, ...]:
-    """What was done to its end for somebody, or for their company, in order."""
+    """What was done to its end for a person, or for their company, in order."""
     stood_before = spoken_to(episode.visits, person)
     spans = list(_spans(episode.events, stood_before))
     return tuple(

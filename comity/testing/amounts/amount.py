@@ -19,7 +19,7 @@ BEYOND = 1e9
 """Farther from 0 no number of an episode is, in whatever unit: a bound there would say nothing."""
 
 ROUNDING = 1e-9
-"""Whoever writes 82.5 cm means the 0.825 m that computing misses by less, in whatever unit."""
+"""A user who writes 82.5 cm means the 0.825 m that computing misses by less, in whatever unit."""
 
 MOST_TIMES = 1_000_000
 """Nothing happens more often in an episode."""

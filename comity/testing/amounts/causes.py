@@ -88,7 +88,7 @@ def at_time(history: History, t: float, actions: Collection[str] = ()) -> Iterat
 
 
 def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
-    """Somebody's value, or a profile's, what it is made of, and the rules that fired."""
+    """A person's value, or a profile's, what it is made of, and the rules that fired."""
     value = values[parameter]
     yield f"parameter {parameter} of {whose} {told(value.value, value.unit)} ({value.origin})"
     for line in because_of_value(value, values.inputs).splitlines():
@@ -98,7 +98,7 @@ def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
 def of_parameter(
     episode: Episode, parameter: str, person: str, counts_s: float | None = None
 ) -> Iterator[str]:
-    """Somebody's value in an episode, what it is made of, and which held when where it was another once.
+    """A person's value in an episode, what it is made of, and which held when where it was another once.
 
     Args:
         episode: What happened.
@@ -112,7 +112,7 @@ def of_parameter(
 
 
 def of_step(episode: Episode, action: str, person: str) -> Iterator[str]:
-    """A step of the last plan in which somebody is visited, and why; of a new plan, also why it was made."""
+    """A step of the last plan in which a person is visited, and why; of a new plan, also why it was made."""
     found = last_for(episode, person, action)
     if found is None:
         return
@@ -162,7 +162,7 @@ def of_unserved(episode: Episode) -> Iterator[str]:
 
 
 def of_visit(episode: Episode, person: str) -> Iterator[str]:
-    """Why somebody's visit went as it did."""
+    """Why a person's visit went as it did."""
     visit = visit_of(episode.visits, person)
     if visit is None:
         reason = episode.prepared.asked.unreachable.get(person)

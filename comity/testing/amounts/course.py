@@ -74,7 +74,7 @@ def of_plan(episode: Episode) -> Iterator[str]:
 def _steps(
     episode: Episode, person: str | None, to: str | None
 ) -> Iterator[tuple[float, str, Sequence[PlanStep]]]:
-    """The steps of all plans, or of the one by which somebody was visited; since when [s], and why anew.
+    """The steps of all plans, or of the one by which a person was visited; since when [s], and why replanned.
 
     Args:
         episode: What happened.
@@ -92,7 +92,7 @@ def _steps(
 def of_time(
     episode: Episode, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
-    """What happened, whom the robot met, what it did longest, for what it waited, and what failed."""
+    """What happened, which people the robot met, what it did longest, for what it waited, and what failed."""
     yield from happened(episode, person, until_s=until_s, moving=moving)
     yield from met(episode, until_s)
     yield from _done(episode, person, until_s)
@@ -173,7 +173,7 @@ def _way_m(frames: Frames, start_s: float, end_s: float) -> float:
 
 
 def _is_for(person: str | None, node: Node, visits: Sequence[Visit]) -> bool:
-    """Whether an action is for somebody, or for the one before whom their company is greeted."""
+    """Whether an action is for a person, or for the one before whom their company is greeted."""
     if person is None:
         return True
     return node.person in (person, spoken_to(visits, person))

@@ -41,7 +41,7 @@ def happened(
         episode: What happened.
         person: During whose visit, to the robot or to them; None for the whole run.
         until_s: What happens later has no part in it.
-        moving: Whether only what moves somebody, or keeps the robot from moving, has.
+        moving: Whether only what moves a person, or keeps the robot from moving, has.
     """
     scenario = episode.prepared.file.scenario
     since_s, end_s = _visit_span(episode.events, person)
@@ -59,7 +59,7 @@ def happened(
 
 
 def walking(scenario: Scenario, person: str | None, until_s: float = math.inf) -> tuple[str, ...]:
-    """What has somebody of the scenario walk by a time, or anybody, in words."""
+    """What has a person of the scenario walk by a time, or anybody, in words."""
     who = (person,) if person else tuple(scenario.people)
     keys = [
         f"{one} has `{key}`"
@@ -82,7 +82,7 @@ def walking(scenario: Scenario, person: str | None, until_s: float = math.inf) -
 
 
 def _visit_span(events: Iterable[TraceEvent], person: str | None) -> tuple[float, float]:
-    """From setting out to somebody to the end of their visit [s]; of nobody, all the time."""
+    """From setting out to a person to the end of their visit [s]; of nobody, all the time."""
     if person is None:
         return 0.0, math.inf
     times = [event.t for event in events if is_of(event, VISITED, person)]

@@ -1,4 +1,4 @@
-"""Which value of a parameter held when: somebody may ask for another one on the way."""
+"""Which value of a parameter held when: a person may ask for another one on the way."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Held:
-    """Somebody's parameters, of which one is another than before."""
+    """A person's parameters, of which one is another than before."""
 
     since_s: float
     values: Inference
@@ -28,7 +28,7 @@ class Held:
 
 
 def held(episode: Episode, parameter: str, person: str) -> tuple[Held, ...]:
-    """Every value that somebody's parameter had, in order of time; the first is that of the start."""
+    """Every value that a person's parameter had, in order of time; the first is that of the start."""
     found = [Held(0.0, episode.prepared.values[person], None)]
     for one in episode.told:
         if one.person == person and _differ(one.values[parameter], found[-1].values[parameter]):

@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 
 def met(episode: Episode, until_s: float = math.inf) -> Iterator[str]:
-    """Whoever walks and came near a robot that was not about them; of passers-by the nearest one.
+    """People who walk and came near a robot that was not about them; of passers-by the nearest one.
 
     Args:
         episode: What happened.
-        until_s: Whoever comes later had no part in it.
+        until_s: People who come later had no part in it.
     """
     scenario, nearest = episode.prepared.file.scenario, _nearest(episode.frames, episode.events, until_s)
     people = scenario.people

@@ -78,7 +78,7 @@ def moment_of(episode: Episode, metric: str) -> Moment | None:
 
 
 def of_moment(episode: Episode, moment: Moment) -> Iterator[str]:
-    """Why the robot did then what it did, and where that person and whoever it visited would have it.
+    """Why the robot did then what it did, and where that person and the visited one would have it.
 
     Of a moment about nobody, which is that of the highest speed: what limits speeds.
     """
@@ -103,7 +103,7 @@ def _of_speed(episode: Episode, moment: Moment) -> Iterator[str]:
 
 
 def of_their_way(scenario: Scenario, person: str | None, until_s: float) -> Iterator[str]:
-    """What had somebody walk by a time, who may be a passer-by; nothing of who stood."""
+    """What had a person walk by a time, who may be a passer-by; nothing of who stood."""
     if person in scenario.people and (keys := walking(scenario, person, until_s)):
         yield f"walks     {', '.join(keys)}"
 

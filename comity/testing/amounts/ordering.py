@@ -38,7 +38,7 @@ def visited(events: Iterable[TraceEvent]) -> tuple[str, ...]:
 def of_order(episode: Episode, people: Sequence[str]) -> Iterator[str]:
     """Why these people are visited in another order than this: the plan's reason, and those of later plans.
 
-    What was decided before anybody of them was reached and decided anew afterwards is no reason any more.
+    What was decided before anybody of them was reached and decided again afterwards is no reason any more.
     """
     plan, docked = episode.prepared.plan, list[str]()
     served, now = {name for step in plan.steps for name in step.people}, _among(people, _stops(plan))

@@ -34,7 +34,7 @@ def plans(episode: Episode) -> Iterator[Planned]:
 
 
 def last_for(episode: Episode, person: str, action: str = "") -> Planned | None:
-    """The last plan with a step for somebody that does something of that name; None where none has."""
+    """The last plan with a step for a person that does something of that name; None where none has."""
     return next(
         (
             each

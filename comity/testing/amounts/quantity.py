@@ -198,7 +198,7 @@ def _of_docked(episode: Episode, person: str) -> Iterator[str]:
 
 
 def _of_walk(episode: Episode, person: str | None) -> Iterator[str]:
-    """What has somebody walk, or anybody, and then the course; who stays takes no part in that."""
+    """What has a person walk, or anybody, and then the course; who stays takes no part in that."""
     keys = walking(episode.prepared.file.scenario, person)
     metrics = episode.metrics
     moved = (metrics.walked_by_person_m[person] if person else metrics.walked_m) > 0

@@ -39,7 +39,7 @@ def shaping(episode: Episode, person: str | None = None) -> Iterator[str]:
 
 
 def shaping_price(episode: Episode, person: str) -> Iterator[str]:
-    """What another choice for somebody is priced by: theirs, and where everybody else wants the robot.
+    """What another choice for a person is priced by: theirs, and where everybody else wants the robot.
 
     It is a choice of the first plan, and so what they said later is no part of it.
     """
@@ -52,7 +52,7 @@ def told_of(episode: Episode, pairs: Iterable[tuple[str, str]], *, later: bool =
 
     Args:
         episode: What happened.
-        pairs: Somebody and one of their parameters each.
+        pairs: A person and one of their parameters each.
         later: Whether values count, too, that people asked for on the way.
     """
     people: dict[str, dict[str, list[str]]] = {}
@@ -70,7 +70,7 @@ def _in_words(each: Held, name: str) -> str:
 
 
 def _planned_with(prepared: Prepared, person: str | None) -> Iterator[tuple[str, str]]:
-    """Somebody and one of their parameters, for every step."""
+    """A person and one of their parameters, for every step."""
     for step in prepared.plan.steps:
         if person is None or person in step.people:
             for one in step.people:
@@ -79,7 +79,7 @@ def _planned_with(prepared: Prepared, person: str | None) -> Iterator[tuple[str,
 
 
 def _passed(episode: Episode) -> Iterator[tuple[str, str]]:
-    """Whoever the robot came near, the nearest first."""
+    """People the robot came near, the nearest first."""
     frames, values = episode.frames, episode.prepared.values
     nearest = dict(zip(frames.entities[1:], clearances_m(frames).min(axis=0), strict=True))
     for one in sorted(nearest, key=lambda name: nearest[name]):

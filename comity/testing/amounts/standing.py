@@ -41,7 +41,7 @@ class DockedPose:
 
 
 def standing(frames: Frames, visits: Iterable[Visit], person: str) -> DockedPose | None:
-    """Where the robot stood at its last docking before somebody; None where it never docked."""
+    """Where the robot stood at its last docking before a person; None where it never docked."""
     visit = visit_of(visits, person)
     if visit is None or visit.docked_s is None:
         return None

@@ -254,7 +254,7 @@ def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
 
 
 def _refuse_unknown_people(file: ScenarioFile) -> None:
-    """Refuse to give a profile to somebody who is not there."""
+    """Refuse to give a profile to a person who is not there."""
     for name in file.scenario.matrix.people:
         if name not in file.scenario.people:
             raise InputError(

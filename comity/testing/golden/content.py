@@ -87,17 +87,17 @@ def kept_of(case: Case) -> Iterator[tuple[str, str]]:
 
 
 def learnt_with(person: str) -> str:
-    """What golden episodes call what meetings with somebody taught."""
+    """What golden episodes call what meetings with a person taught."""
     return f"what was learnt with {person}"
 
 
 def profile_of(person: str) -> str:
-    """What golden episodes call somebody's profile."""
+    """What golden episodes call a person's profile."""
     return f"profile of {person}"
 
 
 def is_written_out(case: Case, person: str) -> bool:
-    """Whether somebody's profile is a part of the scenario."""
+    """Whether a person's profile is a part of the scenario."""
     return person not in case.profiles and not isinstance(case.file.scenario.people[person].profile, str)
 
 

@@ -60,7 +60,7 @@ def _parameters(before: Golden, now: Golden) -> Iterator[str]:
 
 
 def _other_parameters(before: Golden, now: Golden) -> Iterator[tuple[str, str]]:
-    """Somebody and one of their parameters that is another one now."""
+    """A person and one of their parameters that is another one now."""
     for person in {**before.parameters, **now.parameters}:
         was, values = before.parameters.get(person, {}), now.parameters.get(person, {})
         for name in {**was, **values}:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from comity.testing.golden.record import Golden
 
 MOST = 6
-"""Lines about a file: who writes it anew needs no list."""
+"""Lines about a file: who writes it again needs no list."""
 RULES = "rules"
 """What the edit of a rule is of."""
 _SMALL = "moved"
@@ -27,7 +27,7 @@ _SCENARIO, _MAP, _RULEBOOK = "scenario", "map", "rulebook"
 _NO_PARAMETER = ("robot", "place", "passers_by", "goals", "limits")
 """What a scenario says there changes what the robot does, and nobody's parameters."""
 _WHERE_THEY_ARE = ("at_m", "facing_deg", "walks", "reacts", "comfort")
-"""What the scenario has of somebody and no parameter comes from."""
+"""What the scenario has of a person and no parameter comes from."""
 _THEN = re.compile(r"\bthen\b([^;]*)")
 _NAMED = re.compile(r"(\w+) is\b")
 _IDLE = "in what nothing is computed with"
@@ -72,7 +72,7 @@ def edits(
 
 
 def bears_on(edit: Edit, person: str, parameter: str, rules: Iterable[str]) -> bool:
-    """Whether somebody's parameter may be another one for an edit; where that is not known, it may.
+    """Whether a person's parameter may be another one for an edit; where that is not known, it may.
 
     Args:
         edit: One of those above.

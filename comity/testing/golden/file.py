@@ -1,9 +1,9 @@
-"""Golden episodes: what came of a case when somebody last looked at it, kept beside the scenario.
+"""Golden episodes: what came of a case when a person last looked at it, kept beside the scenario.
 
 A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
 the trace, which counts only where the platform's fingerprint is the same. What the files that the case read
 say, without prose, its rules, and the parameters to the last digit tell what is behind a difference, and a
-digest of the whole file whether somebody edited it.
+digest of the whole file whether a person edited it.
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ def advised(refusal: InputError, text: str) -> InputError:
 
 
 def require_quotes(text: str, names: Collection[str], place: Place) -> None:
-    """Refuse an article that may be somebody, and a name of several words, which would be taken for several.
+    """Refuse an article that may be a person, and a name of several words, which would be taken for several.
 
     Args:
         text: The sentence.

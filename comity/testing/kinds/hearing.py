@@ -1,4 +1,4 @@
-"""What the robot says to somebody, and what it does not."""
+"""What the robot says to a person, and what it does not."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def _members(scenario: Scenario, who: str) -> Iterator[tuple[str, str]]:
 
 
 def _said_to(episode: Episode, person: str) -> list[ActEvent]:
-    """All utterances that are meant for somebody."""
+    """All utterances that are meant for a person."""
     stood_before = spoken_to(episode.visits, person)
     return [
         act

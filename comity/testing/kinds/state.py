@@ -1,4 +1,4 @@
-"""What something is, in a word: the outcome, the plan, how somebody fared, a parameter."""
+"""What something is, in a word: the outcome, the plan, how a person fared, a parameter."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def judge_outcome(episode: Episode, wanted: str) -> Iterator[Finding]:
 
 
 def _of_visit(episode: Episode, name: str) -> tuple[str, ...]:
-    """Why somebody's visit went as it did; of one that was over too late, what took the time."""
+    """Why a person's visit went as it did; of one that was over too late, what took the time."""
     visit = visit_of(episode.visits, name)
     return (tuple(of_lateness(episode, visit)) if visit else ()) or tuple(causes.of_visit(episode, name))
 

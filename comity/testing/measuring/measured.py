@@ -50,7 +50,7 @@ class Measured:
     phases_s: Mapping[str, float]
     """By phase, summed over the visits."""
     intrusion_s: float
-    """The longest time in the distance of somebody who was not visited then, passers-by among them."""
+    """The longest time in the distance of a person who was not visited then, passers-by among them."""
     detour_m: float
     """The way beyond the straight lines from stop to stop."""
     distances_m: Mapping[str, tuple[float, float | None]]

@@ -33,9 +33,9 @@ FASTEST_NEAR_M_S, NEAR_M = 0.5, 1.5
 _SLACK = 0.02
 """In metres and metres per second: a controller's overshoot, below what anybody would notice (our choice)."""
 COMING_M_S = 0.02
-"""The robot comes nearer where it moves towards somebody faster than this: slower is rest (our choice)."""
+"""The robot comes nearer where it moves towards a person faster than this: slower is rest (our choice)."""
 TAKES_IN_S = 0.15
-"""So long it takes to see somebody, to decide and to act on it, a tick each at 20 Hz."""
+"""So long it takes to see a person, to decide and to act on it, a tick each at 20 Hz."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +48,7 @@ class Danger:
 
 
 def dangers(episode: Episode) -> Iterator[Danger]:
-    """Contacts, and whoever the robot came too near or near too fast: each at its worst moment."""
+    """Contacts, and people the robot came too near or near too fast: each at its worst moment."""
     frames, metrics, history = episode.frames, episode.metrics, episode.history
     if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
         got = f"{counted(things, 'contact')} with walls and furniture"
@@ -120,9 +120,9 @@ def _towards_m_s(
 def _most_m_s(
     time_s: NDArray[np.float64], speeds: NDArray[np.float64], begun: NDArray[np.bool_], body: RobotBody
 ) -> NDArray[np.float64]:
-    """How fast the robot may be near somebody from each frame to the next; more for a while where they came.
+    """How fast the robot may be near a person from each frame to the next; more for a while where they came.
 
-    Whoever walks to within `NEAR_M` of it is braked for as usual, from the speed that it had then.
+    A person who walks to within `NEAR_M` of it is braked for as usual, from the speed that it had then.
 
     Args:
         time_s: Of the frames, shape (n,).

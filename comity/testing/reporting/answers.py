@@ -51,7 +51,7 @@ class ServedAnswer(TriedAnswer):
     """The share of those who were to be visited."""
     time_s: float | None
     """Mean, simulated; as intrusion and detour over the tests in which nobody else's profile had more people
-    served, and somebody was. Null where there is none."""
+    served, at least one. Null where there is none."""
     distance_error_m: float | None
     """Mean of reached against wanted, without its sign."""
     intrusion_s: float | None
@@ -88,7 +88,7 @@ class UnexplainedAnswer(Record):
     profiles: tuple[str, str]
     values: tuple[float, float]
     settings: tuple[str, ...] = ()
-    """Parameters that differ because somebody asked for it: then it is no unfairness."""
+    """Parameters that differ because a person asked for it: then it is no unfairness."""
     because: str
     """Why nothing explains it."""
     text: str

@@ -1,10 +1,10 @@
 """Differences between profiles, and which of them no parameter explains.
 
-An episode is a consequence of the parameters: whoever gets the same ones is served alike. What may differ
+An episode is a consequence of the parameters: people with the same ones are served alike. What may differ
 between two profiles is therefore what hangs on a parameter that differs between them, and by a share that is
-like that of the parameter: a hundredth of the distance is no reason for twice the time. Whether somebody is
+like that of the parameter: a hundredth of the distance is no reason for twice the time. Whether a person is
 served, and as near as they would have it, hangs on none: that is the design's law. Anything else is flagged,
-but for what somebody's own settings may bring about, which is told by itself: they asked for it. A setting
+but for what a person's own settings may bring about, which is told by itself: they asked for it. A setting
 brings about only what its parameter bears on.
 """
 
@@ -53,7 +53,7 @@ class Aspect:
     small: float
     unit: str
     owed: bool = False
-    """Whether everybody is owed the same: then no parameter explains a difference, and only what somebody
+    """Whether everybody is owed the same: then no parameter explains a difference, and only what a person
     asked for may be behind it. Anything else is compared where as many people were served."""
 
     @property
@@ -98,7 +98,7 @@ def unexplained(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
 
 
 def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
-    """Every difference that no parameter explains; also where somebody's own settings may be behind it."""
+    """Every difference that no parameter explains; also where a person's own settings may be behind it."""
     return tuple(found for case, one, other in _pairs(results) for found in _between(case, one, other))
 
 
@@ -216,7 +216,7 @@ def _apart(mine: float | str | None, theirs: float | str | None) -> float:
 
 
 def asked_for(settings: Sequence[str]) -> str:
-    """That it is somebody's own doing."""
+    """That it is a person's own doing."""
     return f"one of them asked for another {' and '.join(settings)}"
 
 

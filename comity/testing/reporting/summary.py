@@ -77,7 +77,7 @@ def others(results: Sequence[Result]) -> tuple[TriedAnswer, ...]:
 
 
 def served_alike(results: Sequence[Result]) -> list[Measured]:
-    """The episodes of the cases in which all had as many people served, and somebody: of like times."""
+    """The episodes of the cases in which all had as many people served, at least one: of like times."""
     return [
         one for case in _cases(results) for one in case if all(0 < one.served == each.served for each in case)
     ]

@@ -26,7 +26,7 @@ class Tried:
     load: str | None
     """A shipped or stored name, or a path that starts from the current folder; None for nobody's."""
     called: str
-    """The same wherever one stands: of somebody who ships or is kept their name, also where it is a path
+    """The same wherever one stands: of a person who ships or is kept their name, also where it is a path
     that leads to them, and of any other file the name that it gives."""
     named: str | None
     """As the user wrote it."""
@@ -153,7 +153,7 @@ def _file(load: str) -> Path:
 
 
 def _is_name(name: str) -> bool:
-    """Whether it is somebody who ships or is kept; everything else is a file."""
+    """Whether it is a person who ships or is kept; everything else is a file."""
     return name in shipped("profile") or Store().path(name) is not None
 
 

@@ -78,7 +78,7 @@ def _common(
 
 
 def _nearness_cost(nearness: Nearness, values: Mapping[str, Inference], weights: Weights) -> int | None:
-    """The price of standing nearer to others than suits them; None: nearer than somebody asked for.
+    """The price of standing nearer to others than suits them; None: nearer than a person asked for.
 
     Farther than suits them costs nothing: the robot speaks to all, not to each.
     """

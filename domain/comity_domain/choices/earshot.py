@@ -1,7 +1,7 @@
-"""Whether words carry to somebody: their own distance chooses among ways, and never who is served.
+"""Whether words carry to a person: their own distance chooses among ways, and never who is served.
 
-How far off somebody likes the robot to stand is cultural, and decides whether it speaks or only gestures.
-Where nothing else is left than words, that distance has no say: somebody is left out for the noise only where
+How far off a person likes the robot to stand is cultural, and decides whether it speaks or only gestures.
+Where nothing else is left than words, that distance has no say: a person is left out for the noise only where
 it drowns words at the nearest distance that rules give, or at the one that they asked for themselves.
 """
 

@@ -44,7 +44,7 @@ class Greeting:
 
     @property
     def way(self) -> tuple[str, str]:
-        """What is done, whoever it is for."""
+        """What is done, for any person."""
         return self.modality, self.gesture
 
     @property

@@ -74,7 +74,7 @@ class PersonOptions:
 
     @property
     def greeting_s(self) -> float:
-        """What the greeting takes, as deadlines reckon it."""
+        """What the greeting takes, as deadlines compute it."""
         if self.greeted:
             return 0.0
         return GREETING_S + (ANNOUNCING_S if self.is_told else 0.0)
@@ -119,7 +119,7 @@ class Options:
 
     @property
     def locations(self) -> tuple[Spot, ...]:
-        """Where something is fetched for somebody."""
+        """Where something is fetched for a person."""
         return tuple(dict.fromkeys(at for person in self.people.values() for at in person.fetched_at))
 
     @property
@@ -129,17 +129,17 @@ class Options:
 
     @property
     def under_way(self) -> bool:
-        """Whether somebody's visit was begun before."""
+        """Whether a person's visit was begun before."""
         return any(person.greeted or person.in_hand for person in self.people.values())
 
     @property
     def has_priorities(self) -> bool:
-        """Whether it matters how many people are greeted before somebody."""
+        """Whether it matters how many people are greeted before a person."""
         return any(person.priority for person in self.people.values())
 
     @property
     def has_order(self) -> bool:
-        """Whether the scenario wants somebody greeted before somebody else."""
+        """Whether the scenario wants a person greeted before another person."""
         return any(person.after in self.people for person in self.people.values())
 
     @property
@@ -173,7 +173,7 @@ def options(request: VisitRequest) -> Options:
 
 
 def _busy(people: Mapping[str, PersonOptions]) -> list[str]:
-    """Those who are greeted alone: more is to be done with them, or somebody comes first."""
+    """Those who are greeted alone: more is to be done with them, or a person comes first."""
     return [
         name for name, person in people.items() if person.agenda or person.is_told or person.after in people
     ]

@@ -56,7 +56,7 @@ def _gestures(options: Options) -> list[str]:
 
 
 def tasks(person: PersonOptions) -> tuple[PddlWord, ...]:
-    """What is on somebody's agenda, as objects."""
+    """What is on a person's agenda, as objects."""
     return tuple(
         PddlWord(TASK, f"{_label(task)} {i} {person.name}") for i, task in enumerate(person.agenda, 1)
     )
@@ -73,7 +73,7 @@ def _label(task: Task) -> str:
 
 
 def brought(person: PersonOptions) -> Iterator[tuple[PddlWord, PddlWord]]:
-    """The offers on somebody's agenda, each with the thing that is handed over."""
+    """The offers on a person's agenda, each with the thing that is handed over."""
     for i, (task, word) in enumerate(zip(person.agenda, tasks(person), strict=True), 1):
         if isinstance(task, Offer):
             yield word, PddlWord(THING, f"{task.thing} {i} for {person.name}")

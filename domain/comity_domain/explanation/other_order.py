@@ -23,7 +23,7 @@ class OtherOrder:
     """The cheapest way to visit everybody with some people in another order than a plan has."""
 
     people: tuple[str, ...]
-    """Whom the robot reaches then, all of them, in order."""
+    """The people whom the robot reaches then, all of them, in order."""
     extra_parts: Mapping[str, int]
     """By part of the costs, as steps have them, how much more than the plan's it is, in cm; none are 0."""
     too_late: Late | None
@@ -36,7 +36,7 @@ class OtherOrder:
 
 
 def in_order(request: VisitRequest, plan: Plan, people: Sequence[str]) -> OtherOrder | None:
-    """The cheapest way to reach some people in an order, whoever comes between.
+    """The cheapest way to reach some people in an order, with any others between.
 
     Args:
         request: What was planned.

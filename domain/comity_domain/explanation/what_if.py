@@ -1,4 +1,4 @@
-"""What a plan would cost if the robot went to somebody else next."""
+"""What a plan would cost if the robot went to another person next."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInst
 
 
 def _rest(request: VisitRequest, begun: Sequence[PlannedVisit], name: str) -> tuple[int | None, VisitRequest]:
-    """What it costs to go on with somebody; None: it cannot be done. And the request with that measured."""
+    """What it costs to go on with a person; None: it cannot be done. And the request with that measured."""
     start = begun[-1].last_spot if begun else START
     while True:
         choices = options(request)

@@ -1,6 +1,6 @@
 """Whether every deadline can be kept, and in which order: found by time alone.
 
-Neither prices nor sides have a part in it: the reckoning of time knows no sides. So of all ways to have
+Neither prices nor sides have a part in it: the computation of time knows no sides. So of all ways to have
 greeted the same people and to be at the same place only the earliest counts, which leaves the search so
 little that its answer is exact for more people than that of the cheapest plan. Whoever has no deadline waits
 until all others were greeted: nobody is met earlier for a visit more, unless a way past them is shorter than
@@ -71,7 +71,7 @@ class Deadlines:
     """Whether some order keeps these deadlines, or others; ways are measured as far as an answer takes them.
 
     Args:
-        request: What was asked. Whoever may be left out at a price is.
+        request: What was asked. People who may be left out at a price are.
         ends_s: When answers are that it is not known, by the machine's clock.
     """
 
@@ -118,10 +118,10 @@ class Deadlines:
         return None
 
     def enough_s(self, name: str, by_s: Mapping[str, float]) -> int | None:
-        """The least deadline of somebody, in whole seconds, with which all deadlines can be kept.
+        """The least deadline of a person, in whole seconds, with which all deadlines can be kept.
 
         Args:
-            name: Somebody.
+            name: A person.
             by_s: All deadlines, theirs included, with which it cannot be done.
 
         Returns:
@@ -223,7 +223,7 @@ def _timed(choices: Options, names: Collection[str]) -> Options:
 
 
 def _anywhere(spot: Spot, choices: Options) -> Spot:
-    """Before somebody, whatever the side; a location stays as it is."""
+    """Before a person, whatever the side; a location stays as it is."""
     return spot if place_of(spot) not in choices.people else Spot(spot.place, ANY_SIDE.name)
 
 

@@ -74,8 +74,8 @@ def cheapest(
     Args:
         options: What may be chosen.
         begun: The visits that were made already.
-        next_person: Whom the robot must reach next; None: anybody, or for whom it holds something.
-        order: Who must be reached in this order, whoever comes between.
+        next_person: The person to reach next; None: anybody, or the person for whom it holds something.
+        order: People to reach in this order, with any others between.
         at_most: What the answer may cost, in cm; a low one makes the search quick.
         ends_s: When the first answer has to do, by the machine's clock.
     """
@@ -152,7 +152,7 @@ def searched(
     Args:
         table: What may be chosen.
         first: One label.
-        next_person: Whom the robot must reach next; None: anybody.
+        next_person: The person to reach next; None: anybody.
         most_labels: Kept for each number of people served; where there are more, nothing is proven.
         at_most: What the answer may cost, in cm.
         ends_s: When the search is given up, by the machine's clock.
@@ -200,7 +200,7 @@ def _best_end(labels: Labels, level: int, table: LabelTable) -> tuple[int, int, 
 
 
 def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
-    """What it costs to end here and leave out whoever is left; `NO_LIMIT` where somebody may not be."""
+    """Cost of ending here and leaving out all others; `NO_LIMIT` where a person may not be left out."""
     import numpy as np
 
     cost = labels.cost.copy()
@@ -225,14 +225,14 @@ def _undominated(labels: Labels, table: LabelTable) -> Labels:
     labels, time_ms = labels.rows(order), time_ms[order]
     keeps = np.ones(len(order), dtype=bool)
     keeps[1:] = (np.diff(labels.served) != 0) | (np.diff(labels.spot) != 0)
-    # The running minimum starts anew in each group: a later group's times are lowered below all earlier ones.
+    # The running minimum restarts in each group: a later group's times are lowered below all earlier ones.
     lowered = time_ms - np.cumsum(keeps) * (int(time_ms.max()) + 1)
     keeps[1:] |= lowered[1:] < np.minimum.accumulate(lowered)[:-1]
     return labels.rows(np.flatnonzero(keeps))
 
 
 def _promising(labels: Labels, table: LabelTable, at_most: int) -> Labels:
-    """Those that may end at this cost, the cheapest first; whoever is left costs something and waits, too."""
+    """Those that may end at this cost, the cheapest first; leaving people out costs something, too."""
     import numpy as np
 
     promise, waits = labels.cost.copy(), _greeted_before(labels, table)
@@ -287,7 +287,7 @@ def _greeted_before(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
 
 
 def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: LabelTable) -> NDArray[np.bool_]:
-    """Whether somebody who is left cannot be greeted in time any more, however the robot goes on."""
+    """Whether a person who is left cannot be greeted in time any more, however the robot goes on."""
     import numpy as np
 
     late = np.zeros(len(served), dtype=bool)

@@ -35,7 +35,7 @@ class Leaving:
 
 
 def leaving(request: VisitRequest, *, ends_s: float = math.inf) -> Leaving:
-    """Whom the cheapest culture-free tour leaves out; nobody without a price, or where there is no tour.
+    """People left out of the cheapest culture-free tour; nobody without a price, or where there is no tour.
 
     Args:
         request: What was asked.
@@ -55,7 +55,7 @@ def left_out(request: VisitRequest) -> tuple[str, ...]:
 
 
 def cost_of_serving(request: VisitRequest, name: str) -> int | None:
-    """What it would cost, in cm, not to leave somebody out, their price not counted; None where no plan can.
+    """What it would cost, in cm, not to leave a person out, their price not counted; None where no plan can.
 
     As in the decision itself, everybody is reached and greeted alike, and others may be left out instead.
 

@@ -85,7 +85,7 @@ class LabelTable:
     with_deadline: int
     """Bits of people."""
     latest_departures_ms: Mapping[int, int]
-    """By person with a deadline: whoever sets out later is late, from wherever."""
+    """By person with a deadline: a robot that sets out later is late, from wherever."""
     least: tuple[int, ...]
     """By person, a share of what serving, or leaving out, all those who are left costs at least."""
     greeted: int
@@ -93,7 +93,7 @@ class LabelTable:
     priorities: tuple[int, ...]
     """By person, in cm for each who is greeted before; 0 for those who may be left out."""
     by_priority: tuple[int, ...]
-    """All people, whoever is worth most first."""
+    """All people, those worth most first."""
     skips: tuple[int | None, ...]
     """By person, what leaving them out costs; None where they must be served."""
 
@@ -157,7 +157,7 @@ def _in_order(arrivals: Iterator[Arrival], order: Sequence[int]) -> Iterator[Arr
 
 
 def _quickest_ms(name: str, options: Options) -> int:
-    """The shortest time in which somebody is reached and greeted, alone or with their company."""
+    """The shortest time in which a person is reached and greeted, alone or with their company."""
     places = {name}.union(
         *(company.members for company in options.companies.values() if name in company.members)
     )

@@ -1,7 +1,7 @@
 """A whole order of visits at once: each person is inserted where that seems to cost least without lateness.
 
 It begins with an order that keeps all deadlines, if one is found; the others are inserted by priority.
-Otherwise it begins with nobody, and whoever has the earliest deadline is inserted first.
+Otherwise it begins with nobody, and the person with the earliest deadline is inserted first.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def quick_order(choices: Options, *, ends_s: float = math.inf) -> Stops | None:
 
 
 def completed(start: Sequence[Stop], choices: Options) -> Stops | None:
-    """An order for everybody that keeps all deadlines; None where somebody fits in nowhere.
+    """An order for everybody that keeps all deadlines; None where a person fits in nowhere.
 
     Args:
         start: The order to insert the others into.
@@ -60,12 +60,12 @@ def completed(start: Sequence[Stop], choices: Options) -> Stops | None:
 
 
 def _urgency(person: PersonOptions) -> tuple[float, int]:
-    """Less for whoever is inserted earlier."""
+    """Less for people who are inserted earlier."""
     return (math.inf if person.by_s is None else person.by_s, -person.priority)
 
 
 def cost_of_order(stops: Sequence[Stop], choices: Options) -> int | None:
-    """What an order costs; None where no route leads through it, or somebody is late.
+    """What an order costs; None where no route leads through it, or a person is late.
 
     The same where it does not begin with the person for whom the robot already holds something.
     """
@@ -84,7 +84,7 @@ def _missing(stops: Sequence[Stop], choices: Options) -> tuple[str, ...]:
 
 
 def _with(name: str, stops: Stops, choices: Options, missing: Sequence[str]) -> Iterator[Stops]:
-    """The order with one visit more, to somebody alone or, where all of it is missing, to their company."""
+    """The order with one visit more, to a person alone or, where all of it is missing, to their company."""
     for company in choices.companies.values():
         if name in company.members and company.spots and set(company.members) <= set(missing):
             for member in dict.fromkeys(spot.place for spot in company.spots):

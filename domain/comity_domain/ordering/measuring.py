@@ -70,7 +70,7 @@ class Measuring:
     def is_measured(self, stops: Stops, *, ends_s: float = math.inf) -> bool:
         """Whether all that an order takes is measured; what is not is now, as far as there is time.
 
-        First what deadlines depend on, and no more where that makes somebody late.
+        First what deadlines depend on, and no more where that makes a person late.
 
         Args:
             stops: An order with a route through it.
@@ -94,7 +94,7 @@ class Measuring:
         return None if self.is_measured(stops, ends_s=ends_s) else self.choices
 
     def cost(self, stops: Stops, choices: Options) -> int | None:
-        """What an order costs; None where it takes what is not measured, or somebody waits too long."""
+        """What an order costs; None where it takes what is not measured, or a person waits too long."""
         cost = cost_of_order(stops, choices)
         return None if cost is None or self.missing(stops, choices) else cost
 

@@ -114,7 +114,7 @@ class OrderTable:
         return np.ascontiguousarray((origins * count + orders).T)
 
     def _are_late(self, orders: Whole) -> NDArray[np.bool_]:
-        """Whether each order greets somebody after their deadline."""
+        """Whether each order greets a person after their deadline."""
         import numpy as np
 
         if not self._table.with_deadline:

@@ -1,6 +1,6 @@
 """Records that are filled in when they are read.
 
-An inference needs the number, and seldom all of the why: texts, curves and lists of rules wait until somebody
+An inference needs the number, and seldom all of the why: texts, curves and lists of rules wait until a person
 asks for them. To its reader such a record is frozen like any other.
 """
 

@@ -64,7 +64,7 @@ class PlanStep:
 
     @property
     def person(self) -> str:
-        """Whom the robot stands before."""
+        """The person before whom the robot stands."""
         return self.arguments[1]
 
     @property

@@ -65,7 +65,7 @@ def _left_of(stop: Sequence[PlanStep], progress: VisitProgress) -> list[PlanStep
 
 
 def _reached(step: PlanStep) -> PlanStep:
-    """Coming back to somebody is reaching them, where that is how the rest begins."""
+    """Coming back to a person is reaching them, where that is how the rest begins."""
     return replace(step, action=REACH) if step.action == RETURN else step
 
 

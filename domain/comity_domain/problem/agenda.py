@@ -18,7 +18,7 @@ Until = Literal["speaks", "moves"]
 _UNTIL: Mapping[Until, str] = {"speaks": "says something", "moves": "moves"}
 
 HANDOVER_S = 3.0
-"""Picking something up, and handing it over: what each takes in the reckoning of deadlines (our choice)."""
+"""Picking something up, and handing it over: what each takes in the computation of deadlines (our choice)."""
 FAREWELL_S = 7.0
 """Words, a gesture and stepping away, likewise."""
 SPEECH_S_PER_CHARACTER = 0.1
@@ -103,7 +103,7 @@ class Say(PlainTask):
 
     @property
     def seconds(self) -> float:
-        """What it takes, as deadlines reckon it."""
+        """What it takes, as deadlines compute it."""
         return max(LEAST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(self.text))
 
     @property
@@ -131,7 +131,7 @@ class Offer:
 
     @property
     def seconds(self) -> float:
-        """What handing over takes, as deadlines reckon it."""
+        """What handing over takes, as deadlines compute it."""
         return HANDOVER_S
 
 
@@ -185,7 +185,7 @@ class TakeLeave:
 
     @property
     def seconds(self) -> float:
-        """What it takes, as deadlines reckon it."""
+        """What it takes, as deadlines compute it."""
         return FAREWELL_S
 
 
@@ -212,7 +212,7 @@ def takes_leave(agenda: Sequence[Task]) -> bool:
 
 
 def seconds_of(agenda: Sequence[Task], *, in_hand: bool = False) -> float:
-    """What all of it takes without the ways, as deadlines reckon it.
+    """What all of it takes without the ways, as deadlines compute it.
 
     Args:
         agenda: What is to be done.

@@ -22,7 +22,7 @@ zone in which it also slows down)."""
 FREE_OF_HANDS = frozenset({"nod", "none"})
 """All that a robot with something in its hands can do: a bow would tip a tray (our choice).
 
-A gesture from a rulebook of somebody else's is taken to need the hands.
+A gesture from a rulebook of other authors is taken to need the hands.
 """
 
 

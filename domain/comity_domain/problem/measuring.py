@@ -1,4 +1,4 @@
-"""A request with lengths in the place of bounds, where somebody asks for them."""
+"""A request with lengths in the place of bounds, where a person asks for them."""
 
 from __future__ import annotations
 

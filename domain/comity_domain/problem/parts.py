@@ -12,10 +12,10 @@ def parts(request: VisitRequest) -> tuple[tuple[str, ...], ...]:
     Ways are measured where only bounds are known, as far as that takes.
 
     Args:
-        request: What was asked; whoever cannot be reached from the start has been left out of it.
+        request: What was asked; people who cannot be reached from the start have been left out of it.
 
     Returns:
-        One part where ways lead between all. Of two as large, whoever was named first comes first.
+        One part where ways lead between all. Of two as large, that of the person named first comes first.
     """
     legs: dict[frozenset[str], list[Leg]] = {}
     for start, end in request.travel:

@@ -1,4 +1,4 @@
-"""What the planner is asked: whom to visit, along which routes, and how culture weighs against distance."""
+"""The planning request: people to visit, along which routes, and how culture weighs against distance."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Visitee:
     greeted: bool = False
     """The visit is under way: they were greeted, and the agenda is left."""
     in_hand: bool = False
-    """The robot holds what is offered first: whoever it is for is visited before all others."""
+    """The robot holds what is offered first: the person it is for is visited before all others."""
     after: str | None = None
     """The person to be greeted before, if the scenario asks for an order; ignored if nobody visits them."""
     not_from: frozenset[str] = frozenset()
@@ -109,7 +109,7 @@ class Weights:
 
 
 GREETING_S = 4.0
-"""What a greeting takes in the reckoning of deadlines: a gesture takes 1.5 s, an utterance rarely 4 s."""
+"""What a greeting takes in the computation of deadlines: a gesture takes 1.5 s, an utterance rarely 4 s."""
 
 ANNOUNCING_S = 6.0
 """What it takes longer before a person who does not see: they are told that the robot comes, and has stopped
@@ -120,7 +120,7 @@ ANNOUNCING_S = 6.0
 class VisitRequest:
     """Visit each of these people once, in any order: greet them, one by one or together with their company.
 
-    Whoever has an agenda is greeted alone, and served to its end before the next one.
+    A person with an agenda is greeted alone, and served to its end before the next one.
     """
 
     robot: str
@@ -130,12 +130,12 @@ class VisitRequest:
     companies: tuple[Company, ...] = ()
     """Nobody belongs to two."""
     durations_s: Mapping[Way, float] = field(default_factory=dict)
-    """From place to place, reckoned without culture, so that it cannot decide whether a deadline is kept.
+    """From place to place, computed without culture, so that it cannot decide whether a deadline is kept.
 
-    Needed for every pair of places with a route where somebody has a deadline.
+    Needed for every pair of places with a route where a person has a deadline.
     """
     ways_m: Mapping[Way, float] = field(default_factory=dict)
-    """The same as lengths, needed where somebody may be left out: culture has no say in who is."""
+    """The same as lengths, needed where a person may be left out: culture has no say in who is."""
     out_of_reach: Mapping[str, float] = field(default_factory=dict)
     """People whom no plan can serve and who may be left out, with what that costs in metres."""
     blocked: Mapping[Spot, str] = field(default_factory=dict)

@@ -21,7 +21,7 @@ THERE = "there"
 """What takes the place of a side at a location."""
 
 Way = tuple[str | None, str]
-"""From somebody, a location or the start (None) to somebody or a location, whatever the sides."""
+"""From a person, a location or the start (None) to a person or a location, whatever the sides."""
 
 Leg = tuple[Spot, Spot]
 """From START or a spot to a spot."""

@@ -24,4 +24,4 @@ class Survey:
     leg_m: Callable[[Leg], float | None]
     """The length of a route [m]; None where there is none."""
     way: Callable[[Way], tuple[float, float] | None]
-    """The length of a way [m] and what it takes [s], reckoned without culture; None where there is none."""
+    """The length of a way [m] and what it takes [s], computed without culture; None where there is none."""

@@ -11,7 +11,7 @@ from comity_domain.tours.tour import PlannedVisit, end_times_s, served
 
 @dataclass(frozen=True, slots=True)
 class Late:
-    """A greeting that is over after its deadline, as deadlines are reckoned."""
+    """A greeting that is over after its deadline, as deadlines are computed."""
 
     person: str
     greeted_s: float

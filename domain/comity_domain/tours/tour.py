@@ -13,7 +13,7 @@ from comity_domain.problem.spot import START, Spot, place_of
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """Whom the robot reaches, and whether it greets their company at once."""
+    """The person whom the robot reaches, and whether it greets their company at once."""
 
     person: str
     company: str | None = None
@@ -60,7 +60,7 @@ class Stay:
 
 
 def people_at(stop: Stop, options: Options) -> tuple[str, ...]:
-    """Whom a stop serves."""
+    """The people whom a stop serves."""
     return (stop.person,) if stop.company is None else options.companies[stop.company].members
 
 
@@ -134,7 +134,7 @@ def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[s
 
 
 def served(visit: PlannedVisit, options: Options) -> tuple[str, ...]:
-    """Who is greeted in a visit, whoever was reached first."""
+    """People who are greeted in a visit, in whatever order they were reached."""
     reached = visit.spot.place
     people = people_at(Stop(reached, visit.company), options)
     return (reached, *(name for name in people if name != reached))
@@ -210,7 +210,7 @@ def tour_cost(visits: Sequence[PlannedVisit], options: Options) -> int | None:
 
 
 def end_times_s(visits: Sequence[PlannedVisit], options: Options) -> list[float]:
-    """When each greeting is over, as deadlines reckon it; needs durations."""
+    """When each greeting is over, as deadlines compute it; needs durations."""
     return [greeted for greeted, _ in times_s(visits, options)]
 
 
@@ -226,7 +226,7 @@ def times_s(visits: Sequence[PlannedVisit], options: Options) -> list[tuple[floa
 
 
 def seconds_to_greeting(start: Spot, stay: Stay | PlannedVisit, options: Options) -> float:
-    """What it takes from a spot until somebody was greeted, with what is fetched before."""
+    """What it takes from a spot until a person was greeted, with what is fetched before."""
     person = options.people[stay.spot.place]
     there, _ = ways_through(stay, person)
     return seconds_through((start, *there), options) + _picking_up_s(stay, person) + person.greeting_s

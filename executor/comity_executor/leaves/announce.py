@@ -57,11 +57,11 @@ class IsComingTold(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Whom it is about."""
+        """The person it is about."""
         return {"person": self._meeting.person}
 
     def check(self) -> bool:
-        """It was so once the words were spoken; somebody who went far away is told again."""
+        """It was so once the words were spoken; a person who went far away is told again."""
         meeting, person = self._meeting, self._meeting.person
         reading = meeting.senses.read(person)
         far_m = halting_m(meeting, meeting.limits.cruise_speed_m_s) + GONE_M
@@ -181,7 +181,7 @@ class IsStopTold(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Whom it is about."""
+        """The person it is about."""
         return {"person": self._meeting.person}
 
     def check(self) -> bool:

@@ -1,4 +1,4 @@
-"""Speaking, gesturing, handing over: begun once, and remembered once it is over, whoever notices it first."""
+"""Speaking, gesturing, handing over: begun once, and remembered once any leaf notices its end."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ class IsGivenUp(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Whom it is about."""
+        """The person it is about."""
         return {"person": self._person}
 
     def check(self) -> bool:

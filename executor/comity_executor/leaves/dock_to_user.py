@@ -15,7 +15,7 @@ from comity_executor.robots.robot import Reading
 class DockToUser(MotionAction):
     """Move finely onto the chosen pose, at the person's own speed, and come to rest there.
 
-    Its numbers are behaviour parameters: distance, bearing and speed may be bound anew while it runs.
+    Its numbers are behaviour parameters: distance, bearing and speed may be updated while it runs.
     """
 
     def __init__(self, meeting: VisitContext) -> None:

@@ -100,7 +100,7 @@ class MotionAction(Action):
         """Whether something has blocked the motion for longer than the limits' patience, or it is declined.
 
         Args:
-            unasked: Whether somebody who blocks it counts, as nobody asks them to let the robot pass; else
+            unasked: Whether a person who blocks it counts, as nobody asks them to let the robot pass; else
                 that is the business of `passing`.
 
         Raises:

@@ -13,9 +13,9 @@ from comity_executor.robots.goals import MotionGoal
 
 
 class NavigateToUser(MotionAction):
-    """The first part of Reach_user: the pose is chosen anew in every attempt, the robot finds the route.
+    """The first part of Reach_user: the pose is chosen again in every attempt, the robot finds the route.
 
-    And once more where it is stuck: a place before somebody who walks is not free for ever.
+    And once more where it is stuck: a place before a person who walks is not free for ever.
     """
 
     def __init__(self, meeting: VisitContext, *, verb: str = "Navigate_to_user") -> None:

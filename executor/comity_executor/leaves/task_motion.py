@@ -95,7 +95,7 @@ class PickUp(Action):
 class StepAway(MotionAction):
     """The end of Take_leave: back from the person, facing them, at the speed that suits them.
 
-    Where there is no room for it, also because of somebody behind the robot, or it takes longer than an act
+    Where there is no room for it, also because of a person behind the robot, or it takes longer than an act
     may, the visit ends where the robot stands: people are not asked to make room for so little.
     """
 

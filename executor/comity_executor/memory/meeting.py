@@ -57,7 +57,7 @@ class VisitContext:
     speaker: Speaker = SPEAKER
     """What is said, and how people are addressed."""
     tells_leaving: bool = False
-    """Whether somebody may have to be told that the robot leaves them."""
+    """Whether a person may have to be told that the robot leaves them."""
 
     def seen_by(
         self, leaf: Behaviour, *, reads: Collection[str] = (), writes: Collection[str] = ()

@@ -1,4 +1,4 @@
-"""How far visits are that are not over, for whoever plans what is left of them."""
+"""How far visits are that are not over, for planning what is left of them."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ class Visit:
     """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
 
     def shared_with(self, companion: str) -> Visit:
-        """The same for somebody who was greeted at once with this person: the pose is not theirs."""
+        """The same for a person who was greeted at once with this person: the pose is not theirs."""
         return replace(
             self,
             person=companion,
@@ -85,13 +85,13 @@ class Visit:
 
 
 def skipped_visit(person: str) -> Visit:
-    """What came of somebody whom the plan leaves out."""
+    """What came of a person whom the plan leaves out."""
     return Visit(person, "skipped", pose=None, docked_at=None, docked_s=None, greeting=(), failure=None)
 
 
 @dataclass(frozen=True, slots=True)
 class ShownWish:
-    """How far away somebody had the robot stand, by moving or asking; it holds when the robot comes back."""
+    """How far away a person had the robot stand, by moving or asking; it holds when the robot comes back."""
 
     distance_m: float
     setting_m: float | None

@@ -22,12 +22,12 @@ Ports = Mapping[str, str | float]
 
 
 def told_by(grounds: Grounds | None) -> Ports:
-    """Whom a plan step is about, and its parameters."""
+    """The person a plan step is about, and its parameters."""
     return {"person": grounds.step.person, **grounds.step.parameters} if grounds else {}
 
 
 class Condition(Behaviour, ABC):
-    """A question to the world, answered anew in every tick.
+    """A question to the world, answered again in every tick.
 
     Args:
         name: The question, with a question mark, and the person.

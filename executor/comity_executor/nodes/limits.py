@@ -31,12 +31,12 @@ class Limits:
     blocked_s: float = 2.0
     """A motion that is blocked for so long has failed: a passer-by may stand in the way for a moment.
 
-    Where it is somebody who blocks it, they are asked to let the robot pass then.
+    Where it is a person who blocks it, they are asked to let the robot pass then.
     """
     passing_s: float = 6.0
     """After that, so long for them to make way; then the attempt has failed."""
     detour_m: float = 3.0
-    """Somebody in the way is gone round at once where that is at most so much longer; else asked first."""
+    """A person in the way is gone round at once where that is at most so much longer; else asked first."""
     unseen_s: float = 1.0
     """A docked robot that loses sight of the person believes the last reading for so long."""
     replans: int = 4
@@ -44,7 +44,7 @@ class Limits:
     replan_pause_s: float = 2.0
     """Before the second of them; before each further one twice as long as before the last."""
     patience_s: float = 60.0
-    """A way that is known to be shut is waited for so long in all, until somebody is served; no attempts."""
+    """A way that is known to be shut is waited for so long in all, until a person is served; no attempts."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
     unverified_speed_m_s: float = 0.3
@@ -76,7 +76,7 @@ class Limits:
     def attentive(cls, attend_s: float) -> Limits:
         """The usual limits with time for a person's reaction, or without if it is 0.
 
-        Somebody who turns away has said something and is not walked around: the band's bearing is wide.
+        A person who turns away has said something and is not walked around: the band's bearing is wide.
         """
         return cls(attend_s=attend_s, leave_bearing_deg=100.0) if attend_s else cls()
 

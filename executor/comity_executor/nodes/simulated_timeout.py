@@ -22,7 +22,7 @@ class SimulatedTimeout(Decorator):
         duration_s: How long it may run, in the clock's seconds.
         clock: The world's time.
         grounds: The plan step that the child carries out.
-        limit: What a scenario's limits call that time, for whoever wants to change it.
+        limit: What a scenario's limits call that time, for a reader who wants to change it.
         under_way: How far the child is, in words; asked when the time is over.
     """
 

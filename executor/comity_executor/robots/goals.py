@@ -151,7 +151,7 @@ def speech(
 
     Args:
         act: `say` or `ask_to_pass`.
-        to: Towards whom.
+        to: The person whom the robot turns to.
         words: What is said; a text where the plan has one of its own.
         thing: What is handed over with it.
         manner: How.

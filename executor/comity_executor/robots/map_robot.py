@@ -1,4 +1,4 @@
-"""What Comity needs of a robot that it drives on a map: where it is, whom it sees, and a dozen calls.
+"""What Comity needs of a robot that it drives on a map: where it is, which people it sees, and a dozen calls.
 
 Such a robot knows no persons' fronts and no docking: it is told poses of the map. `Robot`, which the tree
 needs, is made of it and of the map (`comity.live.RobotOnMap`). The protocol is structural. Units are metres,
@@ -31,7 +31,7 @@ class Localisation:
 
 @dataclass(frozen=True, slots=True)
 class PersonTrack:
-    """Somebody whom the robot's tracker sees."""
+    """A person whom the robot's tracker sees."""
 
     track: int | str
     """What the tracker calls them; it may be another name later."""

@@ -48,7 +48,7 @@ class Reading(Protocol):
 
     @property
     def speed_m_s(self) -> float:
-        """The robot's own speed: over the ground, or beside somebody who walks, whichever is less."""
+        """The robot's own speed: over the ground, or beside a person who walks, whichever is less."""
         ...
 
     @property
@@ -122,7 +122,7 @@ class Robot(Protocol):
         """Find the place to stand.
 
         Args:
-            person: Whom to stand near.
+            person: The person to stand near.
             distance_m: The wanted distance between the bodies.
             bearing_deg: The wanted bearing, signed.
             distance_desirability: How suitable each distance is for this person, over metres.

@@ -1,6 +1,6 @@
 """The smallest robot that satisfies the protocol: no physics and no room, only how far away people are.
 
-It is an example for whoever connects a real robot, and enough to try a plan's tree: it comes straight up to
+It is an example for connecting a real robot, and enough to try a plan's tree: it comes straight up to
 people at the speed it was told, turns at once, and does every act in a fixed time.
 """
 
@@ -74,7 +74,7 @@ class ScriptedRobot:
         self._ends: list[int | None] = []
         """In which step each of them is over; None: it was stopped."""
         self.in_the_way: str | None = None
-        """Somebody who blocks every way; whoever scripts the robot says who, and until when."""
+        """A person who blocks every way; the script says who, and until when."""
         self.emergency_stop: str | None = None
         """Why the emergency stop is pressed; None while it is not."""
 
@@ -83,7 +83,7 @@ class ScriptedRobot:
         self._steps += 1
         self._speed_m_s = 0.0
         if self.now_s() - self._renewed_s > self.capabilities.lease_s:
-            self._goal = None  # whoever gave it is silent
+            self._goal = None  # the sender is silent
         goal = self._goal
         if goal is None or goal.pose is None or self.in_the_way or self.emergency_stop:
             return

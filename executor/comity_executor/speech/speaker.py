@@ -47,7 +47,7 @@ class Speaker:
         """What the robot says to one person or a company; without parameters of the words, just hello.
 
         Args:
-            people: Whom it greets.
+            people: The people whom it greets.
             values: The parameters of the one it stands before.
 
         Raises:

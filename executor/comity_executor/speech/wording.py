@@ -96,7 +96,7 @@ class Wording:
 
     @property
     def is_reviewed(self) -> bool:
-        """Whether somebody who speaks the language has read it."""
+        """Whether a person who speaks the language has read it."""
         return self.reviewed_by is not None
 
     @property

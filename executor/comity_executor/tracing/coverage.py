@@ -17,7 +17,7 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
 
 @dataclass(frozen=True, slots=True)
 class LeafCoverage:
-    """One behaviour, whoever it was about."""
+    """One behaviour, of all people it was about."""
 
     leaf: str
     """The name without the person: `docked?`, `Dock_to_user`."""

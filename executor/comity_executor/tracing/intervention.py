@@ -39,7 +39,7 @@ class Intervention:
     """The time of the tick [s]."""
     result: Result
     reading_of: str | None = None
-    """Whoever looks at this person in this tick sees what the tree saw in the tick before."""
+    """A leaf that looks at this person in this tick sees what the tree saw in the tick before."""
 
 
 @contextmanager

@@ -87,7 +87,7 @@ def leave_told(
     *,
     goes_to: str | None,
 ) -> Behaviour:
-    """Before the robot goes: whoever does not see and is left is told so.
+    """Before the robot goes: a person who does not see and is left is told so.
 
     Args:
         meeting: Whose branch it is in.

@@ -3,7 +3,7 @@
     taken(tea, u) ?
     |- <> taken?(tea, u)
     '- Retry > Timeout > Fetch ->(memory)
-       |- Way(tea, u) =>        Mind_way > Pass ?, Go_to: somebody in the way is asked to pass, see `passing`
+       |- Way(tea, u) =>        Mind_way > Pass ?, Go_to: a person in the way is asked to pass, see `passing`
        '- Pick_up(tea, u)
 
 What is fetched before the robot goes to the person at all must not cost them the rest of their visit:
@@ -46,7 +46,7 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
 
     Args:
         task: To hand it over.
-        values: The parameters of whoever may be asked to make way, by name.
+        values: The parameters of people who may be asked to make way, by name.
     """
     limits, clock = task.meeting.limits, task.meeting.senses.now_s
     # Mind_way never succeeds by itself: Go_to decides.

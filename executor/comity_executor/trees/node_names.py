@@ -1,4 +1,4 @@
-"""What nodes may be called, whoever they are about: read off a tree in which everything is done."""
+"""What nodes may be called, for any person: read off a tree in which everything is done."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from comity_executor.trees.tree import build_tree
 from comity_fis.inference.value import Inference
 
 ONE, MANY = "one", "many"
-"""Somebody who is greeted alone, with an agenda, and somebody with company."""
+"""A person who is greeted alone, with an agenda, and a person with company."""
 _Kinds = tuple[tuple[str, tuple[str, ...], Mapping[str, float | str]], ...]
 """Of steps: the action, its choices, its parameters."""
 _THING: Mapping[str, float | str] = {"thing": "thing", "place": "place"}

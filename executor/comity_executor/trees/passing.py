@@ -1,14 +1,14 @@
-"""Somebody is in the way: wait, ask to pass, wait for an answer; then this attempt to get somewhere fails.
+"""A person is in the way: wait, ask to pass, wait for an answer; then this attempt to get somewhere fails.
 
     Mind_way(u) > Pass(u) ?     RUNNING instead of SUCCESS
-    |- <> way_free?(u)          of people; things are the business of whoever moves
+    |- <> way_free?(u)          of people; things are the business of the motion
     '- Ask_way(u) ->(memory)
        |- Wait_for_way(u)       SUCCESS after `blocked_s`: a passer-by stands there for a moment only
        |- Ask_to_pass(u)        in the manner that suits the one who is asked
        '- Await_way(u)          FAILURE after `passing_s`
 
 It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free; and
-beside Go_to, with `tea, u` in the brackets, where the way is to what is fetched for somebody (`fetching`).
+beside Go_to, with `tea, u` in the brackets, where the way is to what is fetched for a person (`fetching`).
 After people were asked in vain the next attempt goes round, however far that is; where no way leads round,
 they are asked once more, and never again unless they move, whatever is replanned (`asking`).
 """
@@ -39,7 +39,7 @@ ASK = "ask_to_pass"
 
 @dataclass(frozen=True, slots=True)
 class Passage:
-    """A way that somebody may be in, and for whose sake the robot goes it."""
+    """A way that a person may be in, and for whose sake the robot goes it."""
 
     meeting: VisitContext
     """Whose branch it belongs to."""
@@ -59,7 +59,7 @@ def passing(way: Passage, values: Mapping[str, Inference]) -> Behaviour:
 
     Args:
         way: Where to, and for whom.
-        values: The parameters of whoever may be asked, by name.
+        values: The parameters of people who may be asked, by name.
     """
     limits = way.meeting.limits
     ask = sequence(
@@ -84,7 +84,7 @@ class IsWayFree(Condition):
         self._hindered_by: tuple[str, ...] = ()
 
     def check(self) -> bool:
-        """Ask the robot whether somebody blocks its motion."""
+        """Ask the robot whether a person blocks its motion."""
         self._hindered_by = hindered_by(self._meeting)
         return not self._hindered_by
 

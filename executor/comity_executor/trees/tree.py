@@ -87,7 +87,7 @@ VISITED, DOCKED = "visited", "docked"
 GREETINGS = (GREET, GREET_TOGETHER)
 KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
 SKIP = "Skip_visit"
-"""Nothing to do: whoever is left out has no branch."""
+"""Nothing to do: a person who is left out has no branch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,7 @@ class Tree:
     meetings: tuple[VisitContext, ...]
     """In the order of the visits."""
     returns: tuple[VisitContext, ...]
-    """Where the robot comes back to somebody with what it has fetched in the middle of their visit."""
+    """Where the robot comes back to a person with what it has fetched in the middle of their visit."""
     senses: Senses
     memory: Memory
     holds: DoesPlanHold
@@ -167,7 +167,7 @@ def build_tree(
         speaker: What the robot says, and how it addresses people.
 
     Raises:
-        ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
+        ValueError: The plan has other actions than these, lacks one of them for a person, or names a
             person whose parameters are not given; or `acts` names an act that must be the robot's.
     """
     if HAND_OVER in acts:

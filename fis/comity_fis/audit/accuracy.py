@@ -63,7 +63,7 @@ def accuracy(
     Args:
         studies: By name, its rows, at least one.
         band: The largest difference that counts as none, in the parameter's unit.
-        neutral: What the rulebook says of somebody of whom nothing is known.
+        neutral: What the rulebook says of a person of whom nothing is known.
     """
     return {name: study_accuracy(rows, band, neutral) for name, rows in studies.items()}
 

@@ -1,6 +1,6 @@
 """Attributes: what a person may say of themselves, or what holds of a meeting, as columns of people.
 
-Several variables may follow from one fact: whoever names a culture has its name and its score at once. An
+Several variables may follow from one fact: a named culture gives its name and its score at once. An
 audit changes the fact, and all of them with it.
 """
 
@@ -41,7 +41,7 @@ class Attribute:
     of a number one for each term."""
 
     def facts(self, place: int) -> dict[str, object]:
-        """The variables of somebody who disclosed the value at a place; what has none is left out."""
+        """The variables of a person who disclosed the value at a place; what has none is left out."""
         told = {name: column.item(place) for name, column in self.columns.items()}
         return {
             name: value

@@ -1,4 +1,4 @@
-"""The audit of a rulebook: what it rests on, whom it covers, what it contradicts, what it does to whom."""
+"""The audit of a rulebook: what it rests on, whom it covers, what it contradicts, what it does to people."""
 
 from __future__ import annotations
 

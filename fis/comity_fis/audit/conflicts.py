@@ -46,7 +46,7 @@ class Conflict(Record):
     strength: float
     """Of the weaker rule, where it is largest."""
     example: Mapping[str, str]
-    """Facts about somebody of whom that is so."""
+    """Facts about a person of whom that is so."""
 
 
 def conflicts(rulebook: Rulebook, known: Mapping[str, Attribute]) -> tuple[Conflict, ...]:

@@ -1,4 +1,4 @@
-"""Coverage: whom the rules know anything about, and who is met with the neutral value."""
+"""Coverage: people whom the rules know anything about, and people met with the neutral value."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from comity_fis.rulebook.rulebook import Rulebook
 
 CULTURE = "culture"
-"""The fact that says where somebody is from."""
+"""The fact that says where a person is from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Reached(Record):
 
 @dataclass(frozen=True, slots=True)
 class Coverage(Record):
-    """Whom a rulebook knows anything about."""
+    """The people whom a rulebook knows anything about."""
 
     scored: int
     """Rows of the tables of scores, each culture once."""
@@ -100,7 +100,7 @@ def _reached(rulebook: Rulebook, parameter: str, attribute: Attribute) -> Reache
 
 
 def said(rulebook: Rulebook, attribute: Attribute, place: int) -> dict[str, object]:
-    """The variables of somebody of whom the value at a place is known, words as words."""
+    """The variables of a person of whom the value at a place is known, words as words."""
     facts = attribute.facts(place)
     for name, value in facts.items():
         variable = rulebook.variables[name]

@@ -1,4 +1,4 @@
-"""Facts that follow from others: whoever names a culture has its score, through whatever door it is named."""
+"""Facts that follow from others: a named culture has its score, through whatever door it is named."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """What a rule that fired rests on: on what is known, or only on what nobody disclosed.
 
 An undisclosed input is 1 everywhere, so that a rule that reads nothing else holds to degree 1: possible, and
-supported by nothing. Whoever tells people about rules needs to tell the two apart.
+supported by nothing. An explanation of rules needs to tell the two apart.
 """
 
 from __future__ import annotations

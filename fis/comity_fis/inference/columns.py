@@ -164,11 +164,11 @@ class People:
     def _fire(self, block: Block, *, only_told: bool = False) -> tuple[list[Layer], Bools | bool]:
         """What each rule concludes and how strongly, and for whom a rule holds that knows anything of them.
 
-        The second may be True for somebody of whom no rule holds at all: then every strength is 0.
+        The second may be True for a person of whom no rule holds at all: then every strength is 0.
 
         Args:
             block: The rules.
-            only_told: Whether a rule that knows nothing of somebody does not count for them.
+            only_told: Whether a rule that knows nothing of a person does not count for them.
         """
         layers: list[Layer] = []
         informed: Bools | bool = all(self._knows(rule.reads) is True for rule, _ in block.clauses)

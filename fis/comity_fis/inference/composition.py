@@ -99,7 +99,7 @@ def inferred_word(
     """The most desirable of the permitted categories.
 
     Where the neutral category wins a tie that it is not among, the rules have left the question open all the
-    same: it is as desirable as they are, so that whoever chooses by desirability chooses alike.
+    same: it is as desirable as they are, so that a choice by desirability is the same.
     """
     best = max(desirability.values())
     tied = [category for category, degree in desirability.items() if best - degree < TIE]

@@ -72,7 +72,7 @@ class ParameterValue:
     shift: ParameterValue | None = None
     """By how much the situation moved it, with the rules that said so; None where nothing did."""
     parts: tuple[PartValue, ...] = ()
-    """Of somebody with several cultures: what each alone would give, where that differs."""
+    """Of a person with several cultures: what each alone would give, where that differs."""
     neutral: float | str | None = None
     """The parameter's declared neutral value, in `unit`, which wins ties; None where it is not known."""
 

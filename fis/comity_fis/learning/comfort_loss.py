@@ -1,7 +1,7 @@
 """What it costs to stand in one place while a person would like another best.
 
 Counted from the model's value, in spreads. Being off costs the distance, as absolute errors are counted. On
-top comes harm: somebody who is left noticeably worse than the model alone would have left them was better
+top comes harm: a person who is left noticeably worse than the model alone would have left them was better
 not learnt about at all. Both are our own choice. Where people may mean the opposite of what they show, it is
 this that keeps a robot from believing them too soon.
 """
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 HARM = 3.5
-"""To leave somebody worse costs as much as being off by so many spreads. Set in the study of learning, with
+"""To leave a person worse costs as much as being off by so many spreads. Set in the study of learning, with
 room to spare, so that at most one in twenty is left worse where one in ten means the opposite."""
 NOTICED = 1.0 / 6.0
 """Worse by less is not noticed: 5 cm of a spread of 30 cm. Nobody is worse off for a move of so little."""

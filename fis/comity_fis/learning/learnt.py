@@ -1,4 +1,4 @@
-"""What was learnt with one person: the part of a value that outweighs where somebody comes from."""
+"""What was learnt with one person: the part of a value that outweighs where a person comes from."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How people show that somebody stands too close or too far, and how often that is misread.
+"""How people show that another stands too close or too far, and how often that is misread.
 
 The one model of signals in the project: the people of the 2D world and of the studies draw what they show
 from `shown`, and the posterior of `comfort` weighs what was noticed by `noticed`. No study was found that
@@ -35,7 +35,7 @@ def feelings(distance: ArrayLike, near: ArrayLike, far: ArrayLike, edge: float) 
     The ends of a comfort interval are soft: a person is not equally sensitive every day.
 
     Args:
-        distance: Where somebody stands.
+        distance: Where a person stands.
         near: The end of the interval below which it is too close.
         far: The end beyond which it is too far.
         edge: Standard deviation of both ends from day to day.
@@ -56,7 +56,7 @@ def shown(
     """The probability of every signal.
 
     Args:
-        distance: Where somebody stands, shape (...).
+        distance: Where a person stands, shape (...).
         near: The near end of the comfort interval, shape (...).
         far: Its far end, shape (...).
         chance: Of showing a discomfort at all, in [0, 1], shape (...).

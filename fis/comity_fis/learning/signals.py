@@ -1,11 +1,11 @@
-"""The signals by which people show that somebody stands too close or too far."""
+"""The signals by which people show that another stands too close or too far."""
 
 from __future__ import annotations
 
 from typing import Literal, get_args
 
 Signal = Literal["step_back", "ask_farther", "turn_away", "lean_in", "ask_closer", "nothing"]
-"""What a person does within a few seconds of somebody coming to rest before them."""
+"""What a person does within a few seconds of another coming to rest before them."""
 
 SIGNALS: tuple[Signal, ...] = get_args(Signal)
 AWAY: frozenset[Signal] = frozenset({"step_back", "ask_farther"})

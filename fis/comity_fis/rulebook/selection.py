@@ -14,7 +14,7 @@ from comity_fis.variables.parameter import NominalParameter, Parameter
 def selected(rulebook: Rulebook, names: Collection[str]) -> Rulebook:
     """The rulebook with some of its parameters only, each inferred as it is in the whole.
 
-    Parameters that their rules read come along. Rules are counted anew, and one that concludes several
+    Parameters that their rules read come along. Rules are counted again, and one that concludes several
     parameters keeps what it says about these.
 
     Args:

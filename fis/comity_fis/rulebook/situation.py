@@ -52,7 +52,7 @@ def refuse_person_in_shift(
     variables: Mapping[str, Variable],
     parameters: Mapping[str, Parameter],
 ) -> None:
-    """Refuse a rule that moves a parameter and reads who somebody is: that is for the other rules.
+    """Refuse a rule that moves a parameter and reads who a person is: that is for the other rules.
 
     Raises:
         InputError: with the first name that is no variable of the situation.

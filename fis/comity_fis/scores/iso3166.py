@@ -44,7 +44,7 @@ def countries() -> tuple[Country, ...]:
 
 
 def country(words: str) -> Country | None:
-    """The country that somebody writes by code or by name, in whatever case; None where it is none."""
+    """The country that a person writes by code or by name, in whatever case; None where it is none."""
     return _by_spelling().get(words.strip().casefold())
 
 

@@ -1,4 +1,4 @@
-"""What the kinds of pydantic's errors mean, in the words of somebody who writes a file."""
+"""What the kinds of pydantic's errors mean, in the words of a person who writes a file."""
 
 from __future__ import annotations
 

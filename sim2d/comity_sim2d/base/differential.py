@@ -17,10 +17,10 @@ SETTLE_M, SETTLE_SIGMAS = 0.004, 0.2
 """Nearer to its goal than this, and so many deviations of the sensor, it does not turn to come nearer."""
 LEAVES_M, LEAVES_SIGMAS = 0.008, 1.4
 """Content, it moves again for as much: for less than the centimetre within which a robot counts as docked, or
-it would rest in front of somebody who shifted by a little more, and never be; with fewer deviations it would
+it would rest in front of a person who shifted by a little more, and never be; with fewer deviations it would
 turn away after what is noise (our choice, tried out)."""
 FOLLOWS_M_S = 0.1
-"""Whoever shifts more slowly is looked at and not followed, until they are too far away."""
+"""A person who shifts more slowly is looked at and not followed, until they are too far away."""
 TURN_FIRST_RAD = math.radians(35.0)
 """Farther off its direction than this, it stops and turns on the spot."""
 HARD_M_S3, STRAIGHT_SHARE, TURN_SHARE = 6.0, 0.75, 0.5

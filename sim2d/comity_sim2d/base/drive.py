@@ -23,7 +23,7 @@ REDUCED_M_S = 0.2
 NEAR_PEOPLE_SLACK_M = 0.03
 """The limit holds from a little farther away, a tick's travel, so that it also holds between ticks."""
 KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0
-"""Nearer than the first to a body the robot does not go by itself, if a route is wrong or somebody stops on
+"""Nearer than the first to a body the robot does not go by itself, if a route is wrong or a person stops on
 it: half of the floor, so that it never matters to a right one (our choice)."""
 MAX_TURN_RAD_S = 1.5
 MAX_TURN_RAD_S2 = 3.0
@@ -106,7 +106,7 @@ def speed_near_people(
 
 
 def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> float:
-    """The speed from which the robot comes to rest before whoever comes into view.
+    """The speed from which the robot comes to rest before a person who comes into view.
 
     Args:
         clear_m: How far from its body they are then, less what it keeps off them.

@@ -9,7 +9,7 @@ class EmergencyStop:
     def __init__(self) -> None:
         self._reasons: list[str] = []
         self.was_pressed = False
-        """Whether somebody has pressed it so far, and not a contact alone."""
+        """Whether a person has pressed it so far, and not a contact alone."""
 
     @property
     def reason(self) -> str | None:

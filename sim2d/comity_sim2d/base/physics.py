@@ -25,7 +25,7 @@ from comity_sim2d.scene.scene import Scene
 ROBOT, OTHER = 1, 2
 """Collision types."""
 NEAR_M = 0.6
-"""Passers-by whose bodies are farther away cannot be touched before they choose anew how to go on."""
+"""Passers-by whose bodies are farther away cannot be touched before they choose again how to go on."""
 MASS_KG = 20.0
 DRIVE_N, DRIVE_N_M = 400.0, 100.0
 """The most the wheels push and turn: 20 m/s^2, far more than is commanded, too little for a wall."""

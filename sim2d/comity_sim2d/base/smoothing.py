@@ -1,7 +1,7 @@
 """The jerk limit: a base takes up commands as their moving average over a few ticks.
 
 Averaging keeps the limits of speed and acceleration, and the way: what was commanded is driven to the last
-millimetre, half a window later. So a law that stops exactly at its goal still does, if it reckons from where
+millimetre, half a window later. So a law that stops exactly at its goal still does, if it computes from where
 the base will be when it has done what it has been told already.
 """
 
@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from comity_sim2d.pose import Twist
 
 LONGEST_S = 2.0
-"""No window is longer: a base would go on for too long as it was told before it saw somebody (our choice)."""
+"""No window is longer: a base would go on for too long as it was told before it saw a person (our choice)."""
 
 
 def acceleration_within(acceleration: float, jerk: float) -> float:

@@ -51,7 +51,7 @@ def build_map(written: MapFile, where: FileLines) -> PlaceMap:
 
 @lru_cache(maxsize=KEPT)
 def _map_of(content: str) -> PlaceMap:
-    """Of a map's JSON: nobody can change a map, so that whoever writes the same has the same."""
+    """Of a map's JSON: nobody can change a map, so that the same text gives the same map."""
     from comity_sim2d.maps.file import MapFile
 
     return _built(MapFile.model_validate_json(content))

@@ -71,7 +71,7 @@ class Doorways:
             The door as it is now; None where it was so already.
 
         Raises:
-            ValueError: Where there is no such door, it has no leaf, or somebody or something stands in it.
+            ValueError: Where there is no such door, it has no leaf, or a person or something stands in it.
         """
         (door,) = turned((self._find(name),), {name: is_open})
         if door == self._doors[name]:

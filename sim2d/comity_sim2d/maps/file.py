@@ -134,7 +134,7 @@ class DoorInWall(BaseModel):
 
 
 class NamedPoint(BaseModel):
-    """A place with a name, where somebody can stand."""
+    """A place with a name, where a person can stand."""
 
     model_config = _FILE
 

@@ -44,7 +44,7 @@ class Known:
     own_m: Mapping[str, float] = field(default_factory=dict)
     """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
     later_m: Mapping[str, Since] = field(default_factory=dict)
-    """Since when [s] somebody likes another distance [m], by name and in order of time."""
+    """Since when [s] a person likes another distance [m], by name and in order of time."""
     visits: tuple[TargetStop, ...] = ()
     """In the order of the visits."""
     engaged: Mapping[str, tuple[Span, ...]] | None = None
@@ -134,7 +134,7 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     Raises:
         InputError: Of no frames at all, where `own_m`, `later_m`, `groups` or `undisturbed` names a person
             who is not in them, and where it holds no distance or no walk.
-        ValueError: if a visit names somebody who is not in the frames.
+        ValueError: if a visit names a person who is not in the frames.
     """
     known = _checked(frames, known)
     touched, gaps = known.contacts, proximity.clearances_m(frames)

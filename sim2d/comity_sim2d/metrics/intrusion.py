@@ -53,7 +53,7 @@ def own_distances_m(times: Numbers, own_m: float, later_m: Since) -> Numbers:
 
 @dataclass(frozen=True, slots=True)
 class IntrusionSpan:
-    """The robot within the distance of somebody with whom it had no business."""
+    """The robot within the distance of a person with whom it had no business."""
 
     person: str
     start_s: float
@@ -87,7 +87,7 @@ class Intrusion:
         Args:
             frames: What happened.
             gaps: Of `clearances_m`.
-            own_m: The distance that each person likes, by name; `COMFORT_M` for whoever is not in it.
+            own_m: The distance that each person likes, by name; `COMFORT_M` for people who are not in it.
             visits: When the robot was on its way to each person or with them, by name.
             later_m: What they asked for on the way, by name.
         """
@@ -125,7 +125,7 @@ class Intrusion:
         yield from _stays(person, frames.time_s, self.intruded[:, self.people.index(person)])
 
     def longest(self, frames: Frames, person: str | None = None) -> IntrusionSpan | None:
-        """The longest stay within the distance of somebody, or of one; None where there was none."""
+        """The longest stay within the distance of a person, or of one; None where there was none."""
         stays = (stay for name in self.people if person in (None, name) for stay in self.stays(frames, name))
         return max(stays, key=lambda stay: stay.length_s, default=None)
 

@@ -56,7 +56,7 @@ class TargetStop:
     arrives: bool = True
     """Whether the robot came to stand there: else it stopped nowhere, wherever it rested on its way."""
     breaks: tuple[Span, ...] = ()
-    """When, in between, it was about somebody else, in order of time: that is no part of the visit."""
+    """When, in between, it was about another person, in order of time: that is no part of the visit."""
     docked_s: float | None = None
     """When it docked last; None where it never did."""
     own_m: float | None = None

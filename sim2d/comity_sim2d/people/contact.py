@@ -1,6 +1,6 @@
-"""Bodies that do not pass through one another: velocities cut so that nobody gets where somebody is.
+"""Bodies that do not pass through one another: velocities cut so that nobody gets where a person is.
 
-Each pair of bodies shares the gap between them: whoever moves may take up half of it, or all of it where the
+Each pair of bodies shares the gap between them: a mover may take up half of it, or all of it where the
 other does not move. Who keeps within all his shares overlaps nobody at the end of the step, nor on the way.
 """
 

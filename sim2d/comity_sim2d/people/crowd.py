@@ -30,7 +30,7 @@ TIGHT_M = 0.3
 ROBOT_GAP_M = 0.05
 """People keep this far from the robot's body, which moves on between two decisions (our choice)."""
 AROUND_RAD = 0.2
-"""A robot that is a thing to somebody pushes so much aside, or they would stand before it (our choice)."""
+"""A robot that is a thing to a person pushes so much aside, or they would stand before it (our choice)."""
 TURN = 2 * np.pi
 TURN_RAD_S = np.pi
 """How fast people turn, as in HuNavSim's `agent_manager.cpp`."""
@@ -61,7 +61,7 @@ class Crowd:
         strollers: Who of them may move.
         strolling: Where they go.
         outlines: What stands still.
-        step_s: A tick; whoever is led is moved once in each.
+        step_s: A tick; a person who is led is moved once in each.
         decision_s: From one decision to the next.
         side: 1 where people keep to the right, -1 to the left.
         seed: Decides who goes first where two people block each other.
@@ -110,7 +110,7 @@ class Crowd:
         return self._movers
 
     def is_walking(self, index: int) -> bool:
-        """Whether somebody moves just now."""
+        """Whether a person moves just now."""
         return bool(self._strolling.walks[index])
 
     def put(self, index: int, at: complex, heading_rad: float) -> None:
@@ -131,11 +131,11 @@ class Crowd:
         self._strolling.let_go(index, self.at, stays=stays)
 
     def makes_way(self, index: int) -> bool:
-        """Whether somebody makes way for a robot that asks them to."""
+        """Whether a person makes way for a robot that asks them to."""
         return self._strolling.makes_way(index)
 
     def make_way(self, index: int, out: SteppingOut) -> None:
-        """Let somebody step out of the robot's way."""
+        """Let a person step out of the robot's way."""
         self._strolling.make_way(index, out)
 
     def use_outlines(self, outlines: Outlines) -> None:
@@ -150,7 +150,7 @@ class Crowd:
             self._led[index] = 0j
 
     def decide(self, robot: RobotSeen) -> None:
-        """Let everybody choose anew how to go on."""
+        """Let everybody choose again how to go on."""
         self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
         wanted = self._strolling.decide(self.at, self.heading, robot, self.o_spaces)
         walks = self._strolling.walks

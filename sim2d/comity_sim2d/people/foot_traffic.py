@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 DECISIONS_HZ = 10
-"""How often people choose anew how to go on; the step of the social force models that are in use."""
+"""How often people choose again how to go on; the step of the social force models that are in use."""
 WALKS_OFF_M_S = 1.0
 """Who stands and goes because of the robot goes at this pace where the reaction knows none (our choice)."""
 
@@ -38,7 +38,7 @@ class FootTraffic:
     """The people of one world who may move, with all others as bodies in their way.
 
     Raises:
-        SceneError: Where somebody cannot walk where they are to walk, or there is no room for the passers-by.
+        SceneError: Where a person cannot walk where they are to walk, or there is no room for the passers-by.
     """
 
     def __init__(self, scene: Scene, clock: Clock, seed: int) -> None:
@@ -95,7 +95,7 @@ class FootTraffic:
         return list(zip(self.names, places, self.radius_m.tolist(), strict=True))
 
     def is_walking(self, name: str) -> bool:
-        """Whether somebody of the scene moves by themselves just now."""
+        """Whether a person of the scene moves by themselves just now."""
         return self._crowd.is_walking(self._index[name])
 
     def strides_but(self, name: str) -> list[Stride]:
@@ -108,13 +108,13 @@ class FootTraffic:
         return [Stride(_xy(at), _xy(end), r) for i, (at, end, r) in enumerate(rows) if i != mine]
 
     def put(self, person: Person, people: Mapping[str, Person]) -> None:
-        """Take note of somebody whom somebody else moved."""
+        """Take note of a person whom another person moved."""
         self._crowd.put(self._index[person.name], complex(*person.xy), person.heading_rad)
         if self._scene.groups:
             self._keep_open(people.values())
 
     def hold(self, name: str) -> None:
-        """Let somebody of the scene do nothing by themselves: something else leads them.
+        """Let a person of the scene do nothing by themselves: something else leads them.
 
         Others see how they are moved.
         """
@@ -155,7 +155,7 @@ class FootTraffic:
 
     @property
     def is_due(self) -> bool:
-        """Whether people choose anew at this tick how to go on."""
+        """Whether people choose again at this tick how to go on."""
         return (self._clock.tick - 1) % self._ticks == 0
 
     def decide(self, robot: Pose, twist: Twist) -> None:

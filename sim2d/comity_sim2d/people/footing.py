@@ -1,4 +1,4 @@
-"""Where somebody may step: not too near to where another body is, or gets before it may choose anew."""
+"""Where a person may step: not too near to where another body is, or gets before it may choose again."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Stride(NamedTuple):
 
 
 def is_taken(xy: XY, here: XY, radius_m: float, others: Iterable[Stride], gap_m: float = 0.0) -> bool:
-    """Whether a step would bring somebody too near to another body; whoever is too near may go away.
+    """Whether a step would bring a person too near to another body; a person who is too near may go away.
 
     Args:
         xy: Where the step leads.

@@ -47,7 +47,7 @@ class Itinerary:
         self._from_stop.cache_clear()
 
     def stay(self, at: XY) -> None:
-        """Let the walk end here: whoever leaves comes back to this place."""
+        """Let the walk end here: a person who leaves comes back to this place."""
         self._stops, self._loop, self._next = [(at, 0.0)], False, 0
         self.forget()
 

@@ -1,7 +1,7 @@
 """Who is sent somewhere by something outside of them: of several that send one person, the last leads them.
 
-Whoever is led neither walks nor steps back by themselves: two that move one person at a time would tear them
-to and fro.
+People who are led neither walk nor step back by themselves: two that move one person at a time would tear
+them to and fro.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lead:
-    """Somebody is led: two leads are never the same one."""
+    """A person is led: two leads are never the same one."""
 
     person: str
     to_m: XY
@@ -40,7 +40,7 @@ class Leads:
         self._leads: dict[str, Lead] = {}
 
     def of(self, name: str) -> Lead | None:
-        """What leads somebody just now."""
+        """What leads a person just now."""
         return self._leads.get(name)
 
     def holds(self, lead: Lead) -> bool:
@@ -48,7 +48,7 @@ class Leads:
         return self._leads.get(lead.person) is lead
 
     def begin(self, lead: Lead) -> bool:
-        """Lead somebody from now on; says whether something else did until now, which is over with that."""
+        """Lead a person from now on; says whether something else did until now, which is over with that."""
         was_led = lead.person in self._leads
         self._leads[lead.person] = lead
         if self._traffic:

@@ -1,4 +1,4 @@
-"""Who is near whom: lists of pairs that are kept until somebody has moved far enough (Verlet 1967)."""
+"""Who is near whom: lists of pairs that are kept until a person has moved far enough (Verlet 1967)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def pairs_within(at: Vectors, distance_m: float) -> tuple[Indices, Indices]:
 
 
 class NeighbourList:
-    """The pairs that matter, found anew only when somebody has moved by half the skin.
+    """The pairs that matter, found again only when a person has moved by half the skin.
 
     Args:
         distance_m: Nobody farther apart matters.

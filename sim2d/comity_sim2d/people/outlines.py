@@ -91,7 +91,7 @@ class Outlines:
 
 
 class WallList:
-    """The lines that are near each person, found anew only when somebody has moved by half the skin.
+    """The lines that are near each person, found again only when a person has moved by half the skin.
 
     Args:
         outlines: What stands still.

@@ -28,7 +28,7 @@ EDGE_M = 0.03
 """How much the ends of one person's comfort interval differ from time to time, as in
 `comity_fis.learning.comfort`."""
 ADDRESSED_M, ADDRESSED_DEG = 2.0, 15.0
-"""Somebody who stands so near and faces a person addresses them."""
+"""A person who stands so near and faces a person addresses them."""
 REST_M_S = 0.02
 HESITATION_S = 0.7
 """From the robot's coming to rest to the reaction."""
@@ -40,7 +40,7 @@ TURN_AWAY_RAD, TURN_RAD_S = math.radians(60.0), 2.0
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """What somebody showed, as it truly was."""
+    """What a person showed, as it truly was."""
 
     t: float
     person: str
@@ -95,7 +95,7 @@ class Reactions:
         self._plan = plan
 
     def break_off(self, name: str) -> None:
-        """Let whoever is moved by something else not go on with what they did."""
+        """Let a person who is moved by something else not go on with what they did."""
         if name in self._states:
             self._states[name].left.clear()
 

@@ -16,7 +16,7 @@ from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.robot_reaction import RobotReaction, RobotSeen
 
 STAYS: frozenset[RobotReaction] = frozenset({"impassive", "threatening"})
-"""Who does not: nobody makes way for a thing, nor whoever means to stand in its way (our choice)."""
+"""Who does not: nobody makes way for a thing, nor a person who means to stand in its way (our choice)."""
 HEARD_M = 3.0
 """So near the robot, between the centres, they hear it (our choice: across a room, over other noise)."""
 SPARE_M = 0.1
@@ -43,7 +43,7 @@ REACHES_M, GONE_M = 0.9, 1.5
 
 @dataclass(slots=True)
 class SteppingOut:
-    """Somebody on the way to a place beside the robot's way, or there."""
+    """A person on the way to a place beside the robot's way, or there."""
 
     stood: complex
     """Where they were asked."""
@@ -136,7 +136,7 @@ def against_the_wall(
 def _free_places(
     at: XY, radius_m: float, others: Iterable[Disc], plan: FloorPlan, farthest_m: float
 ) -> Numbers:
-    """Where there is room around somebody, the nearest first; shape (n, 2)."""
+    """Where there is room around a person, the nearest first; shape (n, 2)."""
     away_m = np.repeat(np.arange(STEP_M, farthest_m + STEP_M / 2, STEP_M), AROUND)
     angles = np.tile(np.arange(AROUND) * (math.tau / AROUND), len(away_m) // AROUND)
     places = np.array(at) + away_m[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])

@@ -38,7 +38,7 @@ FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 
 @dataclass(frozen=True, slots=True)
 class Stroller:
-    """Somebody who may move, by their index among the bodies."""
+    """A person who may move, by their index among the bodies."""
 
     index: int
     speed_m_s: float
@@ -96,7 +96,7 @@ class Strolling:
             stroller.itinerary.forget()
 
     def hold(self, index: int) -> None:
-        """Let somebody want nothing by themselves: something else leads them."""
+        """Let a person want nothing by themselves: something else leads them."""
         if index in self._strollers:
             self._led.add(index)
             self._diverted.discard(index)
@@ -104,7 +104,7 @@ class Strolling:
             self.walks[index], self._rest_s[index], self.push[index] = False, 0.0, 0.0
 
     def let_go(self, index: int, at: Vectors, *, stays: bool) -> None:
-        """Let somebody who was led stay where they are, or go on with their walk from there.
+        """Let a person who was led stay where they are, or go on with their walk from there.
 
         Args:
             index: Who.
@@ -122,11 +122,11 @@ class Strolling:
             self._set_out(stroller, at)
 
     def makes_way(self, index: int) -> bool:
-        """Whether somebody makes way for a robot that asks them to."""
+        """Whether a person makes way for a robot that asks them to."""
         return index not in self._led and self._strollers[index].reacts not in STAYS
 
     def make_way(self, index: int, out: SteppingOut) -> None:
-        """Let somebody step out of the robot's way; who spoke with it is used to it from then on."""
+        """Let a person step out of the robot's way; who spoke with it is used to it from then on."""
         self._stepping_out[index] = out
         if index in self._left_s:
             self._left_s[index] = 0.0
@@ -250,7 +250,7 @@ class Strolling:
         return list(self._stepping_out)
 
     def _mind_the_robot(self, stroller: Stroller, at: Vectors, heading: Numbers, robot: RobotSeen) -> bool:
-        """Let somebody react; says whether they do."""
+        """Let a person react; says whether they do."""
         i = stroller.index
         wish = self._intent(stroller, complex(at[i]), float(heading[i]), robot)
         self.push[i] = wish.push if wish else 0.0

@@ -55,7 +55,7 @@ TALLEST_IN = 7.0
 CLOCK_PX = 130.0
 """Of the line at the top, for the clock; the headline has the rest."""
 NAME_BELOW = 1.6
-"""How far below somebody who moves their name stands, in radii."""
+"""How far below a person who moves their name stands, in radii."""
 MARK = b"Comity"
 """A comment near the start of the file, that says whose it is."""
 COLOURS = 64
@@ -100,7 +100,7 @@ def write_gif(
 
     Raises:
         SceneError: For another ending of the path, or another width, rate or speed.
-        ValueError: For a ring of somebody who is not in the scene.
+        ValueError: For a ring of a person who is not in the scene.
     """
     check_drawing(
         "animation",
@@ -285,7 +285,7 @@ class _Film:
         return list(artists)
 
     def _name(self, person: Person) -> Text:
-        """The name below somebody who moves."""
+        """The name below a person who moves."""
         from matplotlib.patheffects import withStroke
 
         colour = self._colours[person.name]

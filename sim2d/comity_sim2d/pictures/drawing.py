@@ -79,7 +79,7 @@ def person_colour(place: int) -> str:
 
 
 def passers_by(scene: Scene) -> list[tuple[str, float]]:
-    """The names and radii of those whom nobody planned for."""
+    """The names and radii of people in nobody's plan."""
     who = scene.passers_by
     return [(name, who.radius_m) for name in who.names] if who else []
 

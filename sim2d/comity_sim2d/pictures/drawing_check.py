@@ -47,7 +47,7 @@ def check_drawing(
 
     Raises:
         SceneError: about what is no such thing, the file's name, the width or the frames.
-        ValueError: for a visit to somebody who is not in the scene.
+        ValueError: for a visit to a person who is not in the scene.
     """
     require_kinds(what, path=(path, PATH), scene=(scene, Scene), frames=(frames, Frames))
     require_each(what, "rings", rings, Ring)
@@ -69,7 +69,7 @@ def check_drawing(
 
 
 def _check_frames(what: str, scene: Scene, frames: Frames) -> None:
-    """Refuse frames in which somebody of the scene is not, or nobody ever."""
+    """Refuse frames in which a person of the scene is not, or nobody ever."""
     passing = scene.passers_by.names if scene.passers_by else ()
     names = (scene.robot.name, *(person.name for person in scene.people), *passing)
     missing = [name for name in names if name not in frames.entities]

@@ -143,7 +143,7 @@ def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
 
 
 def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
-    """The corners of somebody's walk, once round where it is a loop."""
+    """The corners of a person's walk, once round where it is a loop."""
     paths = Footpaths(floor_plan(scene), person.radius_m)
     stops = [person.xy, *walk.route, *(walk.route[:1] if walk.loop else ())]
     legs = (paths.between(one, other) or [other] for one, other in pairwise(stops))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def wanted_m(person: Person, rings: Sequence[Ring]) -> float | None:
-    """How far somebody wants the robot to stay, where that is known; their visit's distance goes first."""
+    """How far a person wants the robot to stay, where that is known; their visit's distance goes first."""
     visited = (ring.wanted_m for ring in rings if ring.person == person.name)
     return next(visited, person.personal_distance_m)
 
@@ -62,7 +62,7 @@ class MovingRings:
 
 
 class ReachedLines:
-    """The reached distance: a line between the bodies, from the docking until the last act towards somebody.
+    """The reached distance: a line between the bodies, from the docking until the last act towards a person.
 
     Args:
         ax: The map.

@@ -83,7 +83,7 @@ def draw_picture(
 
     Raises:
         SceneError: For another ending of the path, or another width.
-        ValueError: For a ring of somebody who is not in the scene.
+        ValueError: For a ring of a person who is not in the scene.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -205,7 +205,7 @@ class _Picture:
         }
 
     def _is_left(self, pose: Pose) -> bool:
-        """Whether the robot ends elsewhere than where it reached somebody."""
+        """Whether the robot ends elsewhere than where it reached a person."""
         return math.dist(pose.xy, self._end.xy) > SAME_M
 
     def _draw_ring(self, ax: Axes, ring: Ring, floor: Patch) -> None:

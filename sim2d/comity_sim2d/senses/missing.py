@@ -1,4 +1,4 @@
-"""Whom the robot has lost: their place lies in plain view and is empty, which is evidence like any other.
+"""People lost to the robot: their place lies in plain view and is empty, which is evidence like any other.
 
 Who is merely out of view is believed to be where they were seen last. Once the robot looks there and sees
 nobody, several times in a row, it believes that no more: then it does not know where they are. A place at the
@@ -35,7 +35,7 @@ class MissingTrack(Protocol):
 
 @dataclass(slots=True)
 class Unseen:
-    """Somebody whom the newest measurement does not show."""
+    """A person whom the newest measurement does not show."""
 
     last_s: float | None
     """When they were seen last; None: never."""
@@ -55,12 +55,12 @@ class Missing:
         self._sight = sight
         self._noise_m = noise_m
         self.unseen: dict[str, Unseen] = {}
-        """Those whom the newest measurement does not show."""
+        """People whom the newest measurement does not show."""
         self.lost: dict[str, float | None] = {}
         """When those who are lost were seen last; None: never."""
 
     def take_in(self, tracks: Mapping[str, MissingTrack], eye: Pose | None, before_s: float | None) -> bool:
-        """Take in whom a measurement shows; says whether somebody was lost or found.
+        """Take in whom a measurement shows; says whether a person was lost or found.
 
         Args:
             tracks: Of everybody, with the measurement.

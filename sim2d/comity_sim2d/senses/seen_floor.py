@@ -1,8 +1,8 @@
 """Which places of the floor around the robot were in view of late, for sensors that do not look all round.
 
-A place is a square cell; it was in view when somebody who stood in its middle would have been seen. Walls do
-not count here: what is behind one comes into view once the robot is through the door. Where somebody who
-walked out of view may be by now it has to be seen anew.
+A place is a square cell; it was in view when a person who stood in its middle would have been seen. Walls do
+not count here: what is behind one comes into view once the robot is through the door. Where a person who
+walked out of view may be by now it has to be seen again.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ AROUND = 30
 """So many cells to every side are kept in mind: 3 m, more than any body here takes to stop (our choice)."""
 SIDE = 2 * AROUND + 1
 ASIDE_COS = 0.5
-"""Whoever walks out of view goes on within 60 deg of their direction, as far as is minded (our choice). In 95
+"""A person out of view goes on within 60 deg of their direction, as far as is minded (our choice). In 95
 random episodes with a narrow view floor all round them took 31 % more time, and this 6 %; of 1,200 random
 walks out of view as many ended in a touch with either."""
 
@@ -29,7 +29,7 @@ Numbers = NDArray[np.float64]
 
 
 class WalkedOut(NamedTuple):
-    """Somebody who walked when they were seen last."""
+    """A person who walked when they were seen last."""
 
     xy: XY
     velocity: XY
@@ -59,7 +59,7 @@ class SeenFloor:
         self._seen_s[(apart <= self._range_m) & (along >= self._least_cos * apart)] = now_s
 
     def doubt(self, out: WalkedOut, now_s: float) -> None:
-        """Forget how floor ahead of somebody looked before they can have come there, at their speed."""
+        """Forget how floor ahead of a person looked before they can have come there, at their speed."""
         dx, dy = self._from(out.xy)
         (vx, vy), apart = out.velocity, np.hypot(dx, dy)
         speed = math.hypot(vx, vy)

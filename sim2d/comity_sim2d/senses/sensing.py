@@ -30,7 +30,7 @@ class SensedPeople:
 
     Args:
         sensor: Noise and delay.
-        sight: Whom it can see.
+        sight: The people it can see.
         mapped: Everybody as the map of the scene has them.
         people: Everybody where they truly stand; the world replaces those who move.
         clock: The ticks.
@@ -193,14 +193,14 @@ class SensedPeople:
         return too_short_for(self._sensor, apart_m)
 
     def would_see(self, name: str, robot: XY) -> bool:
-        """Whether a look from there would show if somebody whom it does not see is where it believes."""
+        """Whether a look from there would show if a person whom it does not see is where it believes."""
         if self.sees(name) or self.has_lost(name):
             return False
         person = self.person(name)
         return self._sight.is_plain(Pose(*robot, direction_to(robot, person.xy)), person, self.noise_m)
 
     def has_to_watch(self, name: str, robot: XY) -> bool:
-        """Whether it has to face somebody from there to notice that they go, as it does not see all round.
+        """Whether it has to face a person from there to notice that they go, as it does not see all round.
 
         Where passers-by are it knows wherever it looks.
         """
@@ -218,7 +218,7 @@ class SensedPeople:
         return name in self._missing.lost
 
     def last_seen_s(self, name: str) -> float | None:
-        """When somebody who is lost was seen last; None: never."""
+        """When a person who is lost was seen last; None: never."""
         return self._missing.lost[name]
 
     def unseen_floor(self, xy: XY, for_s: float, within_m: float) -> Numbers:
@@ -244,7 +244,7 @@ class SensedPeople:
         return track.velocity, track.turn_rad_s
 
     def walks(self, name: str) -> bool:
-        """Whether somebody is believed to be going somewhere."""
+        """Whether a person is believed to be going somewhere."""
         return math.hypot(*self._tracks[name].velocity) >= DRIFTS_M_S
 
     def velocity_beside(self, name: str, spot: XY) -> XY:
@@ -254,7 +254,7 @@ class SensedPeople:
         return (vx - turn * (spot[1] - y), vy + turn * (spot[0] - x))
 
     def speed_beside(self, name: str, robot: Pose, velocity: XY) -> float:
-        """How fast the robot moves [m/s]: over the ground or beside somebody who walks, whichever is less."""
+        """How fast the robot moves [m/s]: over the ground or beside a person who walks, whichever is less."""
         speed = math.hypot(*velocity)
         if not self.walks(name):
             return speed

@@ -1,4 +1,4 @@
-"""Whom the robot can see: not too far away, in its field of view, and, where walls count, none between."""
+"""People the robot can see: not too far away, in its field of view, and, where walls count, none between."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PLAIN_M = 0.1
 """Plain view is so much inside the view, and the noise more: people shift their feet (our choice)."""
 PLAIN_SIGMAS = 3.0
 PLAIN_SHARE = 0.5
-"""The middle of the field of view, so much of it, is plain view however near somebody is (our choice)."""
+"""The middle of the field of view, so much of it, is plain view however near a person is (our choice)."""
 
 SPARE_M = 0.05
 """So much more than plain view takes: the robot stops a little beside its mark (our choice)."""
@@ -68,7 +68,7 @@ class Sight:
         ]
 
     def is_plain(self, robot: Pose, person: Person, noise_m: float) -> bool:
-        """Whether somebody would surely be seen from a pose, if they were there or beside it.
+        """Whether a person would surely be seen from a pose, if they were there or beside it.
 
         Args:
             robot: The pose.
@@ -87,7 +87,7 @@ class Sight:
                 return False
         if not (self._hidden_by_walls and len(self._walls)):
             return True
-        half_m = person.radius_m / 2  # no more: whoever stands beside a wall is not behind it
+        half_m = person.radius_m / 2  # no more: a person beside a wall is not behind it
         dx, dy = -half_m * math.sin(way), half_m * math.cos(way)
         sides = [replace(person, x_m=x + share * dx, y_m=y + share * dy) for share in (-1.0, 0.0, 1.0)]
         return not any(self._are_hidden(robot, sides))

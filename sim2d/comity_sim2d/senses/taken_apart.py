@@ -15,7 +15,7 @@ from comity_sim2d.scene.robot_body import RobotBody
 ROUNDS = 50
 """So often they are moved, each time off whatever they overlap then: in a corner once is not enough."""
 NEAR_M = 1.0
-"""Nobody is moved onto somebody farther away (our choice: it is centimetres that they are moved by)."""
+"""Nobody is moved onto a person farther away (our choice: it is centimetres that they are moved by)."""
 SPARE_M = 1e-6
 """So far they are apart then, more than numbers are rounded by."""
 

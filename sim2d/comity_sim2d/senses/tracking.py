@@ -2,8 +2,8 @@
 
 A Kalman filter of constant velocity that forgets: it settles into the fading-memory filter (Morrison 1969,
 "Introduction to Sequential Smoothing and Prediction"), whose one constant is how much of the old estimate is
-kept. Such a filter lags behind whoever turns round. So it watches how far measurements lie off what it
-expects: where that is more than noise, somebody has changed their mind, and what it knew of their velocity
+kept. Such a filter lags behind a person who turns round. So it watches how far measurements lie off what it
+expects: where that is more than noise, a person has changed their mind, and what it knew of their velocity
 counts for little (adjustable process noise: Bar-Shalom, Li and Kirubarajan 2001, "Estimation with
 Applications to Tracking and Navigation", chapter 11). Without noise nothing is kept, and the estimate is the
 measurement.
@@ -21,13 +21,13 @@ from comity_sim2d.scene.robot_body import Sensor
 FADING = 0.95
 """Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
 FARTHEST_STEP_M = 0.3
-"""A larger jump between two measurements, noise aside, is somebody put elsewhere and not a very fast walk."""
+"""A larger jump between two measurements, noise aside, is a person put elsewhere and not a very fast walk."""
 CHANGE_M_S = 1.0
 """The standard deviation of a velocity, on each axis, of which nothing is known any more (our choice)."""
 SURPRISE_KEPT = 0.7
 """Of the mean of what measurements were off, per tick: about three ticks of memory (our choice)."""
 NOTICED_TICKS = 3
-"""So long ago somebody changed their mind who is found out now (our choice: the memory of that mean)."""
+"""So long ago a person changed their mind who is found out now (our choice: the memory of that mean)."""
 SURPRISE = 5.0
 """So many of its standard deviations that mean is not off by chance: once in 270,000 looks (our choice)."""
 SURPRISE_SQUARE = SURPRISE**2 * (1.0 - SURPRISE_KEPT) / (1.0 + SURPRISE_KEPT)
@@ -48,7 +48,7 @@ class Covariance:
         self.restart()
 
     def restart(self) -> None:
-        """Know the place from one measurement, and the velocity as well as of somebody who was long seen."""
+        """Know the place from one measurement, and the velocity as well as of a person who was long seen."""
         self._place, self._both = 1.0, 0.0
         self._velocity = (1.0 - FADING) ** 3 / (FADING * self._step_s**2)
 
@@ -90,7 +90,7 @@ class Gains:
         self._off = 0j
 
     def restart(self) -> None:
-        """Take somebody for one who stands."""
+        """Take a person for one who stands."""
         self._off = 0j
         if self._covariance is not None:
             self._covariance.restart()
