@@ -37,6 +37,7 @@ from comity_sim2d.maps.file import Degrees, FurniturePiece, MapFile, Metres, Nam
 from comity_sim2d.robot.reduced_margin import BODY_MARGIN_M
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import PERSON_RADIUS_M
+from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene.robot_reaction import RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -137,7 +138,7 @@ class SensorSpec(BaseModel):
         default=1000.0,
         ge=0.75,
         le=1000,
-        description="Nobody farther is seen; from the robot's centre, 0.25 m inside its body, to theirs.",
+        description="Nobody farther is seen; from the robot's centre, `radius_m` inside its body, to theirs.",
     )
     field_of_view_deg: Number = Field(
         default=360.0, ge=5, le=360, description="About where the robot faces, half of it to either side."
@@ -149,6 +150,12 @@ class RobotStart(Placement):
     """The robot and where it starts."""
 
     name: Name = "robot"
+    radius_m: Number = Field(
+        default=ROBOT_RADIUS_M,
+        ge=0.05,
+        le=1.0,
+        description="Of the disc that its body takes. Distances to people count from its edge.",
+    )
     drive: Literal["omnidirectional", "differential"] = Field(
         default="omnidirectional", description="In any direction, or on two wheels: forwards and back."
     )

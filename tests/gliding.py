@@ -188,3 +188,10 @@ def written(here: Path, text: str) -> str:
 def gliding(**more: Any) -> Gliding:
     """A robot in the room of `SCENARIO`."""
     return Gliding({"host": (3.0, 3.0, 0.0), "guest": (6.0, 3.0, 180.0)}, **more)
+
+
+def reaching() -> Gliding:
+    """One that states how far it reaches as it waves."""
+    robot = gliding()
+    robot.gesture_reach_m = {"wave": 0.45}  # type: ignore[attr-defined]
+    return robot

@@ -141,7 +141,8 @@ class GoalsOnMap:
         here, speed_m_s = self._known.pose, min(goal.speed_m_s, self._known.scene.robot.max_speed_m_s)
         if goal.kind == "go_to":
             there = self.places[goal.to]
-            return MapGoal("go_to", goal.to, there.x_m, there.y_m, there.heading_rad, speed_m_s)
+            pose = (there.x_m, there.y_m, there.heading_rad)
+            return MapGoal("go_to", goal.to, *pose, speed_m_s, goal.parameters)
         person = self._known.person(goal.to)
         xy = (
             here.xy if goal.pose is None else spot_beside(person, self._known.scene.robot.radius_m, goal.pose)
@@ -151,7 +152,7 @@ class GoalsOnMap:
         for other in self._known.bodies:
             if self._is_near(other, speed_m_s):
                 speed_m_s = min(speed_m_s, other.approach_speed_m_s or NEAR_PEOPLE_M_S)
-        return MapGoal(goal.kind, goal.to, *xy, direction_to(xy, person.xy), speed_m_s)
+        return MapGoal(goal.kind, goal.to, *xy, direction_to(xy, person.xy), speed_m_s, goal.parameters)
 
     def _is_near(self, person: Person, speed_m_s: float) -> bool:
         """Whether the robot is so near a person that it has to begin to slow down for them."""
@@ -183,4 +184,5 @@ class GoalsOnMap:
 def _differs(told: MapGoal, wanted: MapGoal) -> bool:
     moved_m = dist((told.x_m, told.y_m), (wanted.x_m, wanted.y_m))
     turned_rad = abs(wrap_angle(told.heading_rad - wanted.heading_rad))
-    return moved_m > FOLLOW_M or turned_rad > FOLLOW_RAD or told.speed_m_s != wanted.speed_m_s
+    is_elsewhere = moved_m > FOLLOW_M or turned_rad > FOLLOW_RAD
+    return is_elsewhere or (told.speed_m_s, told.parameters) != (wanted.speed_m_s, wanted.parameters)

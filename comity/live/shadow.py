@@ -10,6 +10,9 @@ from comity_executor import ActGoal, ActStatus, GoalId, MapGoal, MotionStatus
 if TYPE_CHECKING:
     from comity_executor import Capabilities, Localisation, MapRobot, PersonTrack, Words
 
+OPTIONAL = ("sleep", "gesture_reach_m", "floor_is_free")
+"""What only some robots have, and is no command. What it carries is not asked: acts only count as done."""
+
 
 class Shadow:
     """A `MapRobot` whose motion goals never end by themselves, and whose acts are done at once.
@@ -26,9 +29,9 @@ class Shadow:
         self._acts = 0
         self._goes = False
         """Whether there is a goal that was not stopped."""
-        sleep = getattr(base, "sleep", None)
-        if sleep is not None:
-            self.sleep = sleep
+        for name in OPTIONAL:
+            if hasattr(base, name):
+                setattr(self, name, getattr(base, name))
 
     @property
     def capabilities(self) -> Capabilities:

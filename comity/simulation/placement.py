@@ -16,7 +16,6 @@ from comity.simulation.place import map_of, written_map
 from comity_fis import InputError
 from comity_sim2d import SceneError
 from comity_sim2d.scene.obstacles import FloorPlan, floor_plan_of
-from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene.spawning import MOST_DRAWS, random_spot
 
 if TYPE_CHECKING:
@@ -41,10 +40,10 @@ def placed(file: ScenarioFile, seed: int = 0) -> ScenarioFile:
     scenario, stage = file.scenario, _Stage(file, seed)
     robot = stage.named(scenario.robot, "robot")
     people = {name: stage.named(person, "people", name) for name, person in scenario.people.items()}
-    stage.occupy(robot, ROBOT_RADIUS_M)
+    stage.occupy(robot, robot.radius_m)
     for person in people.values():
         stage.occupy(person, person.radius_m)
-    robot = stage.drawn(robot, ROBOT_RADIUS_M, "robot")
+    robot = stage.drawn(robot, robot.radius_m, "robot")
     people = {name: stage.drawn(person, person.radius_m, "people", name) for name, person in people.items()}
     settled = {"robot": robot, "people": people, "place": _with_map(file)}
     return replace(file, scenario=scenario.model_copy(update=settled))

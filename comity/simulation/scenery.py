@@ -52,6 +52,7 @@ def scene_of(
             RobotBody(
                 *_pose(robot),
                 name=robot.name,
+                radius_m=robot.radius_m,
                 drive=robot.drive,
                 max_speed_m_s=robot.max_speed_m_s,
                 max_acceleration_m_s2=robot.max_acceleration_m_s2,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from comity_executor.robots.capabilities import CapabilityValues
@@ -27,6 +28,8 @@ class Ready:
     capabilities: CapabilityValues
     more: tuple[str, ...]
     """Calls of the robot that not every robot has."""
+    gesture_reach_m: Mapping[str, float] | None = None
+    """How far its gestures reach, where it states that."""
     call: int = 0
 
 

@@ -64,9 +64,10 @@ class Watchdog:
         if isinstance(ready, Failed):
             self.close()
             raise WatchdogError(f"{robot} could not be made: {ready.text}")
-        self.name = cast("Ready", ready).name
-        self._more = cast("Ready", ready).more
-        can = cast("Ready", ready).capabilities
+        ready = cast("Ready", ready)
+        self.name, self._more, can = ready.name, ready.more, ready.capabilities
+        if ready.gesture_reach_m is not None:
+            self.gesture_reach_m = ready.gesture_reach_m
         self.capabilities: Capabilities = replace(can, lease_s=LONGEST_LEASE_S)
 
     def close(self) -> None:

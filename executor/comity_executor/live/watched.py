@@ -34,7 +34,8 @@ def serve(connection: Connection[Any, Any]) -> None:
         robot: Robot = getattr(import_module(module), name)(*begin.arguments)
         can = {field.name: getattr(robot.capabilities, field.name, inf) for field in fields(CapabilityValues)}
         more = tuple(name for name in OPTIONAL if hasattr(robot, name))
-        connection.send(Ready(getattr(robot, "name", "robot"), CapabilityValues(**can), more))
+        reach_m = getattr(robot, "gesture_reach_m", None)
+        connection.send(Ready(getattr(robot, "name", "robot"), CapabilityValues(**can), more, reach_m))
     except Exception as error:
         connection.send(Failed(0, f"{type(error).__name__}: {error}"))
         return

@@ -7,8 +7,8 @@ seconds and radians, in the frame of the map.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
 from comity_executor.robots.capabilities import Capabilities
@@ -62,6 +62,8 @@ class MapGoal:
     heading_rad: float
     speed_m_s: float
     """At most."""
+    parameters: Mapping[str, float | str] = field(default_factory=dict)
+    """The person's other parameters, by name, as in a `MotionGoal`."""
 
 
 class MapRobot(Protocol):

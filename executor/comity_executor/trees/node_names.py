@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping
 from functools import cache
 
@@ -23,8 +24,8 @@ _THERE: Mapping[str, float | str] = {
     "approach_bearing": 0.0,
     "approach_speed": 0.3,
 }
-_ANY: Mapping[str, float | str] = {**_THING, "text": "text", "modality": "both", "cap_s": 1.0}
-"""What some task of an agenda reads."""
+_ANY: Mapping[str, float | str] = defaultdict(lambda: 1.0, {**_THING, "text": "text", "modality": "both"})
+"""What some task of an agenda reads: these words, and else numbers."""
 _WORDS = ("verbal", "none")
 _FIRST: _Kinds = ((FETCH, (), _THING), (REACH, (), _THERE), (GREET, _WORDS, {}))
 _AGENDA: _Kinds = tuple((action, ("thing",) if action == OFFER else _WORDS, _ANY) for action in TASKS)

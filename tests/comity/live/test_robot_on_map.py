@@ -20,6 +20,7 @@ from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_executor import MapGoal
 from comity_fis import InputError
+from comity_sim2d.scene.person import PERSON_RADIUS_M
 
 PROFILES = ("arab_woman", "german_woman", "arab_man", "german_man", "japanese_woman", "unknown")
 BODIES_M = 0.45
@@ -294,3 +295,31 @@ def test_from_python_a_robot_is_an_argument():
     assert episode.outcome == "success"
     assert episode.loop is not None
     assert episode.loop.status == "success"
+
+
+def test_the_base_receives_parameters_that_only_it_knows_with_each_goal_towards_a_person(file):
+    """A parameter reaches the robot by its name, such as the gaze that the rulebook `evidence` decides."""
+    robot = gliding()
+    episode = carried_out(file, robot, rulebook="evidence")
+    goals = [goal for goal in robot.told("go") if goal.kind in ("navigate", "dock", "face")]
+    assert {goal.to for goal in goals} == {"host", "guest"}
+    for goal in goals:
+        assert goal.parameters["mutual_gaze"] == episode.values[goal.to]["mutual_gaze"].number
+
+
+@pytest.mark.parametrize("radius_m", [0.11, 0.25, 0.4])
+def test_a_robot_of_any_size_stands_at_the_target_distance_between_the_bodies(here, radius_m):
+    file = load_scenario(written(here, SCENARIO.replace("robot: {", f"robot: {{radius_m: {radius_m}, ")))
+    robot = gliding()
+    episode = carried_out(file, robot)
+    last = episode.visits[-1]
+    between_centres_m = math.dist((robot.x, robot.y), robot.people[last.person][:2])
+    target_m = episode.values[last.person]["conversational_distance"].number
+    assert between_centres_m == pytest.approx(target_m + radius_m + PERSON_RADIUS_M, abs=0.011)
+
+
+def test_a_shadow_states_what_the_robot_states_of_its_reach_and_its_range(file):
+    robot = gliding()
+    robot.gesture_reach_m = {"wave": 2.0}
+    assert Shadow(robot).gesture_reach_m == {"wave": 2.0}
+    assert not hasattr(Shadow(gliding()), "gesture_reach_m")

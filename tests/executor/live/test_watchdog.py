@@ -43,3 +43,10 @@ def test_calls_that_only_some_robots_have_come_through() -> None:
         assert robot.localisation().x_m == 1.0
         assert {track.person for track in robot.tracks()} == {"host", "guest"}
         assert not hasattr(robot, "carried")
+
+
+def test_how_far_its_gestures_reach_comes_through_where_the_robot_states_it() -> None:
+    with Watchdog("gliding:reaching") as robot:
+        assert robot.gesture_reach_m == {"wave": 0.45}
+    with Watchdog("gliding:gliding") as robot:
+        assert not hasattr(robot, "gesture_reach_m")
