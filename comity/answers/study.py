@@ -49,11 +49,18 @@ class StudyRunAnswer(Record):
     statement: str
     """What its differences between people are, and what they are not."""
     status: Literal["running", "done", "stopped"]
+    """`done` where the table has every episode of the study; `running` also after SIGKILL."""
     episodes: int
+    different: int
+    """Different episodes among them: those that depend on the same things are carried out once."""
     done: int
-    """Episodes of the study that the journal holds."""
+    """Episodes of the study that the journal held as this was written."""
     run_now: int
-    """Those of them that this command carried out."""
+    """Different episodes that this command carried out."""
+    damaged_lines: int
+    """Of the journal, which were skipped; their episodes ran again."""
+    other: int
+    """Episodes in the journal that the study as it is now does not have: they are not in the table."""
     failed: int
     """Episodes that raised, or that no worker survived."""
     rows: int

@@ -58,7 +58,8 @@ def run(
     """Carry out what is missing of a study, and write its table.
 
     What is in DIR already is not run again: a study that was stopped or killed goes on, and one with more
-    seeds or individuals runs only these. An episode that raises is a row with its error.
+    seeds or individuals runs only these. An episode that raises is a row with its error. Ends with 1 where
+    the table lacks an episode.
 
     Example: comity study run groups.study.yaml --out runs/groups
     """
@@ -84,6 +85,8 @@ def run(
         print_json(answer)
     else:
         show(*run_text(answer))
+    if answer.status != "done":
+        raise typer.Exit(1)
 
 
 def _refuse_both(jobs: int | None, scheduler: str | None) -> None:

@@ -6,12 +6,12 @@ stopped or killed, whose disk was full or whose cluster was lost, goes on where 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, suppress
 from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from comity.answers.study import StudyRunAnswer
 from comity.study.episode_rows import ERROR
@@ -47,7 +47,7 @@ def run_study(
         plan: The study.
         out: Its folder.
         connect: Gives what carries episodes out; called once the folder is known to be usable.
-        start: Is told how many episodes are missing and how many there are, and gives the watch.
+        start: Receives how many episodes are missing and how many there are, and gives the watch.
 
     Raises:
         InputError: if the folder or the cluster cannot be used.
@@ -56,40 +56,46 @@ def run_study(
     with study_folder(out, plan.written.name):
         carrier = connect()
         missing, account = _begun(plan, out, carrier)
-        watch, lost, ended = start(len(missing), plan.episodes), 0, 0
+        watch, lost = start(account.episodes - account.done, account.episodes), 0
         try:
-            tasks = (task_of(plan, cell, carrier.installed) for cell in missing.values())
+            tasks = (task_of(plan, cell, carrier.installed) for cell, *_ in missing.values())
             with opened_journal(out / JOURNAL) as journal, closing(carrier.carry_out(tasks)) as batches:
                 for batch in batches:
                     journal.keep(batch.done)
-                    lost, ended = lost + batch.lost, ended + len(batch.done)
-                    watch(len(batch.done))
+                    lost += batch.lost
+                    watch(sum(len(missing[one.key]) for one in batch.done))
+            return _tell(out, _finished(plan, out, carrier, _as_it_is(out, account, missing, lost)))
         except BaseException:
             with suppress(InputError):  # where there is no room, what it says of before stands
-                done = account.done + ended
-                _tell(out, account, status="stopped", done=done, run_now=ended, lost_workers=lost)
+                _tell(out, replace(_as_it_is(out, account, missing, lost), status="stopped"))
             raise
-        return _finished(plan, out, carrier, account, lost=lost, ended=ended)
 
 
-def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[dict[str, StudyCell], StudyRunAnswer]:
-    """The episodes that the journal does not hold, by key, and an account that says so."""
-    known = read_journal(out / JOURNAL).keys()
-    missing: dict[str, StudyCell] = {}
-    there = 0
+_Missing = Mapping[str, Sequence["StudyCell"]]
+"""By key, all that is the same episode."""
+
+
+def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[_Missing, StudyRunAnswer]:
+    """What the journal does not hold, and an account that says so."""
+    journal = read_journal(out / JOURNAL)
+    missing: dict[str, list[StudyCell]] = {}
+    there: set[str] = set()
     for cell in plan.cells():
         key = cell.key(carrier.installed.code, carrier.installed.fingerprint)
-        if key in known:
-            there += 1
+        if key in journal.rows:
+            there.add(key)
         else:
-            missing.setdefault(key, cell)
+            missing.setdefault(key, []).append(cell)
     account = StudyRunAnswer(
         study=plan.written.name,
         statement=STATEMENT,
         status="running",
         episodes=plan.episodes,
-        done=there,
+        different=len(there) + len(missing),
+        done=plan.episodes - sum(map(len, missing.values())),
         run_now=0,
+        damaged_lines=journal.damaged,
+        other=len(journal.rows) - len(there),
         failed=0,
         rows=0,
         lost_workers=0,
@@ -104,25 +110,26 @@ def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[dict[str
     return missing, _tell(out, account)
 
 
-def _finished(
-    plan: StudyPlan, out: Path, carrier: EpisodeRunner, account: StudyRunAnswer, *, lost: int, ended: int
-) -> StudyRunAnswer:
-    """The tables of all episodes of the study, and an account of them."""
-    rows = read_journal(out / JOURNAL)
+def _as_it_is(out: Path, account: StudyRunAnswer, missing: _Missing, lost: int) -> StudyRunAnswer:
+    """The account with what the journal holds by now."""
+    ended = missing.keys() & read_journal(out / JOURNAL).rows.keys()
+    done = account.done + sum(len(missing[key]) for key in ended)
+    return replace(account, done=done, run_now=len(ended), lost_workers=lost)
+
+
+def _finished(plan: StudyPlan, out: Path, carrier: EpisodeRunner, account: StudyRunAnswer) -> StudyRunAnswer:
+    """The tables of the study's episodes that the journal holds, and an account of them."""
+    rows = read_journal(out / JOURNAL).rows
     installed = carrier.installed
     keyed = [(cell, cell.key(installed.code, installed.fingerprint)) for cell in plan.cells()]
     found = [(cell, key, rows[key]) for cell, key in keyed if key in rows]
     table = study_table(factors_of(plan), found, installed, account.version)
     files = tuple(_written(out, table))
-    return _tell(
-        out,
+    return replace(
         account,
-        status="done",
-        done=len(found),
-        run_now=ended,
+        status="done" if len(found) == plan.episodes else "stopped",
         failed=sum(any(row["outcome"] == ERROR for row in measured) for _, _, measured in found),
         rows=len(table.rows),
-        lost_workers=lost,
         files=files,
     )
 
@@ -141,8 +148,7 @@ def _written(out: Path, table: StudyTable) -> Iterator[str]:
     yield from (JOURNAL, ACCOUNT, WRITTEN)
 
 
-def _tell(out: Path, account: StudyRunAnswer, **now: Any) -> StudyRunAnswer:
-    """Write the account as it is now."""
-    answer = replace(account, **now)
-    write_whole(out / ACCOUNT, as_text(answer).encode(), private=True)
-    return answer
+def _tell(out: Path, account: StudyRunAnswer) -> StudyRunAnswer:
+    """Write the account."""
+    write_whole(out / ACCOUNT, as_text(account).encode(), private=True)
+    return account

@@ -114,6 +114,21 @@ def run_text(answer: StudyRunAnswer) -> Iterator[RenderableType]:
         f"Study {answer.study}: {answer.done} of {answer.episodes} episodes, {answer.run_now} of them now, "
         f"{answer.failed} failed"
     )
+    if answer.status != "done":
+        yield "  Not all episodes are in the table: run the same command again"
+    if answer.damaged_lines:
+        lines = counted(answer.damaged_lines, "damaged line")
+        yield f"  {lines} of the journal skipped; the episodes that stood there ran again"
+    if answer.different < answer.episodes:
+        yield (
+            f"  {answer.different} different episodes: individuals with the same facts, wish and comfort "
+            "share one"
+        )
+    if answer.other:
+        yield (
+            f"  {counted(answer.other, 'episode')} of other conditions, individuals, code or platform in the "
+            "journal: kept there, not in the table"
+        )
     if answer.lost_workers:
         yield f"  {answer.lost_workers} workers were lost; their episodes were given to others"
     yield unbroken(f"  {answer.rows} rows in {answer.folder}: {', '.join(answer.files)}")

@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity.study.collecting.growing_table import opened_table, rows_of
+from comity_fis import InputError
 
 QUESTIONNAIRE = """schema_version: 1
 name: calm
@@ -279,3 +280,14 @@ def test_a_table_that_was_cut_off_anywhere_holds_the_rows_before(tmp_path_factor
     with opened_table(path, ("a", "b")) as growing:
         growing.add({"a": "new", "b": 1})
     assert rows_of(path, ("a", "b")) == [*whole, {"a": "new", "b": "1"}]
+
+
+@pytest.mark.parametrize("damaged", [b"", b"garbage", b'"x', b"1", bytes(400), b"1,2,3", b"1\r,2"])
+def test_a_damaged_row_in_the_middle_is_refused_by_its_line_and_nothing_is_deleted(tmp_path, damaged):
+    path = tmp_path / "table.csv"
+    content = b"a,b\n1,2\n" + damaged + b"\n3,4\n"
+    path.write_bytes(content)
+    with pytest.raises(InputError) as refused, opened_table(path, ("a", "b")):
+        pass
+    assert refused.value.where.line == 3
+    assert path.read_bytes() == content

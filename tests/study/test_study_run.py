@@ -73,7 +73,7 @@ def tables(folder: Path) -> dict[str, bytes]:
 
 def kept(folder: Path) -> int:
     """Episodes in its journal."""
-    return len(read_journal(folder / "journal.jsonl"))
+    return len(read_journal(folder / "journal.jsonl").rows)
 
 
 def hear_interrupts() -> None:
@@ -125,7 +125,8 @@ def test_a_study_that_is_stopped_or_killed_goes_on(comity, noisy, whole, stop):
     assert process.returncode == code
     before = kept(out)
     assert 1 <= before < 8
-    assert json.loads((out / "study.json").read_text())["status"] == status
+    account = json.loads((out / "study.json").read_text())
+    assert (account["status"], account["done"]) == (status, before if status == "stopped" else 0)
     assert run(comity, "out")["run_now"] == 8 - before
     assert tables(out) == whole[2]
 
@@ -155,14 +156,66 @@ def test_a_line_that_was_cut_off_is_taken_off_and_its_episode_runs_again(comity,
     assert kept(here / "out") == journal.read_bytes().count(b"\n") == 8
 
 
+DAMAGES = (
+    lambda line: b"garbage{\n",
+    lambda line: b"\n",
+    lambda line: b"12\n",
+    lambda line: bytes(400) + b"\n",
+    lambda line: line[:60] + b"\n",
+    lambda line: b'{"key": "x", "rows": [{}]}\n',
+)
+
+
+def test_damaged_lines_in_the_middle_cost_their_own_episodes_alone(comity, here, noisy, whole):
+    run(comity, "out")
+    journal = here / "out/journal.jsonl"
+    first, *lines, last = journal.read_bytes().splitlines(keepends=True)
+    damaged = [damage(line) for damage, line in zip(DAMAGES, lines, strict=True)]
+    journal.write_bytes(b"".join([first, *damaged, last]))
+    answer = run(comity, "out")
+    found = {key: answer[key] for key in ("status", "done", "run_now", "damaged_lines", "rows")}
+    assert found == {"status": "done", "done": 8, "run_now": 6, "damaged_lines": 6, "rows": 8}
+    assert journal.read_bytes().startswith(b"".join([first, *damaged, last]))
+    assert tables(here / "out") == whole[2]
+
+
+def test_a_study_is_done_only_when_its_table_has_every_episode(here, noisy):
+    def all_but_one(tasks):
+        yield Ended(tuple(carried_out(task) for task in list(tasks)[1:]))
+
+    plan = load_study(noisy)
+    answer = run_study(
+        plan, here / "out", lambda: EpisodeRunner(installation(), all_but_one), lambda *_: lambda _: None
+    )
+    assert (answer.status, answer.done, answer.rows) == ("stopped", 7, 7)
+
+
+def test_individuals_who_are_alike_share_an_episode_and_have_a_row_each(comity, here):
+    population(here / "people.yaml", groups={"swedes": {"individuals": 3, "facts": {"culture": "SWE"}}})
+    study(here / "noisy.yaml", population="people.yaml")
+    answer = run(comity, "out")
+    assert [answer[key] for key in ("episodes", "different", "done", "run_now", "rows")] == [3, 1, 3, 1, 3]
+
+
+def test_episodes_of_earlier_conditions_are_counted_and_stay_in_the_journal(comity, here, noisy):
+    run(comity, "out")
+    study(here / "noisy.yaml", population="people.yaml", factors={**NOISY, "rulebook": ["evidence"]}, seeds=2)
+    answer = run(comity, "out")
+    assert [answer[key] for key in ("done", "run_now", "rows", "other")] == [4, 0, 4, 4]
+    assert kept(here / "out") == 8
+
+
+ROW = {"person": "x", "outcome": "greeted", "value": 0.1 + 0.2}
+
+
 def test_a_journal_has_what_was_kept_before_the_next_line(tmp_path):
     path = tmp_path / "journal.jsonl"
     for key in "ab":
         with opened_journal(path) as journal:
-            journal.keep([TaskDone(key, ({"person": "x", "value": 0.1 + 0.2},), 0.5)])
-            assert read_journal(path)[key] == ({"person": "x", "value": 0.1 + 0.2},)
+            journal.keep([TaskDone(key, (ROW,), 0.5)])
+            assert read_journal(path).rows[key] == (ROW,)
         path.write_bytes(path.read_bytes() + b'{"key": "c"')
-    assert [*read_journal(path)] == ["a", "b"]
+    assert [*read_journal(path).rows] == ["a", "b"]
 
 
 def _tasks(noisy):

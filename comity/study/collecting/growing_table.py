@@ -1,12 +1,12 @@
 """A CSV file that grows by a row at a time, each on the disk before the next question is asked.
 
-A row that was cut off, by SIGKILL or a full disk, is taken off when the file is opened again.
+A last row that was cut off, by SIGKILL or a full disk, is taken off when the file is opened again. A damaged
+row before it is refused by its line, as it may hold what a participant answered.
 """
 
 from __future__ import annotations
 
 import csv
-import io
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -64,22 +64,36 @@ def rows_of(path: Path, columns: Sequence[str]) -> list[dict[str, str]]:
     """The whole rows of a table; none where there is no file.
 
     Raises:
-        InputError: the file has other headings: it is another table.
+        InputError: the file has other headings, and is another table; or a row before the last is damaged.
     """
     if not path.exists():
         return []
-    text = _whole(path).decode("utf-8", "replace")
-    if not text:
-        return []
-    heading, *rows = csv.reader(io.StringIO(text))
-    if heading != list(columns):
+    heading, *lines = _whole(path).decode("utf-8", "replace").split("\n")[:-1] or [""]
+    if heading and _cells(heading) != list(columns):
         raise InputError(
             expected=f"the columns {', '.join(columns)}",
-            got=", ".join(heading),
+            got=heading,
             remedy="Answers of another collection stand there: name another folder with --out.",
             where=Where(str(path), 1),
         )
-    return [dict(zip(columns, row, strict=False)) for row in rows]
+    rows = [_cells(line) for line in lines]
+    for number, row in enumerate(rows, 2):
+        if len(row) != len(columns):
+            raise InputError(
+                expected=f"{len(columns)} cells in a row",
+                got=str(len(row)),
+                remedy="The line is damaged: mend it, or delete it, and its question is asked again.",
+                where=Where(str(path), number),
+            )
+    return [dict(zip(columns, row, strict=True)) for row in rows]
+
+
+def _cells(line: str) -> list[str]:
+    """The cells of a line, none of which has a line break; none of a line that is no CSV."""
+    try:
+        return next(csv.reader([line]), [])
+    except csv.Error:
+        return []
 
 
 def without_participant(path: Path, columns: Sequence[str], participant: str) -> int:
