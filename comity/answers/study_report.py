@@ -14,8 +14,8 @@ class EstimateAnswer(Record):
 
     mean: float
     low: float | None
-    """End of the 95 % interval, which resamples individuals and rooms; null where one individual in one room
-    leaves nothing to resample."""
+    """End of the 95 % interval, which resamples individuals, rooms and seeds; null where one of each leaves
+    nothing to resample."""
     high: float | None
     monte_carlo_error: float | None
     """Standard error of the mean from seeds alone; null where nothing was repeated."""
@@ -23,6 +23,7 @@ class EstimateAnswer(Record):
     """Episodes, or pairs of them, that have a value."""
     individuals: int
     rooms: int
+    seeds: int
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

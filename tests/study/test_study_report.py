@@ -16,6 +16,7 @@ from comity.study.report.factors import factors_of_visits
 from comity.study.report.outcomes import outcomes_of, pictured
 from comity.study.report.reporting import write_report
 from comity.study.report.serving import served_worse, shortfalls, worst_served
+from comity.study.report.telling import few_of
 from comity.study.report.unusual import failures, outliers
 from comity.study.running import run_study
 from comity.study.statement import STATEMENT
@@ -85,15 +86,29 @@ def compared(found, *names):
 
 
 def test_a_difference_is_taken_within_the_same_individual_and_seed(tmp_path):
-    """Individuals lie metres apart; the rulebook adds 0.1 m to each, the second seed a centimetre more."""
+    """Individuals lie metres apart; the rulebook adds 0.1 m to each, the second seed a centimetre more.
+
+    So the interval is that of the two seeds alone.
+    """
     found = visits(tmp_path, lambda book, person, seed: 2 * person + book * (0.1 + 0.01 * seed))
     answer = compared(found, "rulebook", "a", "b")
     one = answer.differences[0]
     assert (answer.pairs, one.difference.episodes) == (8, 8)
     assert one.second - one.first == pytest.approx(0.105)
-    assert (one.difference.mean, one.difference.low, one.difference.high) == pytest.approx((0.105,) * 3)
+    ends = (one.difference.mean, one.difference.low, one.difference.high)
+    assert ends == pytest.approx((0.105, 0.1, 0.11))
     assert one.difference.monte_carlo_error == pytest.approx(0.005)
     assert [one.group for one in answer.differences] == [None, "near", "far"]
+
+
+def test_few_to_resample_are_the_individuals_of_the_smallest_group_and_the_seeds(tmp_path):
+    many = visits(tmp_path / "many", lambda *some: sum(some), people=20, seeds=10)
+    few = visits(tmp_path / "few", lambda *some: sum(some), people=18, seeds=3)
+    differences = [
+        [one.difference for one in compared(found, "rulebook", "a", "b").differences] for found in (many, few)
+    ]
+    assert [few_of(some) for some in differences] == [{}, {"individuals": 9, "seeds": 3}]
+    assert few_of(differences[1][:1]) == {"seeds": 3}
 
 
 def test_comparing_the_other_way_round_turns_the_sign(tmp_path):

@@ -16,6 +16,8 @@ from comity.study.report.serving import SAME
 from comity.study.report.telling import (
     HEAD,
     difference_cells,
+    few_of,
+    few_text,
     interval_text,
     number_text,
     value_text,
@@ -36,9 +38,6 @@ if TYPE_CHECKING:
 
 MARK = b'<meta name="generator" content="Comity study report">'
 """Near the start of every page: such a file may be replaced by another page."""
-FEW_CLUSTERS = 10
-"""With fewer individuals a percentile interval is noticeably too narrow."""
-
 THEMED = {
     colour.lower(): f"var(--{name})"
     for colour, name in (
@@ -101,22 +100,19 @@ def _head(answer: StudyReportAnswer) -> Iterator[str]:
     yield '<section id="reading"><h2>How to read it</h2><ul>'
     yield (
         "<li>A mean is taken over individuals and rooms, each counted once, however many seeds it has. "
-        f"<b>Intervals</b> (95 %) resample individuals and rooms {RESAMPLES} times, never episodes: "
-        "more seeds do not narrow them, more individuals and rooms do.</li>"
+        f"<b>Intervals</b> (95 %) resample individuals, rooms and seeds {RESAMPLES} times, each on its own, "
+        "never episodes: all individuals share the noise of a seed. More of each narrows them.</li>"
     )
     yield (
-        "<li>The <b>Monte Carlo error</b> is the standard error that the choice of seeds alone leaves: with "
-        "more seeds it goes to 0.</li>"
+        "<li>The <b>Monte Carlo error</b> is the standard error that the choice of seeds leaves, a part of "
+        "the interval: with more seeds it goes to 0.</li>"
     )
     yield (
         "<li>There are no p-values: with enough simulated episodes every difference would be significant. "
         "Look at its size, in its unit.</li>"
     )
-    if 0 < answer.individuals < FEW_CLUSTERS or 1 < answer.rooms < FEW_CLUSTERS:
-        yield (
-            "<li><b>Few to resample</b>: with fewer than 10 individuals or rooms intervals tend to be too "
-            "narrow.</li>"
-        )
+    if few := few_of(one.estimate for one in answer.levels if one.estimate):
+        yield f"<li><b>{few_text(few)}</b></li>"
     if answer.rooms == 1:
         yield "<li><b>One room</b>: nothing here says how results vary from room to room.</li>"
     if answer.left_out:
@@ -210,6 +206,7 @@ def _levels(levels: Iterable[StudyLevelAnswer]) -> str:
         "episodes",
         "individuals",
         "rooms",
+        "seeds",
     )
     return _table(head, map(_level, levels))
 
@@ -217,14 +214,14 @@ def _levels(levels: Iterable[StudyLevelAnswer]) -> str:
 def _level(one: StudyLevelAnswer) -> tuple[str, ...]:
     found = one.estimate
     if found is None:
-        return (words(one.factor), one.level, "-", "-", "-", "0", "0", "0")
+        return (words(one.factor), one.level, "-", "-", "-", "0", "0", "0", "0")
     return (
         words(one.factor),
         one.level,
         value_text(found.mean, one.unit),
         interval_text(found),
         number_text(found.monte_carlo_error),
-        *map(str, (found.episodes, found.individuals, found.rooms)),
+        *map(str, (found.episodes, found.individuals, found.rooms, found.seeds)),
     )
 
 

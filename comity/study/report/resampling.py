@@ -1,15 +1,21 @@
-"""Means of episodes with intervals that resample individuals and rooms, never episodes.
+"""Means of episodes with intervals that resample individuals, rooms and seeds, never episodes.
 
-Episodes of one individual resemble each other, and so do those of one room: a thousand seeds are no thousand
-people. Episodes are first averaged by individual and room. Individuals and rooms are then drawn again with
-replacement, each on its own, and a cell counts as often as both were drawn: the pigeonhole bootstrap (Owen,
-"The pigeonhole bootstrap", Annals of Applied Statistics 1(2), 2007), which is conservative. What seeds alone
-add is said apart, as the Monte Carlo error of the mean.
+Episodes of one individual resemble each other, and so do those of one room, and those of one seed, whose
+noise all individuals share: a thousand episodes are no thousand people. Episodes are first averaged by
+individual and room. Individuals, rooms and seeds are then drawn again with replacement, each on its own, and
+an episode counts as often as all three were drawn. This is the pigeonhole bootstrap (Owen, "The pigeonhole
+bootstrap", Annals of Applied Statistics 1(2), 2007; of more than two factors: Owen and Eckles, "Bootstrapping
+data arrays of arbitrary order", Annals of Applied Statistics 6(3), 2012), which is conservative.
+
+Of each factor one fewer is drawn than there are, so that the variance is right for few of them, too (Rao and
+Wu, "Resampling inference with complex survey data", Journal of the American Statistical Association 83(401),
+1988). What seeds alone add is stated separately, as the Monte Carlo error of the mean.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,7 +33,7 @@ RESAMPLES = 2000
 SEED = 20261
 """Of the bootstrap; fixed, so that a page is the same each time."""
 AT_ONCE = 2_000_000
-"""Cells of the table of weights that are held at a time, which bounds memory to 16 MB."""
+"""Weights that are held at a time, which bounds memory to 16 MB a table."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,13 +42,14 @@ class ClusterEstimate:
 
     mean: float
     low: float | None
-    """End of the interval; None where one individual in one room leaves nothing to resample."""
+    """End of the interval; None where one individual, room and seed leave nothing to resample."""
     high: float | None
     monte_carlo_error: float | None
     """Standard error of the mean from seeds alone; None where nothing was repeated by another seed."""
     episodes: int
     individuals: int
     rooms: int
+    seeds: int
 
 
 def estimate(
@@ -62,7 +69,7 @@ def estimate(
     if not there.any():
         return None
     table = averaged(values, individuals, rooms)
-    ends = interval(table)
+    ends = interval(values, individuals, rooms, seeds)
     persons, room_count = table.shape
     return ClusterEstimate(
         mean=float(np.nanmean(table)),
@@ -74,6 +81,7 @@ def estimate(
         episodes=int(there.sum()),
         individuals=persons,
         rooms=room_count,
+        seeds=len(np.unique(seeds[there])),
     )
 
 
@@ -96,31 +104,56 @@ def averaged(values: Floats, individuals: Labels, rooms: Labels) -> Floats:
     return table
 
 
-def interval(table: Floats, *, seed: int = SEED) -> tuple[float, float] | None:
-    """Ends of the interval for the mean of a table; None where there is nothing to resample.
+def interval(values: Floats, individuals: Labels, rooms: Labels, seeds: Labels) -> tuple[float, float] | None:
+    """Ends of the interval for the mean of some episodes; None where there is nothing to resample.
 
     Args:
-        table: Individuals x rooms: means of their episodes, NaN where there is none.
-        seed: Of the bootstrap.
+        values: One an episode; NaN where it has none.
+        individuals: The individual of each episode.
+        rooms: The scenario of each episode.
+        seeds: The seed of each episode.
     """
-    persons, rooms = table.shape
-    if persons * rooms < 2:
+    there = ~np.isnan(values)
+    person, persons = numbered(individuals[there])
+    room, room_count = numbered(rooms[there])
+    seed, seed_count = numbered(seeds[there])
+    if persons * room_count * seed_count < 2:
         return None
-    there = ~np.isnan(table)
-    middle = float(np.nanmean(table))
-    off = np.where(there, table - middle, 0.0)  # around the mean: constant values give it to the digit
-    random = np.random.default_rng(seed)
-    share = max(AT_ONCE // (persons * rooms), 1)
+    cell = person * room_count + room
+    share = 1 / np.bincount(cell)[cell]  # of an episode in the mean of its individual and room
+    middle = float((share * values[there]).sum() / share.sum())
+    place, shape = cell * seed_count + seed, (persons, room_count * seed_count)
+    weight, off = (  # around the mean: constant values give it to the digit
+        np.bincount(place, weights=one, minlength=math.prod(shape)).reshape(shape)
+        for one in (share, share * (values[there] - middle))
+    )
     means = []
-    for start in range(0, RESAMPLES, share):
-        count = min(share, RESAMPLES - start)
-        by_person = random.multinomial(persons, [1 / persons] * persons, size=count).astype(float)
-        by_room = random.multinomial(rooms, [1 / rooms] * rooms, size=count).astype(float)
-        total = ((by_person @ there) * by_room).sum(axis=1)
-        drawn = total > 0  # a resample of empty cells alone says nothing
-        means.append(((by_person @ off) * by_room).sum(axis=1)[drawn] / total[drawn])
+    for by_person, by_room, by_seed in _drawn((persons, room_count, seed_count)):
+        by_place = (by_room[:, :, None] * by_seed[:, None, :]).reshape(len(by_room), -1)
+        total = ((by_person @ weight) * by_place).sum(axis=1)
+        some = total > 0  # a resample of empty cells alone says nothing
+        means.append(((by_person @ off) * by_place).sum(axis=1)[some] / total[some])
     low, high = np.quantile(np.concatenate(means), [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
     return middle + float(low), middle + float(high)
+
+
+def _drawn(counts: Sequence[int]) -> Iterator[list[Floats]]:
+    """How often each individual, room and seed is drawn: resamples x how many of each there are.
+
+    Each has random numbers of its own: the number of seeds does not change which individuals are drawn.
+    """
+    randoms = [np.random.default_rng([SEED, i]) for i in range(len(counts))]
+    at_once = max(AT_ONCE // max(counts[0], math.prod(counts[1:])), 1)
+    for start in range(0, RESAMPLES, at_once):
+        size = min(at_once, RESAMPLES - start)
+        yield [_times(random, count, size) for random, count in zip(randoms, counts, strict=True)]
+
+
+def _times(random: np.random.Generator, count: int, size: int) -> Floats:
+    """How often each of so many comes up where one fewer is drawn, a row for each resample."""
+    found = random.integers(count, size=(size, max(count - 1, 1)))
+    places = found + count * np.arange(size)[:, None]
+    return np.bincount(places.ravel(), minlength=size * count).reshape(size, count).astype(float)
 
 
 def _monte_carlo_error(

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
 from typing import TYPE_CHECKING
 
 from comity.report.text import table, unbroken, words
 from comity.study.report.outcomes import label_of
+from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 DECIMALS = 4
 """Of numbers in text: a tenth of a millimetre is finer than anything that the world measures."""
 SMALLEST = 10.0**-DECIMALS
+FEW = 10
+"""With fewer of them a percentile interval is noticeably too narrow."""
 HEAD = ("outcome", "group", "first", "second", "difference", "95 % interval", "Monte Carlo error", "pairs")
 
 
@@ -35,8 +38,28 @@ def report_text(answer: StudyReportAnswer) -> Iterator[RenderableType]:
     for one in answer.served_worse:
         if one.told_apart:
             yield f"  {worse_text(one)}"
+    if few := few_of(one.estimate for one in answer.levels if one.estimate):
+        yield f"  {few_text(few)}"
     yield unbroken(f"Page  {answer.page}")
     yield f"  {answer.statement}"
+
+
+def few_of(estimates: Iterable[EstimateAnswer]) -> dict[str, int]:
+    """What there are too few of for intervals, and how many: `{"individuals": 2, "seeds": 3}`.
+
+    Of individuals the smallest level counts, such as a group; one room or one seed is taken as given.
+    """
+    counts = [(one.individuals, one.rooms, one.seeds) for one in estimates] or [(1, 1, 1)]
+    people, rooms, seeds = zip(*counts, strict=True)
+    smallest = {"individuals": min(people), "rooms": max(rooms), "seeds": max(seeds)}
+    there = {"individuals": max(people) > 1, "rooms": max(rooms) > 1, "seeds": max(seeds) > 1}
+    return {name: count for name, count in smallest.items() if there[name] and count < FEW}
+
+
+def few_text(few: Mapping[str, int]) -> str:
+    """`Few to resample (2 individuals, 3 seeds): ...`."""
+    counts = ", ".join(counted(count, name.removesuffix("s")) for name, count in few.items())
+    return f"Few to resample ({counts}): with fewer than {FEW} of one, intervals tend to be too narrow."
 
 
 def worse_text(one: ServedWorseAnswer) -> str:
@@ -55,9 +78,11 @@ def compare_text(answer: StudyCompareAnswer) -> Iterator[RenderableType]:
         yield table([difference_cells(one)[1 : 1 + len(head)] for one in found], head=head)
     yield ""
     yield (
-        "  Second minus first, within the same individual, room and seed. Intervals resample individuals and "
-        "rooms; `seeds` is the Monte Carlo error, which seeds alone leave."
+        "  Second minus first, within the same individual, room and seed. Intervals resample individuals, "
+        "rooms and seeds; `seeds` is the Monte Carlo error, which seeds alone leave."
     )
+    if few := few_of(one.difference for one in answer.differences):
+        yield f"  {few_text(few)}"
     yield f"  {answer.statement}"
 
 
