@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-from comity_executor import other_parameters
+from dataclasses import replace
+
+from comity_domain import PlanStep, Why
+from comity_executor import Execution, other_parameters
+from comity_executor.trees.task_tree import SUBTREES
 from comity_fis import load_rulebook
+from tests.executor.conftest import Hall, Stander, infer, plan_for
 
 EVIDENCE = load_rulebook("evidence")
 GAZE = "mutual_gaze"
@@ -27,3 +32,15 @@ def test_what_has_an_argument_is_not_told_twice():
 
 def test_nothing_is_told_of_a_person_of_whom_nothing_was_inferred():
     assert other_parameters(None) == {}
+
+
+def test_an_act_of_the_agenda_receives_the_parameters_of_its_step_besides_its_thing(monkeypatch):
+    """Without its subtree a pause is such an act."""
+    monkeypatch.delitem(SUBTREES, "Wait")  # type: ignore[arg-type]
+    plan, hall = plan_for("johanna"), Hall({"johanna": Stander(3.0, 0.0)})
+    given = {"thing": "a song", "cap_s": 4.0, "until": "speaks"}
+    step = PlanStep("Wait", ("robot", "johanna", "4 s"), None, given, 0, Why("", ()))
+    execution = Execution(replace(plan, steps=(*plan.steps, step)), hall, {"johanna": infer()})
+    while execution.tick() == "running":
+        hall.step()
+    assert dict(hall.others)["wait"] == {"cap_s": 4.0, "until": "speaks"}

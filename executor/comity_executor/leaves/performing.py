@@ -37,7 +37,9 @@ class Performing:
                 return
         self.goal, self._state = None, ""
         self._senses.require_fresh()
-        self.goal = self._robot.perform(replace(act, parameters=other_parameters(values)))
+        self.goal = self._robot.perform(
+            replace(act, parameters={**other_parameters(values), **act.parameters})
+        )
 
     def look(self) -> None:
         """Ask the robot how the act goes.

@@ -45,7 +45,13 @@ class TaskAct(BodyAct):
         if words is not None:
             return speech(self._act, task.person, words, manner=manner)
         thing = task.step.parameters.get("thing")
-        return ActGoal(self._act, task.person, None, None if thing is None else str(thing), manner)
+        return ActGoal(
+            self._act,
+            task.person,
+            thing=None if thing is None else str(thing),
+            manner=manner,
+            parameters=task.own_parameters,
+        )
 
     def begin(self) -> None:
         """Start the act; what is being handed over is on its way from the robot's hands."""

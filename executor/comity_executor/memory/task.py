@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 
@@ -21,6 +21,7 @@ from comity_executor.speech.utterance import Utterance
 
 EFFECTS = {**{kind.action: kind.effect for kind in PLAIN}, OFFER: "given", LEAVE: "left"}
 """What is so once a step is done."""
+PLAIN_ACTIONS = frozenset(kind.action for kind in PLAIN)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +89,13 @@ class Task:
     def thing(self) -> str:
         """What is handed over."""
         return str(self.step.parameters["thing"])
+
+    @property
+    def own_parameters(self) -> Mapping[str, float | str]:
+        """Of a plain task, the parameters of its step besides the thing: its act is given them."""
+        if self.step.action not in PLAIN_ACTIONS:
+            return {}
+        return {name: value for name, value in self.step.parameters.items() if name != "thing"}
 
     @property
     def carrier(self) -> Carrier:

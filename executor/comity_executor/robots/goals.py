@@ -119,7 +119,8 @@ class ActGoal:
     utterance: Utterance | None = None
     """The wordings that `text` is made of, with their facts; None for a gesture or a plan's own text."""
     parameters: Mapping[str, float | str] = field(default_factory=dict)
-    """The person's other parameters, as in a motion goal."""
+    """The person's other parameters, as in a motion goal, and those of the planned task, such as its field
+    `seconds`, besides its thing."""
 
     @property
     def language(self) -> str | None:
