@@ -8,6 +8,7 @@ from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from comity_executor import Heartbeat, Loop
+from comity_executor.robots.raised import raised
 
 if TYPE_CHECKING:
     from comity_executor import Execution, LoopReport, MapRobot
@@ -81,7 +82,7 @@ class _Clock:
 
     def _break(self, error: Exception) -> None:
         self._is_broken = True
-        self._execution.stop(f"the clock: {type(error).__name__}: {error}")
+        self._execution.stop(f"the clock: {raised(error)}")
 
 
 def _ending(execution: Execution, each: Callable[[], None]) -> Callable[[], None]:
@@ -91,6 +92,6 @@ def _ending(execution: Execution, each: Callable[[], None]) -> Callable[[], None
         try:
             each()
         except Exception as error:
-            execution.stop(f"{type(error).__name__}: {error}")
+            execution.stop(raised(error))
 
     return safely

@@ -13,6 +13,7 @@ from math import dist, pi
 from typing import TYPE_CHECKING
 
 from comity_executor import MapGoal, MotionStatus
+from comity_executor.robots.status import known_motion
 from comity_sim2d import RouteMap, wrap_angle
 from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S
 from comity_sim2d.navigation.docking import spot_beside
@@ -101,7 +102,7 @@ class GoalsOnMap:
 
     def motion(self) -> MotionStatus:
         """How the newest goal goes, as the base says, by the number that it has here."""
-        said = self._base.motion()
+        said = known_motion(self._base)
         if self._goal is not None and self._told is None:
             return self._waiting(said)
         state, number = said.state, self._number_of(said.goal)

@@ -10,9 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from comity.live.map_robot_check import problems_of
+from comity_executor.robots.raised import raised
 from comity_fis import InputError
+from comity_fis.errors import closest
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from comity_executor import MapRobot
 
 GROUP = "comity.robots"
@@ -41,7 +45,7 @@ def load_robot(name: str) -> MapRobot:
     except Exception as error:
         raise InputError(
             expected=f"a robot made by {name}()",
-            got=f"{type(error).__name__}: {error}",
+            got=raised(error),
             remedy="Is the robot switched on, and its computer within reach?",
         ) from error
     require_map_robot(robot, name)
@@ -68,20 +72,58 @@ def _imported(name: str) -> Any:
     here = str(Path.cwd())
     if here not in sys.path:
         sys.path.insert(0, here)  # as `python -m` does
+    if not (module and attribute):
+        lacks = "class" if module else "module"
+        raise _unknown(name, f"{name!r}, without the name of the {lacks}")
     try:
-        return getattr(import_module(module), attribute)
-    except (ImportError, AttributeError, ValueError) as error:
-        raise InputError(
-            expected="a robot as MODULE:CLASS, of a module that can be imported from this folder",
-            got=f"{name!r}: {error}",
-            remedy="Write `--robot my_robot:Base` for the class `Base` in my_robot.py.",
-        ) from None
+        loaded = import_module(module)
+    except ModuleNotFoundError as error:
+        if error.name is None or not f"{module}.".startswith(f"{error.name}."):
+            raise _broken(module, error) from error
+        raise _unknown(name, f"{name!r}: {error}") from None
+    except Exception as error:
+        raise _broken(module, error) from error
+    if not hasattr(loaded, attribute):
+        raise _unknown(name, f"{name!r}: {module} has no {attribute!r}", _classes(loaded, attribute))
+    return getattr(loaded, attribute)
+
+
+def _unknown(name: str, got: str, remedy: str | None = None) -> InputError:
+    module = name.partition(":")[0] or "my_robot"
+    return InputError(
+        expected="a robot as MODULE:CLASS, of a module that can be imported from this folder",
+        got=got,
+        remedy=remedy or f"Write `--robot {module}:Base` for the class `Base` in {module}.py.",
+    )
+
+
+def _classes(module: ModuleType, attribute: str) -> str | None:
+    """The nearest of the classes and functions that the module itself has; None where it has none."""
+    mine = module.__name__
+    own = [name for name, one in vars(module).items() if getattr(one, "__module__", "") == mine]
+    return closest(attribute, own) if own else None
+
+
+def _broken(module: str, error: Exception) -> InputError:
+    """A module whose own code does not run: with the line of it."""
+    if isinstance(error, SyntaxError) and error.filename:
+        got = f"{type(error).__name__}: {error.msg} ({Path(error.filename).name}:{error.lineno})"
+    else:
+        got = raised(error)
+    return InputError(
+        expected=f"the module {module} of the robot to be imported",
+        got=got,
+        remedy="Correct that line, or install what it imports.",
+    )
 
 
 def _offered(name: str) -> Any:
     offers: dict[str, EntryPoint] = {each.name: each for each in entry_points(group=GROUP)}
     if name in offers:
-        return offers[name].load()
+        try:
+            return offers[name].load()
+        except Exception as error:
+            raise _broken(offers[name].module, error) from error
     known = f"one of {', '.join(sorted(offers))}" if offers else "no installed package offers one"
     raise InputError(
         expected=f"a robot as MODULE:CLASS, or the name of one that a package offers ({known})",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.live.act_record import ActRecord
 from comity.live.goals_on_map import GoalsOnMap
 from comity.live.known_world import KnownWorld
+from comity_executor.robots.status import known_performance
 from comity_executor.robots.stop_button import is_false
 from comity_sim2d import Wish
 
@@ -182,7 +183,7 @@ class RobotOnMap:
 
     def performance(self, act: GoalId) -> GoalStatus:
         """How an act goes."""
-        status = self._base.performance(self._record.goal_of(act))
+        status = known_performance(self._base, self._record.goal_of(act))
         return self._record.note(act, status, self.now_s())
 
     def stop(self, goal: GoalId | None = None) -> None:

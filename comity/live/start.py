@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from comity.live.driving import sleep_of
 from comity.scenario import Placement
+from comity_executor.robots.raised import raised
 from comity_fis import InputError
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ def _sensed(base: MapRobot) -> tuple[Localisation, Sequence[PersonTrack]]:
         try:
             here, tracks = base.localisation(), base.tracks()
         except Exception as error:
-            here, tracks, got = None, None, f"{type(error).__name__}: {error}"
+            here, tracks, got = None, None, raised(error)
         else:
             got = f"None from its `{'localisation' if here is None else 'tracks'}`"
         if here is not None and tracks is not None:

@@ -31,6 +31,7 @@ from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robots.check import require_robot
 from comity_executor.robots.goals import GoalId, MotionGoal
+from comity_executor.robots.raised import raised
 from comity_executor.robots.rest import Rest
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
@@ -153,7 +154,7 @@ class Execution:
             try:
                 self._begin_and_step()
             except Exception as error:
-                self.stop(f"{type(error).__name__}: {error}")
+                self.stop(raised(error))
         self._end_what_goes_on()
         self._watch_rest()
         return self.status

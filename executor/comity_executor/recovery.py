@@ -17,6 +17,7 @@ from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import FaultError
 from comity_executor.nodes.limits import Limits
 from comity_executor.revision import Course, NoRevision, Planner, Revision
+from comity_executor.robots.raised import raised
 
 LONGEST_PAUSE_S = 30.0
 """Nobody is made to wait longer than this for a robot that could go on by now (our choice)."""
@@ -170,4 +171,4 @@ def broken(error: Exception) -> tuple[Cause, ...]:
     """What is to say about a planner that broke down."""
     if isinstance(error, FaultError):
         return (Cause("fault", str(error), None), Cause("condition", "the planner broke down", None))
-    return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}", None),)
+    return (Cause("condition", f"the planner broke down: {raised(error)}", None),)

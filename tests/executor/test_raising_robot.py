@@ -100,3 +100,35 @@ def test_a_blackboard_that_is_cleared_in_mid_run_changes_nothing(episode) -> Non
     assert visits.execution.trace_sha256() == alone.trace_sha256()
     assert visits.execution.visits == alone.visits
     assert not [key for key in Blackboard.storage if key.startswith("/comity/")]
+
+
+def _speaks_of(act: object) -> object:
+    return {}[f"{act}?"]
+
+
+def test_an_exception_says_which_call_and_line_of_the_users_code_raised_it(episode) -> None:
+    visits = episode()
+    visits.hall.performance = performance
+    visits.run(for_s=20.0)
+    texts = {cause.text for event in visits.execution.events for cause in event.because}
+    line = _speaks_of.__code__.co_firstlineno + 1
+    assert f"KeyError: 'say 0?' (test_raising_robot.py:{line}, in performance)" in texts
+
+
+def performance(act: object) -> object:
+    return _speaks_of(act)
+
+
+@pytest.mark.parametrize(
+    ("call", "answer", "missing"),
+    [("motion", ("running", 1), "goal, state, text"), ("performance", None, "goal, state, text")],
+)
+def test_an_answer_of_another_form_is_refused_with_the_calls_name(episode, call, answer, missing) -> None:
+    visits = episode()
+    visits.run(until=lambda: visits.hall.now_s() > 1.0)
+    setattr(visits.hall, call, lambda *_: answer)
+    visits.run(for_s=30.0)
+    texts = [cause.text for event in visits.execution.events for cause in event.because]
+    refused = [text for text in texts if text.startswith(f"StateError: {call}: ")]
+    assert refused
+    assert all(missing in text and text.endswith(f"got {answer!r}") for text in refused)

@@ -16,6 +16,7 @@ from comity_executor.memory.task import Task
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Ports
 from comity_executor.nodes.node import preorder
+from comity_executor.robots.raised import raised
 
 _RESULTS = (Status.RUNNING, Status.SUCCESS, Status.FAILURE)
 
@@ -99,4 +100,4 @@ class _Guard:
     def _note(self, error: Exception) -> None:
         if self._error is None:  # the first one is the reason for the others
             self._error = error
-            self._node.feedback_message = f"{type(error).__name__}: {error}"
+            self._node.feedback_message = raised(error)

@@ -11,6 +11,8 @@ import time
 from collections.abc import Callable
 from types import TracebackType
 
+from comity_executor.robots.raised import raised
+
 SILENT_S = 0.5
 """A stop of which nothing was heard for so long is pressed (our choice)."""
 EVERY_S = 0.02
@@ -43,7 +45,7 @@ class Heartbeat:
         try:
             said = self._ask()
         except Exception as error:
-            said = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
+            said = f"the emergency stop cannot be read: {raised(error)}"
         self._said = (self._clock(), said)
 
     def _listen(self) -> None:

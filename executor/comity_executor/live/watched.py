@@ -17,6 +17,7 @@ from typing import Any
 from comity_executor.live.guard import Guard
 from comity_executor.live.messages import Begin, Call, CallResult, Failed, Ready
 from comity_executor.robots.capabilities import CapabilityValues
+from comity_executor.robots.raised import raised
 from comity_executor.robots.robot import Robot
 
 GUARDED = ("go", "renew", "motion", "perform")
@@ -37,7 +38,7 @@ def serve(connection: Connection[Any, Any]) -> None:
         reach_m = getattr(robot, "gesture_reach_m", None)
         connection.send(Ready(getattr(robot, "name", "robot"), CapabilityValues(**can), more, reach_m))
     except Exception as error:
-        connection.send(Failed(0, f"{type(error).__name__}: {error}"))
+        connection.send(Failed(0, raised(error)))
         return
     guard = Guard(robot, begin.lease_s)
     threading.Thread(target=guard.watch, name="watchdog", daemon=True).start()
@@ -59,7 +60,7 @@ def _answer(call: Call, guard: Guard, robot: Robot) -> CallResult | Failed:
     try:
         return CallResult(call.call, getattr(owner, call.name)(*call.arguments, **call.named))
     except Exception as error:
-        return Failed(call.call, f"{type(error).__name__}: {error}")
+        return Failed(call.call, raised(error))
 
 
 def main() -> None:

@@ -16,6 +16,7 @@ from py_trees.common import Status
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import FaultError
 from comity_executor.nodes.identity import NodeId, as_id
+from comity_executor.robots.raised import raised
 
 Ports = Mapping[str, str | float]
 """The same names for all leaves of a class."""
@@ -189,4 +190,4 @@ def _explained(leaf: Condition | Action) -> Account | None:
 def _account(error: Exception) -> Account:
     if isinstance(error, FaultError):
         return Account("an exception", fault=str(error))
-    return Account(f"{type(error).__name__}: {error}")
+    return Account(raised(error))

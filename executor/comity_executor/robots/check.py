@@ -12,9 +12,10 @@ from numbers import Real
 from typing import cast
 
 from comity_executor.robots.capabilities import LONGEST_LEASE_S, CapabilityValues
-from comity_executor.robots.goals import STATES, ActGoal, MotionGoal, PlannedPose
+from comity_executor.robots.goals import STATES, ActGoal, MotionGoal, MotionStatus, PlannedPose
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import COLUMNS
+from comity_executor.robots.status import missing_in
 from comity_executor.robots.stop_button import is_false
 from comity_fis.inference.value import Inference
 
@@ -160,8 +161,7 @@ def _emergency_problem(said: object) -> str | None:
 
 
 def _motion_problem(said: object) -> str | None:
-    wanted = ("goal", "state", "text", "stamp_s", "remaining_m", "is_blocked", "blocked_by", "is_at_rest")
-    if missing := [name for name in wanted if not hasattr(said, name)]:
+    if missing := missing_in(said, MotionStatus):
         return f"motion: expected an object like MotionStatus, with {', '.join(missing)}, got {said!r}"
     if (state := getattr(said, "state", None)) not in STATES:
         return f"motion: expected as state one of {', '.join(STATES)}, got {state!r}"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from comity_executor.robots.raised import raised
+
 
 class StopButton:
     """A stop that latches.
@@ -23,7 +25,7 @@ class StopButton:
         try:
             said = self._read()
         except Exception as error:
-            said = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
+            said = f"the emergency stop cannot be read: {raised(error)}"
         self._pressed = None if is_false(said) else _in_words(said)
         self._latched = self._pressed or self._latched
 

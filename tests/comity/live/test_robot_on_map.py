@@ -239,6 +239,26 @@ def test_a_robot_that_cannot_be_made_is_told_with_its_reason(here, monkeypatch):
         load_robot("off:Base")
 
 
+@pytest.mark.parametrize(
+    ("text", "named", "said"),
+    [
+        ("x = 1\nclass Base:\n  def go(self)\n", "Base", ("SyntaxError", ".py:3")),
+        ("import math\n\nnorth = 1 / 0\n", "Base", ("ZeroDivisionError", ".py:3")),
+        ("import no_such_library\n", "Base", ("no_such_library", ".py:1")),
+        ("class Base:\n    pass\n", "Bse", ("'Bse'", "Did you mean 'Base'?")),
+        ("class Base:\n    pass\n", "", ("without the name of the class",)),
+    ],
+    ids=["syntax", "exception", "import", "typo", "no class"],
+)
+def test_what_is_wrong_with_the_module_of_a_robot_is_said_with_its_line(here, monkeypatch, text, named, said):
+    monkeypatch.syspath_prepend(str(here))
+    module = f"broken_{abs(hash(text))}"
+    (here / f"{module}.py").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        load_robot(f"{module}:{named}")
+    assert all(each in str(refused.value) for each in said)
+
+
 def raising() -> None:
     raise OSError("no answer")
 
