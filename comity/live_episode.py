@@ -297,8 +297,8 @@ class LiveEpisode:
     @property
     def disturbances(self) -> tuple[Disturbance, ...]:
         """Changes, faults and messages so far, by time; walks are told once the episode is over."""
-        halts = self._world.halts if isinstance(self._world, RealWorld) else ()
-        return tuple(sorted((*self._schedule.disturbances, *halts), key=lambda one: one.t))
+        real = self._world.disturbances if isinstance(self._world, RealWorld) else ()
+        return tuple(sorted((*self._schedule.disturbances, *real), key=lambda one: one.t))
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)

@@ -17,10 +17,10 @@ from comity_executor.memory.visit import Deed
 from comity_fis.learning.signals import Signal
 from comity_fis.record import Record
 
-DisturbanceKind = Literal["change", "fault", "message", "walk", "passage", "operator", "nearness"]
+DisturbanceKind = Literal["change", "fault", "message", "walk", "passage", "operator", "nearness", "reading"]
 """A change or a fault of the scenario, what a person says, a walk of a person, a person who was passed at a
-reduced margin or let the robot pass in vain, a word of a real robot's operator, or the robot nearer to a
-person than they like."""
+reduced margin or let the robot pass in vain, a word of a real robot's operator, the robot nearer to a
+person than they like, or what a real robot reads that looks like a mistake in its code."""
 PlanStatus = Literal["rebound", "replanned", "not_replanned"]
 """What becomes of a plan under way."""
 

@@ -7,12 +7,12 @@ trackers drop frames.
 
 from __future__ import annotations
 
-from contextlib import suppress
 from dataclasses import replace
 from math import inf, isfinite
 from numbers import Real
 from typing import TYPE_CHECKING
 
+from comity_executor.robots.raised import raised
 from comity_sim2d import Person, wrap_angle
 
 if TYPE_CHECKING:
@@ -42,15 +42,30 @@ class BaseSenses:
         """The newest of each name of the tracker, for as long as it is believed."""
         self.tracked_s = -inf
         """When the tracker was heard last; it was not yet."""
+        self.refused: dict[str, str] = {}
+        """Why what was said last is not believed: of the `localisation`, and of the `tracker`."""
 
     def localisation(self, now_s: float) -> Localisation | None:
         """Where it is; None where it does not know, or cannot be."""
-        with suppress(Exception):
+        self.refused.pop("localisation", None)
+        try:
             here = self._base.localisation()
-            if here is None or not _are_finite(here.x_m, here.y_m, here.heading_rad, here.speed_m_s):
-                return None
-            is_known = _has_come(here.stamp_s, now_s) and self._plan.is_floor((here.x_m, here.y_m))
-            return here if is_known else None
+            why = None if here is None else self._why_not_here(here, now_s)
+        except Exception as error:
+            here, why = None, raised(error)
+        if why is None:
+            return here
+        self.refused["localisation"] = why
+        return None
+
+    def _why_not_here(self, here: Localisation, now_s: float) -> str | None:
+        """Why it cannot be so; None: it can."""
+        if not _are_finite(here.x_m, here.y_m, here.heading_rad, here.speed_m_s):
+            return f"a number of {here!r} is not finite"
+        if not _has_come(here.stamp_s, now_s):
+            return f"stamp_s is {here.stamp_s!r}, and now_s {now_s:g}"
+        if not self._plan.is_floor((here.x_m, here.y_m)):
+            return f"({here.x_m:.2f}, {here.y_m:.2f}) is no floor of the map"
         return None
 
     def tracks(self, now_s: float) -> list[PersonTrack]:
@@ -59,6 +74,8 @@ class BaseSenses:
         fresh = {track.track: track for track in said or () if now_s - track.stamp_s <= OLD_S}
         if fresh or (said is not None and not said):
             self.tracked_s = now_s
+        elif said:
+            self.refused["tracker"] = f"its newest track is more than {OLD_S:g} s old"
         people = {track.person for track in fresh.values()} - {None}
         held = {
             name: track
@@ -70,10 +87,13 @@ class BaseSenses:
 
     def _said(self, now_s: float) -> list[PersonTrack] | None:
         """What it says now; a track that is nowhere is left out."""
-        with suppress(Exception):
+        self.refused.pop("tracker", None)
+        try:
             tracks = self._base.tracks()
             if tracks is not None:
                 return [track for track in tracks if _is_somewhere(track) and _has_come(track.stamp_s, now_s)]
+        except Exception as error:
+            self.refused["tracker"] = raised(error)
         return None
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.live.base_senses import GRACE_S, BaseSenses, one_each, stranger
 from comity.live.identities import Identities
+from comity.live.odd_readings import OddReadings
 from comity.live.people_seen import PeopleSeen
 from comity_sim2d import Person, RouteMap, Wish, choose_pose, wrap_angle
 from comity_sim2d.navigation.docking import docked
@@ -48,6 +49,8 @@ class KnownWorld:
         """People whom the tracker sees and the scenario does not know."""
         self._localised: Localisation | None = None
         self._senses = BaseSenses(base, floor_plan(scene))
+        self.odd = OddReadings(self.names, scene.robot.name)
+        """What looks like a mistake in the robot's code."""
 
     def own_time_s(self, stamp_s: float) -> float:
         """A time of the robot's clock by that of the episode, which begins at 0."""
@@ -58,6 +61,7 @@ class KnownWorld:
         now_s = self._base.now_s()
         self._localised = self._senses.localisation(now_s) or self._localised
         tracks, several = one_each(self._senses.tracks(now_s))
+        self.odd.take_in(self.now_s(), self._localised, tracks)
         if self._localised is None:
             return
         own = [self._by_own_clock(track) for track in tracks]
@@ -90,7 +94,8 @@ class KnownWorld:
         }
         for what, age in ages.items():
             if age > SILENT_S:
-                return f"nothing was heard of the {what} for {_age(age)}"
+                why = self._senses.refused.get(what)
+                return f"nothing was heard of the {what} for {_age(age)}" + (f": {why}" if why else "")
         return self._seen.may_be_at(self.here, self.now_s())
 
     def now_s(self) -> float:

@@ -63,9 +63,9 @@ class RealWorld:
             self._halts[-1] = replace(self._halts[-1], end_s=self.time_s)
 
     @property
-    def halts(self) -> tuple[Disturbance, ...]:
-        """When the base had to stand, and why."""
-        return tuple(self._halts)
+    def disturbances(self) -> tuple[Disturbance, ...]:
+        """When the base had to stand, and why, and what it read that looks like a mistake."""
+        return (*self._halts, *self.robot.odd_readings)
 
     @property
     def time_s(self) -> float:

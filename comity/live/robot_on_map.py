@@ -13,6 +13,7 @@ from comity_executor.robots.stop_button import is_false
 from comity_sim2d import Wish
 
 if TYPE_CHECKING:
+    from comity.answers.run import Disturbance
     from comity.live.operator import Operator
     from comity_executor import (
         ActGoal,
@@ -59,6 +60,11 @@ class RobotOnMap:
     def is_blind(self) -> str | None:
         """Why it does not know enough to move: where it is, or who is there; None: it does."""
         return self._known.is_blind
+
+    @property
+    def odd_readings(self) -> tuple[Disturbance, ...]:
+        """What it read of the base that looks like a mistake in the base's code."""
+        return self._known.odd.notes
 
     def _has_to_stand(self) -> str | None:
         """Why it must not move for now: the operator holds it, or it is blind; None: it may."""

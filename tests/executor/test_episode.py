@@ -135,9 +135,9 @@ def test_an_exception_is_a_failure_with_its_text(episode, call: str) -> None:
     visits = episode("johanna", "alice")
     visits.hall.faults[call] = RuntimeError("servo 3 is hot")
     visits.run()
-    assert visits.execution.visits[0].failure == "RuntimeError: servo 3 is hot"
-    texts = [cause.text for event in visits.execution.events for cause in event.because]
-    assert "RuntimeError: servo 3 is hot" in texts
+    failure = visits.execution.visits[0].failure
+    assert failure.startswith("RuntimeError: servo 3 is hot (conftest.py:")
+    assert failure in [cause.text for event in visits.execution.events for cause in event.because]
     assert visits.hall.at_rest
 
 

@@ -44,7 +44,7 @@ def test_an_exception_is_a_failure_with_text_and_the_leaf_ends(where: str, text:
     leaf = Counting(where)
     leaf.tick_once()
     assert leaf.status is Status.FAILURE
-    assert leaf.account().text == text
+    assert leaf.account().text.startswith(text)
     assert leaf.ends == 1
 
 
@@ -60,7 +60,7 @@ def test_an_exception_in_a_condition_is_a_failure_with_text() -> None:
     leaf = Raising("near?")
     leaf.tick_once()
     assert leaf.status is Status.FAILURE
-    assert leaf.account().text == "ZeroDivisionError: no distance"
+    assert leaf.account().text.startswith("ZeroDivisionError: no distance")
 
 
 @pytest.mark.parametrize("result", [Status.SUCCESS, Status.FAILURE, Status.RUNNING])
@@ -78,7 +78,7 @@ def test_an_end_that_raises_leaves_the_others_alone_and_is_to_be_tried_again() -
     leaf.tick_once()
     leaf.stop(Status.INVALID)
     assert leaf.has_to_end_again
-    assert leaf.account().text == "OSError: the brake does not answer"
+    assert leaf.account().text.startswith("OSError: the brake does not answer")
     leaf.fails_in = ""
     leaf.try_to_end()
     assert not leaf.has_to_end_again
