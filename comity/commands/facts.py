@@ -135,10 +135,13 @@ def _fact(book: Rulebook, name: str, value: str) -> Fact:
     if variable is None and name in {*PERSONAL, *book.facts}:
         return None if value == UNKNOWN else value
     if variable is None:
+        is_output = name in book.parameters
         raise InputError(
             expected=f"a variable of the rulebook {book.name}",
-            got=repr(name),
-            remedy=closest(name, book.variables),
+            got=f"{name!r}, a parameter: the rules decide it" if is_output else repr(name),
+            remedy=f"What a person asked for is a wish in their profile: `settings: {{{name}: {value}}}`."
+            if is_output
+            else closest(name, book.variables),
             where=Where("--set"),
         )
     if value == UNKNOWN:

@@ -328,6 +328,7 @@ def test_no_command_takes_a_blank_word(comity, here, words):
         (["infer", "--set", "individualism=380"], "0..100"),
         (["infer", "--set", "individualism=many"], "a number"),
         (["infer", "--set", "gendre=female"], "Did you mean 'gender'?"),
+        (["infer", "--set", "approach_speed=0.2"], "`settings: {approach_speed: 0.2}`"),
         (["infer", "--set", "gender=femal"], "Did you mean 'female'?"),
         (["infer", "--set", "gender"], "NAME=VALUE"),
         (["infer", "--set", "gender=female", "--set", "gender=male"], "twice"),
