@@ -20,7 +20,8 @@ def notes_of_unread(rulebook: Rulebook) -> tuple[str, ...]:
     if DISTANCE not in rulebook.parameters:
         return ()
     return tuple(
-        f"{name}: the robot receives it by this name; no action reads it, and a simulated robot does not."
+        f"{name}: neither an action of Comity nor the simulated robot reads it; "
+        "a robot of yours receives it by this name."
         for name, parameter in rulebook.parameters.items()
         if parameter.kind == "behaviour" and name not in BOUND
     )
