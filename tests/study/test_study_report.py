@@ -6,6 +6,7 @@ import csv
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from study.writing import COMFORT, population, study
 
@@ -33,7 +34,15 @@ COLUMNS = (
     "seed",
     "person",
 )
-MEASURED = {"outcome": "", "distance_actual_m": "m", "comfort_gap_m": "m", "greeted_s": "s", "reason": ""}
+MEASURED = {
+    "noticed": "",
+    "chosen_bearing_deg": "deg",
+    "outcome": "",
+    "distance_actual_m": "m",
+    "comfort_gap_m": "m",
+    "greeted_s": "s",
+    "reason": "",
+}
 COMFORTS = {"distance_target_m": "m", "comfort_near_m": "m", "comfort_far_m": "m"}
 
 
@@ -142,6 +151,18 @@ def test_failures_are_all_visits_without_a_greeting_that_nobody_declined(tmp_pat
     said = {1: "unreached", 2: "declined", 3: "error"}
     found = visits(tmp_path, lambda *_: 1, outcome=lambda row: said.get(row["row"], "greeted"))
     assert [(one.row, one.what) for one in failures(found.study)] == [(1, "unreached"), (3, "error")]
+
+
+def test_a_pose_in_which_a_person_left_the_robot_is_no_choice(tmp_path):
+    """One of two turns away by 60 degrees, which is no bearing that the robot chose."""
+    found = visits(
+        tmp_path,
+        lambda *_: 1.0,
+        noticed=lambda row: "turn_away" if row["seed"] else "ask_closer",
+        chosen_bearing_deg=lambda row: 60.0 if row["seed"] else float(row["condition"]),
+    )
+    values = outcomes_of(found)["chosen_bearing_deg"].values
+    assert sorted(values[~np.isnan(values)]) == [1.0] * 4 + [2.0] * 4
 
 
 def test_an_outlier_is_unlike_the_other_seeds_of_its_individual(tmp_path):

@@ -76,6 +76,10 @@ DERIVED: Mapping[str, tuple[str, str, _Derive]] = MappingProxyType(
         EXCESS: ("m", "How far outside the comfort interval the robot stopped, either way.", excess_m),
     }
 )
+CHOSEN = ("chosen_distance_m", "chosen_bearing_deg")
+"""Where a person moves before the robot, these are where the robot was left, and no choice."""
+MOVED = ("step_back", "lean_in", "turn_away")
+"""What was noticed of such a person."""
 MAIN = (
     *DERIVED,
     "comfort_gap_m",
@@ -99,13 +103,21 @@ def outcomes_of(visits: StudyVisits) -> dict[str, StudyOutcome]:
             unit, means, derive = DERIVED[name]
             outcome = StudyOutcome(name, unit, means, derive(visits))
         elif name in visits.study.columns:
-            told = visits.study.columns[name]
-            outcome = StudyOutcome(name, told["unit"], told["definition"], visits.numbers(name))
+            outcome = _of_column(visits, name)
         else:
             continue
         if outcome.varies or (name == SERVED and not np.isnan(outcome.values).all()):
             found[name] = outcome
     return found
+
+
+def _of_column(visits: StudyVisits, name: str) -> StudyOutcome:
+    told, values = visits.study.columns[name], visits.numbers(name)
+    if name not in CHOSEN:
+        return StudyOutcome(name, told["unit"], told["definition"], values)
+    means = f"{told['definition']} Such visits do not count."
+    chose = ~np.isin(visits.words("noticed"), MOVED)
+    return StudyOutcome(name, told["unit"], means, np.where(chose, values, np.nan))
 
 
 def pictured(outcomes: Mapping[str, StudyOutcome], asked: Sequence[str]) -> tuple[StudyOutcome, ...]:

@@ -213,14 +213,15 @@ VISIT: Mapping[str, Metric] = _by_name(
     Metric(
         "chosen_distance_m",
         "m",
-        "Distance of the docking pose chosen last, between surfaces.",
+        "Distance of the docking pose chosen last, between surfaces; of a person who moved, as they left it.",
         per="visit",
         least=None,
     ),
     Metric(
         "chosen_bearing_deg",
         "deg",
-        "Bearing of the docking pose chosen last, positive to the person's left.",
+        "Bearing of the docking pose chosen last, positive to the person's left; of one who turned, as they "
+        "left it.",
         per="visit",
         least=-HALF_TURN_DEG,
         most=HALF_TURN_DEG,

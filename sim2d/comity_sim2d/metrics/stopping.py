@@ -62,7 +62,7 @@ class TargetStop:
     own_m: float | None = None
     """The person's own distance then."""
     chosen_distance_m: float | None = None
-    """Of the docking pose that was chosen last."""
+    """Of the docking pose that was chosen last, or in which the person left the robot as they moved."""
     chosen_bearing_deg: float | None = None
     """Likewise, positive to the person's left."""
 
