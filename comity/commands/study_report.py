@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import AsJson, open_page, print_json
+
+if TYPE_CHECKING:
+    from comity.study import Study
 
 StudyFolder = Annotated[Path, typer.Argument(metavar="DIR", help="What `comity study run` wrote.")]
 StudySource = Annotated[
@@ -43,12 +46,11 @@ def report(
     Example: comity study report runs/groups --play 5
     """
     from comity.report.text import show as say
-    from comity.study import Study
     from comity.study.report.replaying import file_of, played_first
     from comity.study.report.reporting import write_report
     from comity.study.report.telling import report_text
 
-    found = Study.load(directory)
+    found = _loaded(directory)
     folder = out or directory / REPORT
     answer = write_report(
         found,
@@ -68,6 +70,19 @@ REPORT = "report"
 """Folder inside the study's."""
 
 
+def _loaded(directory: Path) -> Study:
+    """The study, with a note where it went on and did not end."""
+    from comity.study import Study
+
+    found = Study.load(directory)
+    if (progress := found.progress) is not None:
+        done, total = progress
+        typer.echo(
+            f"note: the table is of an earlier run; the study is at {done} of {total} episodes", err=True
+        )
+    return found
+
+
 def compare(
     directory: StudyFolder,
     *,
@@ -83,14 +98,13 @@ def compare(
     Example: comity study compare runs/groups --factor rulebook bruno2017 evidence
     """
     from comity.report.text import show as say
-    from comity.study import Study
     from comity.study.report.answering import comparison_answer, comparison_named, study_name
     from comity.study.report.episodes import StudyVisits
     from comity.study.report.factors import factors_of_visits
     from comity.study.report.outcomes import outcomes_of, pictured
     from comity.study.report.telling import compare_text
 
-    found = Study.load(directory)
+    found = _loaded(directory)
     visits = StudyVisits.of(found)
     compared = comparison_named(visits, factors_of_visits(visits), *factor)
     drawn = pictured(outcomes_of(visits), outcome)

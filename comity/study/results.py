@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Mapping
+import json
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.system.own_files import read_regular
 from comity_fis.errors import InputError, Where
+from comity_fis.validation.csv_table import short
 
 if TYPE_CHECKING:
     from pandas import DataFrame
 
 RESULTS, PARQUET, DICTIONARY = "results.csv", "results.parquet", "dictionary.csv"
 JOURNAL, ACCOUNT, WRITTEN = "journal.jsonl", "study.json", "study.yaml"
+DESCRIBED = ("column", "unit", "definition", "source")
+"""What the dictionary says of each column."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,19 +38,26 @@ class Study:
         """The study in a folder that `comity study run` wrote.
 
         Raises:
-            InputError: if there is none, or its tables are not written yet.
+            InputError: if there is none, its tables are not written yet, or they were damaged.
         """
         folder = Path(path)
         for name in (RESULTS, DICTIONARY):
             if not (folder / name).is_file():
-                raise InputError(
-                    expected=f"the folder of a study, with its {name}",
-                    got="no such file" if folder.is_dir() else "no such folder",
-                    remedy="`comity study run FILE --out DIR` writes one.",
-                    where=Where(str(folder)),
-                )
-        columns = {row.pop("column"): row for row in _read(folder / DICTIONARY)}
-        return cls(folder, columns, tuple(_read(folder / RESULTS)))
+                raise _without_table(folder, name)
+        described = _read(folder / DICTIONARY, DESCRIBED)
+        columns = {row.pop("column"): row for row in (dict(row) for _, row in described)}
+        rows = _read(folder / RESULTS, columns)
+        numbers = [name for name, one in columns.items() if one["unit"] and _holds_numbers(name, one)]
+        for line, row in rows:
+            for name in numbers:
+                if row[name] and not _is_number(row[name]):
+                    raise _refusal(folder / RESULTS, f"a number in {name}", short(row[name]), line)
+        return cls(folder, columns, tuple(row for _, row in rows))
+
+    @property
+    def progress(self) -> tuple[int, int] | None:
+        """See `progress_of`: the table is then of an earlier run."""
+        return progress_of(self.path)
 
     def to_frame(self) -> DataFrame:
         """The table as a pandas DataFrame, numbers as numbers and NaN where there is no value.
@@ -63,6 +76,78 @@ class Study:
         return f"<Study {self.path.name}: {len(self.rows)} rows, {len(self.columns)} columns>"
 
 
-def _read(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
+def progress_of(folder: Path) -> tuple[int, int] | None:
+    """How many different episodes have ended, and how many there are; None where the study is done.
+
+    The journal counts: a command that was killed leaves its account as it was at the start.
+    """
+    from comity.study.journal import read_journal
+
+    try:
+        account = json.loads(read_regular(folder / ACCOUNT))
+        total, other = int(account["different"]), int(account["other"])
+        if account["status"] == "done":
+            return None
+    except (OSError, ValueError, TypeError, KeyError):
+        return None
+    return len(read_journal(folder / JOURNAL).rows) - other, total
+
+
+def _without_table(folder: Path, name: str) -> InputError:
+    if (progress := progress_of(folder)) is not None:
+        done, total = progress
+        return InputError(
+            expected="the folder of a study that was carried out",
+            got=f"one that stopped at {done} of {total} episodes",
+            remedy="Run the same command again, `comity study run FILE --out DIR`: it goes on from there.",
+            where=Where(str(folder)),
+        )
+    return InputError(
+        expected=f"the folder of a study, with its {name}",
+        got="no such file" if folder.is_dir() else "no such folder",
+        remedy="`comity study run FILE --out DIR` writes one.",
+        where=Where(str(folder)),
+    )
+
+
+def _read(path: Path, columns: Collection[str]) -> list[tuple[int, dict[str, str]]]:
+    """The rows of a table, each with its line.
+
+    Raises:
+        InputError: with the line, where cells or columns are missing, or the file is no text.
+    """
+    found = []
+    try:
+        with path.open(encoding="utf-8", newline="") as file:
+            rows = csv.reader(file)
+            heading = next(rows, [])
+            if missing := [name for name in columns if name not in heading]:
+                raise _refusal(path, f"a column {missing[0]}", "none", 1)
+            for cells in rows:
+                if len(cells) != len(heading):
+                    raise _refusal(path, f"{len(heading)} cells in a row", str(len(cells)), rows.line_num)
+                found.append((rows.line_num, dict(zip(heading, cells, strict=True))))
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise _refusal(path, "a CSV file in UTF-8", str(error), None) from None
+    return found
+
+
+def _refusal(path: Path, expected: str, got: str, line: int | None) -> InputError:
+    return InputError(
+        expected=expected,
+        got=got,
+        remedy="The file was cut off or changed: `comity study run FILE --out DIR` writes it again.",
+        where=Where(str(path), line),
+    )
+
+
+def _holds_numbers(name: str, column: Mapping[str, str]) -> bool:
+    """Whether a column with a unit has numbers alone: factors have words, too, and ages may be bands."""
+    return not column["definition"].startswith("Factor: ") and not name.startswith("fact_")
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        return isfinite(float(cell))
+    except ValueError:
+        return False

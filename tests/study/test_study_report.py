@@ -22,6 +22,7 @@ from comity.study.report.unusual import failures, outliers
 from comity.study.running import run_study
 from comity.study.statement import STATEMENT
 from comity.study.study_plan import load_study
+from comity_fis import InputError, Where
 
 COLUMNS = (
     "row",
@@ -253,6 +254,32 @@ def test_a_row_under_another_rulebook_is_another_episode_and_ends_with_1(comity,
     assert said.code == 1
     assert not said.json["same"]
     assert "changed" in said.json["differs"]
+
+
+def _cut(text):
+    return text[: text.index("\n", 30) + 40]
+
+
+DAMAGED = [
+    ("results.csv", _cut, 2),
+    ("results.csv", lambda text: text.replace(",0.8,", ",abc,"), 2),
+    ("results.csv", lambda text: text.replace(",0.8,", ",nan,"), 2),
+    ("results.csv", lambda text: text.replace("distance_actual_m", "distance"), 1),
+    ("results.csv", lambda text: text.replace("\n2,", "\n\n2,"), 3),
+    ("results.csv", lambda text: text.replace("room", "ro\udcffm"), None),
+    ("dictionary.csv", lambda text: text.replace("column", "col"), 1),
+    ("dictionary.csv", _cut, 3),
+]
+
+
+@pytest.mark.parametrize(("name", "damage", "line"), DAMAGED)
+def test_a_damaged_table_is_refused_by_file_and_line(tmp_path, name, damage, line):
+    visits(tmp_path, lambda *_: 0.8)
+    path = tmp_path / name
+    path.write_text(damage(path.read_text()), errors="surrogateescape")
+    with pytest.raises(InputError) as refused:
+        Study.load(tmp_path)
+    assert refused.value.where == Where(str(path), line)
 
 
 def test_what_was_played_again_is_linked(comity, here, ran):

@@ -18,6 +18,7 @@ from comity.study import Study
 from comity.study.carrying import MOST_LOSSES, Ended, EpisodeRunner
 from comity.study.journal import opened_journal, read_journal
 from comity.study.local_workers import local_carrier
+from comity.study.results import progress_of
 from comity.study.running import run_study
 from comity.study.study_plan import load_study
 from comity.study.tasks import task_of
@@ -127,8 +128,12 @@ def test_a_study_that_is_stopped_or_killed_goes_on(comity, noisy, whole, stop):
     assert 1 <= before < 8
     account = json.loads((out / "study.json").read_text())
     assert (account["status"], account["done"]) == (status, before if status == "stopped" else 0)
+    assert progress_of(out) == (before, 8)
+    said = comity("study", "report", "out")
+    assert (said.code, f"stopped at {before} of 8 episodes" in said.err) == (2, True)
     assert run(comity, "out")["run_now"] == 8 - before
     assert tables(out) == whole[2]
+    assert progress_of(out) is None
 
 
 def test_a_full_disk_ends_the_command_and_the_study_goes_on_with_room(comity, here, noisy, whole):
