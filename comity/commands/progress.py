@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from itertools import count as count_from
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -74,41 +75,74 @@ def counting(*, quiet: bool) -> Iterator[Callable[[str, int], None]]:
 def rating(missing: int, total: int, *, quiet: bool) -> Iterator[Callable[[int], None]]:
     """Tell how many episodes of a study have ended, how many a second, and how long the others will take.
 
-    Without a terminal, as in the log of a cluster, with a line each half a minute.
+    Without a terminal, as in the log of a cluster, with a line at the start, at each tenth of what is missing
+    and each half a minute.
 
     Args:
         missing: Episodes that are to be carried out.
         total: All episodes of the study.
         quiet: Say nothing, wherever the output goes.
     """
-    out, begin_s = console(to_errors=True), monotonic()
-    ended, told_s = 0, begin_s
+    out, rate = console(to_errors=True), EpisodeRate(missing, total)
+    if quiet:
+        yield lambda _more: None
+    elif out.is_terminal:
+        with out.status(rate.text()) as status:
 
-    def text() -> str:
-        took_s = max(monotonic() - begin_s, 1e-3)
-        rate = ended / took_s
-        left = f", {duration_text((missing - ended) / rate)} left" if ended else ""
-        return f"{total - missing + ended} of {total} episodes, {rate:.1f} a second{left}"
+            def update(more: int) -> None:
+                rate.count(more, monotonic())
+                status.update(rate.text())
 
-    def count(more: int) -> None:
-        nonlocal ended, told_s
-        ended += more
-        if status is not None:
-            status.update(text())
-        elif not quiet and monotonic() - told_s >= EVERY_S:
-            told_s = monotonic()
-            _line(text())
-
-    if quiet or not out.is_terminal:
-        status = None
-        yield count
-        return
-    with out.status(text()) as status:
-        yield count
+            yield update
+    else:
+        _line(rate.text())
+        yield lambda more: _line(rate.text()) if rate.count(more, monotonic()) else None
 
 
 EVERY_S = 30.0
 """Between two lines in a log."""
+PARTS = 10
+"""Of what is missing; a line in a log after each."""
+
+
+@dataclass(slots=True)
+class EpisodeRate:
+    """How fast episodes of this run end; the time until the first, when processes start, does not count."""
+
+    missing: int
+    """Episodes that this run is to carry out."""
+    total: int
+    ended: int = 0
+    first: tuple[int, float] | None = None
+    """Episodes that ended at first, and when [s]."""
+    now_s: float = 0.0
+    told_s: float = 0.0
+
+    def count(self, more: int, now_s: float) -> bool:
+        """Count episodes that ended; whether that is to be told in a log."""
+        part = PARTS * self.ended // max(self.missing, 1)
+        self.ended, self.now_s = self.ended + more, now_s
+        if self.first is None and more:
+            self.first, self.told_s = (self.ended, now_s), now_s
+        if PARTS * self.ended // max(self.missing, 1) == part and now_s - self.told_s < EVERY_S:
+            return False
+        self.told_s = now_s
+        return True
+
+    def text(self) -> str:
+        """`40 of 3600 episodes, 11.2 a second, 5 min left`."""
+        text = f"{self.total - self.missing + self.ended} of {self.total} episodes"
+        if (rate := self.per_s) is None:
+            return text
+        left_s = (self.missing - self.ended) / rate
+        return f"{text}, {rate:.1f} a second" + (f", {duration_text(left_s)} left" if left_s else "")
+
+    @property
+    def per_s(self) -> float | None:
+        """Episodes a second since the first; None before there is another."""
+        if self.first is None or self.ended == self.first[0] or self.now_s <= self.first[1]:
+            return None
+        return (self.ended - self.first[0]) / (self.now_s - self.first[1])
 
 
 def _line(text: str) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from study.writing import population, study
 
+from comity.commands.progress import EpisodeRate
 from comity.study import Study
 from comity.study.carrying import MOST_LOSSES, Ended, EpisodeRunner
 from comity.study.journal import opened_journal, read_journal
@@ -134,6 +135,21 @@ def test_a_study_that_is_stopped_or_killed_goes_on(comity, noisy, whole, stop):
     assert run(comity, "out")["run_now"] == 8 - before
     assert tables(out) == whole[2]
     assert progress_of(out) is None
+
+
+def test_the_rate_is_that_of_this_run_since_its_first_episode_and_a_log_has_each_tenth():
+    rate = EpisodeRate(missing=100, total=3600)
+    assert rate.per_s is None
+    told = [rate.count(more, now_s) for more, now_s in ((1, 100.0), (1, 101.0), (8, 103.0), (1, 134.0))]
+    assert told == [False, False, True, True]  # a tenth, then half a minute
+    assert rate.per_s == pytest.approx(10 / 34)
+    assert rate.text().startswith("3511 of 3600 episodes")
+
+
+def test_without_a_terminal_a_study_says_how_far_it_is(comity, noisy):
+    said = comity("study", "run", "noisy.yaml", "--out", "out", "--jobs", 1)
+    ended = [int(line.split()[0]) for line in said.err.splitlines() if " of 8 episodes" in line]
+    assert ended == [0, *range(1, 9)]
 
 
 def test_a_full_disk_ends_the_command_and_the_study_goes_on_with_room(comity, here, noisy, whole):
