@@ -26,6 +26,8 @@ class StudyPlanAnswer(Record):
     """Individuals by group."""
     wishing: int
     """Individuals who state a wish, which goes before culture."""
+    notes: tuple[str, ...]
+    """What may not have been meant, such as a culture without a score."""
     cpu_s_per_episode: float
     """Mean of the episodes that were tried."""
     estimated_s: float

@@ -75,6 +75,8 @@ def run(
     _refuse_both(jobs, scheduler)
     study = load_study(file)
     require_study_folder(out, study.written.name)
+    for note in study.notes:
+        typer.echo(f"note: {note}", err=True)
     with ExitStack() as shown:
 
         def start(missing: int, total: int) -> Watch:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.parameters.cast import rulebook_of
 from comity.parameters.values import infer_for
@@ -19,6 +19,7 @@ from comity.study.individual import Individual
 from comity.study.population import StudyPopulation, load_population
 from comity.study.roles import roles_of
 from comity.study.study_file import StudyFile
+from comity.study.unscored import unscored_notes
 from comity.system.library import looks_like_a_file
 from comity_fis import InputError, Rulebook, closest, load_rulebook
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
@@ -68,6 +69,8 @@ class StudyPlan:
     """By scenario, one a condition."""
     persons: Mapping[str, str]
     """By scenario, the one that the individuals are."""
+    notes: tuple[str, ...] = ()
+    """What a user may not have meant, such as a culture without a score."""
 
     @property
     def individuals(self) -> tuple[Individual | None, ...]:
@@ -118,12 +121,14 @@ def study_of(file: YamlFile) -> StudyPlan:
     _refuse_profiles_of_individuals(file, written, conditions, has_individuals=population is not None)
     bases: dict[str, tuple[EpisodeBase, ...]] = {}
     books: dict[str, Rulebook] = {}
+    people: list[tuple[str, Mapping[str, Any], date | None]] = []
     for name, scenario in scenarios.items():
         made = []
         for condition in conditions:
             base, changed = _based(file, written, scenario, condition, roles[name])
             books.setdefault(base.rulebook, load_rulebook(rulebook_of(changed)))
             made.append(base)
+            people += _others(base, changed, persons.get(name))
         bases[name] = tuple(made)
     plan = StudyPlan(file, written, conditions, population, bases, persons)
     if plan.episodes > MOST_EPISODES:
@@ -136,7 +141,17 @@ def study_of(file: YamlFile) -> StudyPlan:
     if population is not None:
         _refuse_compared(file, written, population, books.values())
         _check_individuals(population, books.values(), written.at)
-    return plan
+        people += [(one.group or one.name, one.profile, written.at) for one in population.individuals]
+    return replace(plan, notes=unscored_notes(people, books.values()))
+
+
+def _others(
+    base: EpisodeBase, scenario: ScenarioFile, individual: str | None
+) -> Iterator[tuple[str, Mapping[str, Any], date | None]]:
+    """The people of a scenario whose place no individual takes: name, profile, and day."""
+    for name, person in base.scenario["people"].items():
+        if name != individual:
+            yield name, person["profile"], scenario.scenario.at
 
 
 def _refuse_same_scenarios(file: YamlFile, written: StudyFile) -> None:

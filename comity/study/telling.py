@@ -47,6 +47,7 @@ def plan_answer(plan: StudyPlan, estimate: StudyEstimate, jobs: int) -> StudyPla
         seeds=len(plan.written.every_seed),
         groups=Counter(one.group for one in individuals if one.group),
         wishing=plan.population.wishing if plan.population else 0,
+        notes=plan.notes,
         cpu_s_per_episode=estimate.cpu_s_per_episode,
         estimated_s=estimate.cpu_s_per_episode * plan.episodes / jobs,
         jobs=jobs,
@@ -83,6 +84,7 @@ def plan_text(answer: StudyPlanAnswer) -> Iterator[RenderableType]:
     if answer.groups:
         groups = ", ".join(f"{name} {count}" for name, count in answer.groups.items())
         yield f"  Individuals: {groups}; {answer.wishing} of {answer.individuals} state a wish"
+    yield from (f"  Note: {note}" for note in answer.notes)
     yield (
         f"  About {duration_text(answer.estimated_s)} on {answer.jobs} processes "
         f"({answer.cpu_s_per_episode:.2f} s of CPU an episode), {size_text(answer.estimated_bytes)} on disk"

@@ -44,6 +44,20 @@ def test_a_plan_says_where_seeds_change_nothing(here, comity):
     assert "Seeds change nothing" in comity("study", "plan", "quiet.yaml").out
 
 
+def test_a_culture_without_a_score_is_noted_once_in_a_population_and_in_a_factor(here, comity):
+    groups = {name: {"individuals": 3, "facts": {"culture": name}} for name in ("SWE", "INDD")}
+    population(here / "people.yaml", groups=groups)
+    factors = {"rulebook": ["bruno2017", "evidence"], "people.johanna.posture": ["seated", "standing"]}
+    study(here / "s.yaml", population="people.yaml", factors=factors, seeds=2)
+    (note,) = comity("study", "plan", "s.yaml", "--json").json["notes"]
+    assert note.startswith("INDD: INDD ")
+    assert comity("study", "run", "s.yaml", "--out", "out", "--jobs", 1, "--json").err.count("INDD: ") == 1
+    profiles = [{"name": "j", "culture": one} for one in ("SWE", "GERM")]
+    plan = load_study(study(here / "t.yaml", factors={"people.visited.profile": profiles}))
+    (note,) = plan.notes
+    assert note.startswith("johanna: GERM ")
+
+
 def test_the_same_individuals_meet_every_condition(here):
     population(here / "people.yaml")
     plan = load_study(
