@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, product
@@ -11,6 +12,7 @@ from comity.study.study_file import StudyFile, ValueRange
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
+    from comity_fis.errors import Location
     from comity_fis.validation.yaml_file import YamlFile
 
 MOST = 100_000
@@ -39,6 +41,7 @@ def conditions_of(file: YamlFile, written: StudyFile) -> tuple[StudyCondition, .
     """
     _require_keys(file, written)
     if written.design == "list":
+        refuse_repeated(file, ("conditions",), written.conditions, "condition")
         return tuple(
             StudyCondition(i + 1, values, {path: ("conditions", i, path) for path in values})
             for i, values in enumerate(written.conditions)
@@ -171,7 +174,37 @@ def _in_step(file: YamlFile, group: Sequence[str], lists: Mapping[str, Sequence[
                 remedy="Factors in step change together: write one value for each of the other's.",
                 where=file.where(("factors", path)),
             )
-    return [{path: lists[path][i] for path in group} for i in range(len(lists[first]))]
+    found = [{path: lists[path][i] for path in group} for i in range(len(lists[first]))]
+    refuse_repeated(file, ("factors", first), found, f"value of {' and '.join(group)}")
+    return found
+
+
+def refuse_repeated(file: YamlFile, place: Location, items: Sequence[Any], what: str) -> None:
+    """Refuse a list that has an item twice.
+
+    Args:
+        file: The study's file.
+        place: Of the list.
+        items: What it holds.
+        what: Each is, for the message.
+
+    Raises:
+        InputError: with the line of the second one.
+    """
+    seen: set[str] = set()
+    for i, item in enumerate(items):
+        if (text := json.dumps(item, sort_keys=True, default=str)) in seen:
+            raise InputError(
+                expected=f"each {what} once",
+                got=f"{_told(item)} again",
+                remedy="Remove it; more seeds repeat an episode.",
+                where=file.where((*place, i)),
+            )
+        seen.add(text)
+
+
+def _told(item: Any) -> str:
+    return ", ".join(map(str, item.values())) if isinstance(item, Mapping) else repr(item)
 
 
 def _sampled(written: StudyFile, ranges: Mapping[str, ValueRange]) -> Sequence[Values]:

@@ -100,5 +100,5 @@ class StudyFile(BaseModel):
 
     @property
     def every_seed(self) -> tuple[int, ...]:
-        """The seeds in their order, each once."""
-        return tuple(range(self.seeds)) if isinstance(self.seeds, int) else tuple(dict.fromkeys(self.seeds))
+        """The seeds in their order."""
+        return tuple(range(self.seeds)) if isinstance(self.seeds, int) else self.seeds

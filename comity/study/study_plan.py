@@ -13,7 +13,7 @@ from comity.people.profile import declared_by
 from comity.preparation import staged
 from comity.scenario import ScenarioFile, load_scenario
 from comity.study.base import EpisodeBase, base_of, digest_of
-from comity.study.design import StudyCondition, conditions_of
+from comity.study.design import StudyCondition, conditions_of, refuse_repeated
 from comity.study.drawing import rulebook_beside
 from comity.study.individual import Individual
 from comity.study.population import StudyPopulation, load_population
@@ -113,7 +113,9 @@ def study_of(file: YamlFile) -> StudyPlan:
     """
     written = file.check(StudyFile)
     conditions = conditions_of(file, written)
-    _refuse_same_scenarios(file, written)
+    refuse_repeated(file, ("scenarios",), written.scenarios, "scenario")
+    if not isinstance(written.seeds, int):
+        refuse_repeated(file, ("seeds",), written.seeds, "seed")
     scenarios = {name: _scenario(file, i, name) for i, name in enumerate(written.scenarios)}
     roles = {name: roles_of(file, written, name, one) for name, one in scenarios.items()}
     population = _population(file, written)
@@ -152,17 +154,6 @@ def _others(
     for name, person in base.scenario["people"].items():
         if name != individual:
             yield name, person["profile"], scenario.scenario.at
-
-
-def _refuse_same_scenarios(file: YamlFile, written: StudyFile) -> None:
-    for i, name in enumerate(written.scenarios):
-        if name in written.scenarios[:i]:
-            raise InputError(
-                expected="each scenario once",
-                got=f"{name!r} again",
-                remedy="Remove it; more seeds repeat a scenario.",
-                where=file.where(("scenarios", i)),
-            )
 
 
 def _scenario(file: YamlFile, i: int, name: str) -> ScenarioFile:

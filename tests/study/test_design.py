@@ -104,6 +104,9 @@ def test_without_factors_there_is_one_condition():
         ({"factors": {"a": [1]}, "samples": 3}, 8),
         ({"factors": {"a": [1]}, "in_step": [["a", "c"]]}, 9),
         ({"factors": {"a": {"from": 1, "to": 0}}}, 6),
+        ({"factors": {"a": ["x", "y", "x"]}}, 9),
+        ({"factors": {"a": [1, 1, 1], "b": [1, 2, 1]}, "design": "in step"}, 9),
+        ({"conditions": [{"a": 1}, {"b": 1}, {"a": 1}], "design": "list"}, 8),
         ({"factors": {"a": list(range(1000)), "b": list(range(1000))}}, 5),
     ],
 )

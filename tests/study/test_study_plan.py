@@ -137,6 +137,7 @@ def test_installations_are_told_apart():
 BROKEN = {
     "an unknown scenario": ({"scenarios": ["johana"]}, 4),
     "a scenario twice": ({"scenarios": ["johanna", "johanna"]}, 5),
+    "a seed twice": ({"seeds": [4, 1, 1]}, 8),
     "an unknown key": ({"factors": {"rulebook": ["evidence"], "robot.sensor.nois_m": [0.02]}}, 9),
     "a value out of range": ({"factors": {"robot.sensor.noise_m": [0.02, 3]}}, 8),
     "an unknown rulebook": ({"factors": {"rulebook": ["evidnce"]}}, 7),
