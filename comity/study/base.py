@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from hashlib import sha256
@@ -18,7 +18,7 @@ from comity.scenario import MapPlace, Scenario, ScenarioFile
 from comity.simulation.place import written_map
 from comity.study.overlay import laid_over
 from comity.study.roles import located
-from comity_fis import InputError, Rulebook, load_rulebook, read_rulebook, shipped_rulebooks
+from comity_fis import InputError, Rulebook, closest, load_rulebook, read_rulebook, shipped_rulebooks
 from comity_fis.errors import Location
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml
 
@@ -75,6 +75,7 @@ def base_of(
         data["at"] = at.isoformat()
     for path, value in condition.values.items():
         keys = located(path, roles)
+        _require_person(keys, data.get("people") or {}, roles)
         data = laid_over(data, keys, _beside(folder, keys[-1], value))
     file = replace(scenario.file, data=data, lines=dict.fromkeys(_places(data), 1), spans={})
     changed = ScenarioFile(file, file.check(Scenario))
@@ -99,6 +100,15 @@ def base_of(
     data.pop("rulebook", None)
     digest = digest_of([data, text, tables])
     return EpisodeBase(data, written.name, named, book.name, digest), changed
+
+
+def _require_person(keys: Sequence[str], people: Collection[str], roles: Collection[str]) -> None:
+    """Refuse a path into a person whom the scenario has not; a person alone may be added whole."""
+    if keys[0] == "people" and len(keys) > 2 and keys[1] not in people:
+        known = dict.fromkeys((*people, *roles))
+        raise InputError(
+            expected="a person or a role of the scenario", got=repr(keys[1]), remedy=closest(keys[1], known)
+        )
 
 
 def digest_of(content: Any) -> str:

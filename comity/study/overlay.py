@@ -23,6 +23,12 @@ def laid_over(data: Any, keys: Sequence[str], value: Any) -> Any:
     key, *rest = keys
     if isinstance(data, Mapping):
         within = data.get(key)
+        if within is None and rest and rest[0].isdecimal():
+            raise InputError(
+                expected=f"a list `{key}` with an item {rest[0]}",
+                got=f"none: the scenario has no `{key}`",
+                remedy="Name a key that it has, or write the list into the scenario.",
+            )
         return {**data, key: laid_over({} if within is None else within, rest, value) if rest else value}
     if isinstance(data, list) and key.isdecimal() and int(key) < len(data):
         i = int(key)

@@ -151,6 +151,20 @@ BROKEN = {
 }
 
 
+SAID = {
+    "people.nobody.posture": ("a person or a role", "'nobody'", ("johanna", "visited")),
+    "changes.0.at_s": ("a list `changes` with an item 0", "no `changes`", ()),
+}
+
+
+@pytest.mark.parametrize(("path", "words"), SAID.items(), ids=SAID)
+def test_a_path_that_leads_nowhere_is_refused_by_the_key_that_is_missing(here, path, words):
+    error = refused(study(here / "s.yaml", factors={path: [1]}))
+    expected, got, names = words
+    assert (expected in error.expected, got in error.got) == (True, True)
+    assert all(name in error.remedy for name in names)
+
+
 @pytest.mark.parametrize(("keys", "line"), BROKEN.values(), ids=BROKEN)
 def test_what_is_broken_is_refused_by_file_and_line(here, comity, keys, line):
     path = study(here / "s.yaml", **keys)

@@ -63,7 +63,7 @@ def tabled(folder: Path, rows: list[dict[str, object]]) -> StudyVisits:
         table = csv.DictWriter(file, names, restval="")
         table.writeheader()
         table.writerows(rows)
-    return StudyVisits.of(Study.load(folder))
+    return StudyVisits.of(Study.load(folder)) if rows else None
 
 
 def visits(folder, distance, *, people=4, seeds=2, **more):
@@ -125,6 +125,24 @@ def test_comparing_the_other_way_round_turns_the_sign(tmp_path):
     found = visits(tmp_path, lambda book, person, seed: book * (1 + person))
     there, back = (compared(found, "rulebook", *two).differences[0].difference for two in ("ab", "ba"))
     assert (back.mean, back.low, back.high) == pytest.approx((-there.mean, -there.high, -there.low), abs=1e-9)
+
+
+def test_a_factor_is_named_as_the_study_writes_it_or_as_its_column(tmp_path):
+    found = visits(tmp_path, lambda book, person, seed: book)
+    names = tmp_path / "dictionary.csv", tmp_path / "results.csv"
+    for path in names:
+        path.write_text(re.sub(r"\brulebook\b", "robot_rule_book", path.read_text()))
+    found = StudyVisits.of(Study.load(tmp_path))
+    by_path, by_column = (compared(found, name, "a", "b") for name in ("robot.rule_book", "robot_rule_book"))
+    assert by_path == by_column
+    assert by_path.pairs == 8
+
+
+def test_a_table_without_rows_is_refused(comity, here):
+    tabled(here / "s", [])
+    words = (["report", "s"], ["compare", "s", "--factor", "rulebook", "a", "b"])
+    for said in (comity("study", *some) for some in words):
+        assert (said.code, "without rows" in said.err) == (2, True)
 
 
 def test_a_group_is_served_worse_by_the_parameter_that_is_aimed_elsewhere(tmp_path):

@@ -18,6 +18,7 @@ from comity.answers.study_report import (
     StudyLevelAnswer,
     UnusualVisitAnswer,
 )
+from comity.study.columns import column_of
 from comity.study.report.pairs import VisitPairs, paired_difference, pairs_of
 from comity.study.report.serving import (
     SHORTFALLS,
@@ -75,11 +76,19 @@ def comparison_named(
 ) -> LevelComparison:
     """Two levels of a factor by their names.
 
+    Args:
+        visits: The study's.
+        factors: Those of the study.
+        factor: As a column or as a path of the study's file.
+        first: The level that is taken away.
+        second: The other one.
+
     Raises:
         InputError: for a factor or a level that the study has not, or levels that share no visits.
     """
     paired = {one.name: one for one in factors if one.is_paired}
-    found = next((one for one in paired.values() if factor in (one.name, *one.columns)), None)
+    names = (factor, column_of(factor))
+    found = next((one for one in paired.values() if {*names} & {one.name, *one.columns}), None)
     if found is None:
         raise InputError(
             expected="a factor of the study that every individual meets at each level",

@@ -11,7 +11,8 @@ import numpy as np
 
 from comity.study.columns import FILE, PEOPLE
 from comity.study.report.resampling import ClusterEstimate, estimate
-from comity.study.results import Study
+from comity.study.results import RESULTS, Study
+from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,7 +37,12 @@ class StudyVisits:
 
     @classmethod
     def of(cls, study: Study) -> StudyVisits:
-        """Those of a study."""
+        """Those of a study.
+
+        Raises:
+            InputError: for a table without rows.
+        """
+        require_rows(study)
         own = tuple(row for row in study.rows if row["individual"] != NO_INDIVIDUAL)
         rows = own or study.rows
         return cls(study, rows, len(study.rows) - len(rows))
@@ -84,6 +90,21 @@ class StudyVisits:
         """Columns that are results of episodes."""
         inputs = (FILE, PEOPLE)
         return tuple(name for name, one in self.study.columns.items() if one["source"] not in inputs)
+
+
+def require_rows(study: Study) -> None:
+    """Refuse a table that has its headings alone.
+
+    Raises:
+        InputError: if it does.
+    """
+    if not study.rows:
+        raise InputError(
+            expected="a study with visits",
+            got="a table without rows",
+            remedy="Run it: `comity study run FILE --out DIR`.",
+            where=Where(str(study.path / RESULTS)),
+        )
 
 
 def _number(cell: str) -> float:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 from comity.answers.study_report import StudyShowAnswer
 from comity.output.run_folder import REPLAY
 from comity.study.report.answering import study_name
+from comity.study.report.episodes import require_rows
 from comity.study.results import ACCOUNT, WRITTEN
 from comity.study.statement import STATEMENT
 from comity.study.study_plan import load_study
@@ -84,6 +85,7 @@ class RowReplayer:
         )
 
     def _row(self, number: int) -> Mapping[str, str]:
+        require_rows(self.study)
         rows = self.study.rows
         if not 1 <= number <= len(rows):
             raise InputError(

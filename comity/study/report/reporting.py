@@ -78,13 +78,6 @@ def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) 
         InputError: for an outcome that is none, a study without visits, or a folder with other things in it.
     """
     visits = StudyVisits.of(study)
-    if not visits.rows:
-        raise InputError(
-            expected="a study with visits",
-            got="a table without rows",
-            remedy="Run it: `comity study run FILE --out DIR`.",
-            where=Where(str(study.path)),
-        )
     every = outcomes_of(visits)
     drawn = pictured(every, asked)
     factors = factors_of_visits(visits)
