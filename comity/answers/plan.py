@@ -35,6 +35,9 @@ class StepAnswer(Record):
     contributions: Mapping[str, tuple[Contribution, ...]] = field(default_factory=dict)
     """By parameter that a rulebook decides: what suits the person the robot stands before, and what that is
     made of. The word that is planned may be another one, for the moment or the price."""
+    other_parameters: Mapping[str, float | str] = field(default_factory=dict)
+    """What else a rulebook decides for that person: a robot of the user's own receives it by these names,
+    with each goal and act of the step."""
     cost: int | None
     """Null where the engine tells no costs."""
     cost_parts: Mapping[str, int]

@@ -29,7 +29,7 @@ PROGRAM = frozenset({
 })
 """Words of Comity's own that stand among names."""
 IDENTIFIERS = frozenset({
-    "person", "arguments", "people", "parameters", "parameter", "value",
+    "person", "arguments", "people", "parameters", "other_parameters", "parameter", "value",
     "thing", "together_with", "node", "door", "planned", "inferred", "about", "already",
 })
 """Fields of answers that hold names or words of a closed list."""

@@ -45,6 +45,15 @@ def test_every_door_notes_the_behaviour_parameters_that_no_action_reads(names, k
         assert {name: any(note.startswith(f"{name}:") for note in notes) for name in names} == noted
 
 
+def test_the_steps_of_a_plan_have_the_values_that_a_robot_receives(comity):
+    values = comity("infer", "german_woman", "--rulebook", "evidence", "--json").json["parameters"]
+    plan = comity("plan", "johanna", "--as", "johanna=german_woman", "--rulebook", "evidence", "--json").json
+    assert plan["steps"]
+    for step in plan["steps"]:
+        assert step["other_parameters"]["mutual_gaze"] == values["mutual_gaze"]["value"]
+        assert "approach_speed" not in step["other_parameters"]
+
+
 def test_a_run_notes_it_too(here, comity):
     values = comity("run", "johanna", "--rulebook", "evidence", "--json").json["values"]
     assert [note.split(":")[0] for note in values["johanna"]["notes"][:2]] == ["bow_extent", "mutual_gaze"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from comity.answers.plan import FailureAnswer, PlanAnswer, StepAnswer, UnreachableAnswer, WhyAnswer
@@ -12,6 +13,7 @@ from comity.report.plans.proof import quality
 from comity.report.plans.side import SIDES
 from comity.report.plans.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
+from comity_executor import other_parameters
 from comity_sim2d.senses.sight import too_short_for
 
 if TYPE_CHECKING:
@@ -81,7 +83,12 @@ def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswe
         plan: The plan.
         values: By person, as they were planned with.
     """
-    return tuple(step_answer(step, values[step.person]) for step in plan.steps)
+    return tuple(
+        replace(
+            step_answer(step, values[step.person]), other_parameters=other_parameters(values[step.person])
+        )
+        for step in plan.steps
+    )
 
 
 def step_answer(step: PlanStep, values: Inference | None) -> StepAnswer:
