@@ -120,6 +120,8 @@ class UnusualVisitAnswer(Record):
     seed: str
     what: str
     why: str
+    alike: int
+    """Visits of the table with the same trace, of which an outlier stands for all; 1 of a failure."""
     page: str | None
     """Of its episode, from the report's folder; null if not played again."""
 
@@ -150,8 +152,11 @@ class StudyReportAnswer(Record):
     individuals_served_worst: tuple[IndividualServedAnswer, ...]
     failures: int
     first_failures: tuple[UnusualVisitAnswer, ...]
+    """All of them, the first in the table first."""
     outliers: int
+    """Different traces that have one."""
     farthest_outliers: tuple[UnusualVisitAnswer, ...]
+    """All of them, the farthest first."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

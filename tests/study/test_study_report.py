@@ -36,6 +36,7 @@ COLUMNS = (
     "person",
 )
 MEASURED = {
+    "trace_sha256": "",
     "noticed": "",
     "chosen_bearing_deg": "deg",
     "outcome": "",
@@ -194,6 +195,18 @@ def test_an_outlier_is_unlike_the_other_seeds_of_its_individual(tmp_path):
     assert [(one.individual, one.seed) for one in outliers(found, pictured(outcomes_of(found), ()))] == [
         ("p3", "2")
     ]
+
+
+def test_outliers_with_the_same_trace_stand_once_with_how_many_share_it(tmp_path):
+    """Under the fifth seed the robot does the same before all four individuals, at either rulebook."""
+    found = visits(
+        tmp_path,
+        lambda book, person, seed: 9.0 + book if seed == 4 else book + person / 10,
+        seeds=5,
+        trace_sha256=lambda row: f"{row['rulebook']} at 4" if row["seed"] == 4 else str(row["row"]),
+    )
+    listed = outliers(found, pictured(outcomes_of(found), ()))
+    assert sorted((one.condition, one.seed, one.alike) for one in listed) == [("1", "4", 4), ("2", "4", 4)]
 
 
 def test_without_repeats_an_outlier_is_unlike_the_others_in_its_room(tmp_path):

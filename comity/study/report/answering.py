@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from comity.answers.study_report import (
@@ -221,13 +220,12 @@ def individual_answer(one: IndividualServed) -> IndividualServedAnswer:
 
 
 def unusual_answers(
-    found: Sequence[UnusualVisit], pages: Mapping[int, str], most: int
+    found: Sequence[UnusualVisit], pages: Mapping[int, str]
 ) -> tuple[UnusualVisitAnswer, ...]:
-    """The first few, each with its page.
+    """The same as answers, each with its page.
 
     Args:
         found: All of them.
         pages: By row, the page of an episode that was played again.
-        most: As many at most.
     """
-    return tuple(UnusualVisitAnswer(**asdict(one), page=pages.get(one.row)) for one in islice(found, most))
+    return tuple(UnusualVisitAnswer(**asdict(one), page=pages.get(one.row)) for one in found)

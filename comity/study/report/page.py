@@ -38,6 +38,9 @@ if TYPE_CHECKING:
 
 MARK = b'<meta name="generator" content="Comity study report">'
 """Near the start of every page: such a file may be replaced by another page."""
+MOST_LISTED = 50
+"""Failures, and outliers, that a page lists; `--json` has all of them."""
+
 THEMED = {
     colour.lower(): f"var(--{name})"
     for colour, name in (
@@ -64,8 +67,8 @@ def page_of_study(answer: StudyReportAnswer, study: Study, figures: Mapping[str,
             *_served(answer),
             *_outcomes(answer, figures),
             *_comparisons(answer, figures),
-            *_unusual("failures", "Failures", answer.failures, answer.first_failures, _FAILED),
-            *_unusual("outliers", "Outliers", answer.outliers, answer.farthest_outliers, _FAR),
+            *_unusual("failures", "Failures", answer.first_failures, _FAILED),
+            *_unusual("outliers", "Outliers", answer.farthest_outliers, _FAR),
             *_dictionary(study),
         )
     )
@@ -81,7 +84,7 @@ _FAR = (
     "Visits unlike the other seeds of the same individual: farther from their median than the outer fence, "
     "three interquartile ranges beyond the quartiles of all such differences in the same room under the same "
     "condition. A range counts as at least half the standard deviation over all visits. Where no visit "
-    "was repeated, the fence is around the values. The farthest first."
+    "was repeated, the fence is around the values. The farthest first; visits with the same trace stand once."
 )
 
 
@@ -250,27 +253,28 @@ def _differences(one: StudyCompareAnswer) -> str:
     return _table(head, map(difference_cells, one.differences))
 
 
-def _unusual(
-    name: str, title: str, count: int, shown: Sequence[UnusualVisitAnswer], about: str
-) -> Iterator[str]:
+def _unusual(name: str, title: str, found: Sequence[UnusualVisitAnswer], about: str) -> Iterator[str]:
     yield f'<section id="{name}"><h2>{title}</h2><p class="note">{about}</p>'
-    if not shown:
+    if not found:
         yield "<p>None.</p></section>"
         return
-    if len(shown) < count:
-        yield f"<p>{len(shown)} of {count}; the table has all of them.</p>"
+    if len(found) > MOST_LISTED:
+        yield (
+            f"<p>{MOST_LISTED} of {len(found)}; <code>comity study report DIR --json</code> lists all of "
+            "them.</p>"
+        )
     yield (
         "<p class='note'>The command plays the episode again and writes its page; "
         "<code>comity study report DIR --play N</code> does so for the first N.</p>"
     )
-    head = ("row", "what", "why", "scenario", "condition", "individual", "seed", "episode")
+    head = ("row", "what", "why", "scenario", "condition", "individual", "seed", "visits alike", "episode")
     rows = (
         (
             *map(escape, (str(one.row), words(one.what), one.why, one.scenario, one.condition)),
-            *map(escape, (one.individual, one.seed)),
+            *map(escape, (one.individual, one.seed, str(one.alike))),
             _episode(one),
         )
-        for one in shown
+        for one in found[:MOST_LISTED]
     )
     yield _markup_table(head, rows)
     yield "</section>"

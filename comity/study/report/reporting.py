@@ -25,7 +25,7 @@ from comity.study.report.answering import (
 from comity.study.report.episodes import StudyVisits
 from comity.study.report.factors import factors_of_visits
 from comity.study.report.outcomes import outcomes_of, pictured
-from comity.study.report.page import MARK, page_of_study
+from comity.study.report.page import MARK, MOST_LISTED, page_of_study
 from comity.study.report.pictures import outcome_figure, sides_figure
 from comity.study.report.replaying import EPISODES
 from comity.study.report.serving import SHORTFALLS, served_worse, shortfalls, worst_served
@@ -44,8 +44,6 @@ if TYPE_CHECKING:
     from comity.study.results import Study
 
 PAGE, FIGURES = "index.html", "figures"
-MOST_LISTED = 50
-"""Failures, and outliers, that a page lists; the table has all of them."""
 MOST_INDIVIDUALS = 10
 
 Draw = Callable[[], "Figure"]
@@ -182,7 +180,7 @@ def _answer(
         served_worse=tuple(map(served_worse_answer, served_worse(missed))),
         individuals_served_worst=tuple(map(individual_answer, worst_served(visits, MOST_INDIVIDUALS))),
         failures=len(found.failed),
-        first_failures=unusual_answers(found.failed, pages, MOST_LISTED),
+        first_failures=unusual_answers(found.failed, pages),
         outliers=len(found.far),
-        farthest_outliers=unusual_answers(found.far, pages, MOST_LISTED),
+        farthest_outliers=unusual_answers(found.far, pages),
     )

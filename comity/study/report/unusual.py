@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,6 +40,8 @@ class UnusualVisit:
     """`unreached`, or `late [s]`."""
     why: str
     """The reason of a failure; of an outlier its value and the fence."""
+    alike: int = 1
+    """Visits of the table that have the same trace, of which an outlier is one."""
 
 
 def failures(study: Study) -> Iterator[UnusualVisit]:
@@ -53,7 +56,8 @@ def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[Unu
 
     People differ from each other, which the figures show. So the fence is set around differences from the
     median of the same individual in the same room under the same condition; where no visit was repeated by
-    another seed, around the values themselves. A visit with several such values stands once, by the farthest.
+    another seed, around the values themselves. A visit with several such values stands once, by the farthest,
+    and visits to one person with the same trace stand once: one seed gives the same trace before many.
     """
     places, _ = numbered(np.char.add(np.char.add(visits.rooms, "\0"), visits.conditions))
     individuals, people = numbered(visits.individuals)
@@ -70,7 +74,21 @@ def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[Unu
                 if beyond > farthest.get(row, (0.0,))[0]:
                     farthest[row] = (beyond, outcome, fence + float(usual[row]))
     ranked = sorted(farthest.items(), key=lambda one: (-one[1][0], one[0]))
-    return tuple(_outlier(visits.rows[row], row, outcome, fence) for row, (_, outcome, fence) in ranked)
+    traces = _traces(visits)
+    alike, first = Counter(traces), {traces[row]: row for row, _ in reversed(ranked)}
+    return tuple(
+        _outlier(visits.rows[row], row, outcome, fence, alike[traces[row]])
+        for row, (_, outcome, fence) in ranked
+        if first[traces[row]] == row
+    )
+
+
+def _traces(visits: StudyVisits) -> list[tuple[str, ...]]:
+    """By visit, what those share that are the same; a row without a digest is alone."""
+    return [
+        (row["trace_sha256"], row["person"]) if row.get("trace_sha256") else (row["row"],)
+        for row in visits.rows
+    ]
 
 
 def _usual(values: Floats, repeats: Whole) -> Floats:
@@ -100,10 +118,12 @@ def _beyond(rows: Whole, values: Floats, least: float) -> Iterator[tuple[int, fl
             yield int(row), float(beyond), float(fence)
 
 
-def _outlier(cells: Mapping[str, str], row: int, outcome: StudyOutcome, fence: float) -> UnusualVisit:
+def _outlier(
+    cells: Mapping[str, str], row: int, outcome: StudyOutcome, fence: float, alike: int
+) -> UnusualVisit:
     value = outcome.values[row]
     side = "below" if value < fence else "above"
-    return _unusual(cells, outcome.label, f"{value:.3g}, {side} {fence:.3g}")
+    return replace(_unusual(cells, outcome.label, f"{value:.3g}, {side} {fence:.3g}"), alike=alike)
 
 
 def _unusual(row: Mapping[str, str], what: str, why: str) -> UnusualVisit:
