@@ -58,7 +58,7 @@ COMFORT: Mapping[str, ColumnDefinition] = MappingProxyType(
         ),
         "comfort_gap_m": ColumnDefinition(
             "m",
-            "How far outside the comfort interval the robot stopped: negative too near, positive too far.",
+            "How far distance_actual_m is outside the comfort interval: negative too near, positive too far.",
             OWN,
             "no comfort stated, or never docked",
         ),
@@ -78,13 +78,18 @@ REACHED: Mapping[str, ColumnDefinition] = MappingProxyType(
             "m", "Conversational distance aimed at, between surfaces.", OWN, "no plan"
         ),
         "distance_actual_m": ColumnDefinition(
-            "m", "Distance at rest before the person, between surfaces.", OWN, NEVER_DOCKED
+            "m",
+            "Distance before the person as the robot's sensor had it when it docked last, between surfaces.",
+            OWN,
+            NEVER_DOCKED,
         ),
         "centre_distance_actual_m": ColumnDefinition("m", "The same between centres.", OWN, NEVER_DOCKED),
         "bearing_target_deg": ColumnDefinition(
             "deg", "From where the person faces, positive to their left: aimed at.", OWN, "no plan"
         ),
-        "bearing_actual_deg": ColumnDefinition("deg", "The same at rest.", OWN, NEVER_DOCKED),
+        "bearing_actual_deg": ColumnDefinition(
+            "deg", "The same as it docked last, by its sensor.", OWN, NEVER_DOCKED
+        ),
         "approach_speed_target_m_s": ColumnDefinition(
             "m/s", "The most within 1.5 m of the person's body.", OWN, "no plan"
         ),
