@@ -465,36 +465,7 @@ def test_a_route_between_a_thousand_posts_is_hardly_longer_than_it_has_to_be(
     start, goal = (0.5, 0.5), (40.6, 20.6)
     routes = RouteMap(load_map(written(tmp_path, text)).scene(RobotBody(*start)))
     length_m, least_m = routes.length(start, goal), routes.least_length(start, goal)
-    assert math.dist(start, goal) <= least_m <= length_m <= 1.1 * least_m
-
-
-def test_a_search_that_is_cut_off_knows_a_length_that_no_way_undercuts() -> None:
-    posts = [
-        Polygon([(x, y), (x + 0.3, y), (x + 0.3, y + 0.3), (x, y + 0.3)])
-        for x in range(1, 9)
-        for y in range(1, 9)
-    ]
-    graph = VisibilityGraph(
-        Polygon([(0, 0), (10, 0), (10, 10), (0, 10)], [post.exterior.coords for post in posts])
-    )
-    whole = graph.search((0.5, 0.4), (9.6, 8.9))
-    bounds = [graph.search((0.5, 0.4), (9.6, 8.9), effort) for effort in (0, 500, 2_000)]
-    assert [found.way for found in bounds] == [None] * 3
-    assert math.dist((0.5, 0.4), (9.6, 8.9)) - 1e-9 <= bounds[0].least_m <= bounds[1].least_m
-    assert bounds[1].least_m <= bounds[2].least_m <= whole.least_m + 1e-9
-    assert LineString(whole.way).length == pytest.approx(whole.least_m)
-
-
-def test_a_way_is_the_same_however_many_lines_are_drawn_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    posts = [Point(x, y).buffer(0.3, quad_segs=2).exterior.coords for x in range(1, 9) for y in range(1, 9)]
-    free = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)], posts)
-    ends = [((0.5, 0.4), (9.6, 8.9)), ((0.2, 7.5), (9.1, 1.5))]
-    found = []
-    for lines in (1, 3_000, 10**6):  # from one corner at a time, from a few, and from all
-        monkeypatch.setattr("comity_sim2d.paths.visibility.DRAWN", lines)
-        graph = VisibilityGraph(free)
-        found.append([graph.search(*each) for each in ends])
-    assert found[0] == found[1] == found[2]
+    assert math.dist(start, goal) - 1e-5 <= least_m <= length_m <= 1.1 * least_m
 
 
 def test_the_search_for_a_route_finds_the_shortest(tmp_path: Path) -> None:

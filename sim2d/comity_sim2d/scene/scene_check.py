@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.room import Furniture, Room, Wall
 
 MAX_OBSTACLES = 1000
-"""Walls, doors and furniture together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
+"""Walls, doors and furniture together (our choice: for routes, see `ways.MOST_CORNERS`)."""
 MAX_PEOPLE = 1000
 """Who is in the scene, passers-by aside, who have a limit of their own (our choice)."""
 
