@@ -68,6 +68,8 @@ class WorldPlanner:
         """To whom there was a way at some time."""
         self._moved: set[str] = set()
         """Who moved, of which the execution does not know yet."""
+        self._barred = dict(prepared.asked.unreachable)
+        """To whom there was none at the start, and why: told with the first plan that serves them."""
         self._skipped: dict[str, str] = {}
         """Who is left out on the way, and why."""
 
@@ -205,10 +207,16 @@ class WorldPlanner:
             watched = (name for name in refused if robot.has_to_watch(name))
             look_for = next(chain(watched, unseen), None)
             return NoRevision((*because, no_plan), awaits=hope, look_for=look_for)
-        left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
+        served = dict.fromkeys(step.person for step in plan.steps)
+        barred = [
+            Cause("condition", f"{name} at the start: {self._barred.pop(name)}", None)
+            for name in served
+            if name in self._barred
+        ]
+        left = ", ".join(served)
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
         late = told_late(self._prepared.visitees, asked.request.visitees)
-        return replace(self._new(plan, asked, (*because, told, *late)), moved=self._tell_moved())
+        return replace(self._new(plan, asked, (*because, *barred, told, *late)), moved=self._tell_moved())
 
     def _same(self, plan: Plan, because: tuple[Cause, ...]) -> Revision:
         return Revision(plan, dict(self._values), replanned=False, because=because)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.planning.narrow_gap import narrow_gap
 from comity_domain import in_the_way
 from comity_sim2d import PastPeople
 from comity_sim2d.maps.doorways import turned
@@ -45,7 +46,11 @@ def barring(
     shut = _shut_doors(scene, person, is_reached)
     if shut or not goals:
         return shut
-    return _people(scene, person, is_reached) or _narrow(scene, goals) or _themselves(scene, person, goals)
+    return (
+        _people(scene, person, goals, is_reached)
+        or _narrow(scene, goals)
+        or _themselves(scene, person, goals)
+    )
 
 
 def _shut_doors(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> str | None:
@@ -67,14 +72,21 @@ def _shut_on_the_way(scene: Scene, person: str, does: Callable[[Collection[str]]
     return _needed([door.name for door in scene.doors if not door.is_open], does)
 
 
-def _people(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> str | None:
+def _people(
+    scene: Scene, person: str, goals: Sequence[XY], is_reached: Callable[[Scene], bool]
+) -> str | None:
     others = [other.name for other in scene.people if other.name != person]
     needed = _needed(others, lambda names: is_reached(scene.without(names)))
     if not needed:
         return None
+    gap = narrow_gap(scene, goals)
+    return f"{_who(needed)} in the way" + (f"; {gap.words}" if gap else "")
+
+
+def _who(needed: Sequence[str]) -> str:
     if len(needed) > MOST_NAMED:
-        return f"{len(needed)} people are in the way"
-    return f"{needed[0]} is in the way" if len(needed) == 1 else f"{' and '.join(needed)} are in the way"
+        return f"{len(needed)} people are"
+    return f"{needed[0]} is" if len(needed) == 1 else f"{' and '.join(needed)} are"
 
 
 def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:

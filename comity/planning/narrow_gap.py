@@ -1,0 +1,96 @@
+"""The gap beside people that is too narrow for the robot, where they bar every way, and what it needs.
+
+The margin to everybody is lowered, by halving, until there is a way: the gap that opens then is the widest of
+those that bar it. Walls and furniture keep theirs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from comity_sim2d import RouteMap
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, floor_plan
+from comity_sim2d.scene.surroundings import Surroundings
+
+if TYPE_CHECKING:
+    from comity_sim2d import Scene
+    from comity_sim2d.scene.person import Person
+
+XY = tuple[float, float]
+MOST_GOALS = 4
+"""Places to stand that are tried: beside one person, nearly all open at the same gap (our choice)."""
+STEP_M = 0.002
+"""The margin at which a way opens is found to this (our choice)."""
+SAME_M = 0.02
+"""A gap that would open by a margin this near to that is the one: routes keep off by up to so much more."""
+
+
+@dataclass(frozen=True, slots=True)
+class NarrowGap:
+    """A gap that the robot does not get through."""
+
+    people: tuple[str, ...]
+    """The two on both sides; or one, and something that stands on the other."""
+    width_m: float
+    """Between surfaces."""
+    needed_m: float
+    """The robot's width and the margins on both sides."""
+
+    @property
+    def words(self) -> str:
+        """Where it is, and both widths."""
+        one, *other = self.people
+        where = f"between {one} and {other[0]}" if other else f"beside {one}"
+        return f"the widest gap, {where}, is {self.width_m:.2f} m, and the robot needs {self.needed_m:.2f} m"
+
+
+def narrow_gap(scene: Scene, goals: Sequence[XY]) -> NarrowGap | None:
+    """The widest gap beside people that is too narrow; None where no lower margin would give a way.
+
+    Args:
+        scene: As everything is: people bar every way.
+        goals: Where the robot could stand, had it a way there; the first few are tried.
+    """
+    place, start = Surroundings.of(scene), scene.robot.pose.xy
+
+    def opens(margin_m: float) -> bool:
+        ways = RouteMap(place.with_people(tuple(replace(p, margin_m=margin_m) for p in scene.people)))
+        return any(ways.reaches(start, goal) for goal in goals[:MOST_GOALS])
+
+    low, high = 0, round(PERSON_MARGIN_M / STEP_M)
+    if not opens(low):
+        return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if opens(middle * STEP_M) else (low, middle)
+    opened_m = low * STEP_M
+    off_m, gap = min(
+        ((abs(margin_m - opened_m), gap) for margin_m, gap in _gaps(scene)), key=lambda each: each[0]
+    )
+    return gap if off_m <= SAME_M else None
+
+
+def _gaps(scene: Scene) -> Iterator[tuple[float, NarrowGap]]:
+    """All gaps beside people, each with the margin to people that would let the robot through."""
+    body_m = 2 * scene.robot.radius_m
+    for one, other in combinations(scene.people, 2):
+        width_m = math.dist(one.xy, other.xy) - one.radius_m - other.radius_m
+        needed_m = body_m + one.margin_m + other.margin_m
+        yield (width_m - body_m) / 2, NarrowGap((one.name, other.name), width_m, needed_m)
+    beside_m = body_m + WALL_MARGIN_M
+    for person in scene.people:
+        for width_m in _to_solids_m(scene, person):
+            yield width_m - beside_m, NarrowGap((person.name,), width_m, beside_m + person.margin_m)
+
+
+def _to_solids_m(scene: Scene, person: Person) -> list[float]:
+    """How far everything that stands is from a person's surface, side by side of it."""
+    from shapely import Point, distance, linestrings
+
+    sides = floor_plan(scene).segments
+    away_m = distance(linestrings(sides.ends), Point(person.xy)) - sides.half_m - person.radius_m
+    return [float(gap_m) for gap_m in away_m]
