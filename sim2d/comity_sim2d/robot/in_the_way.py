@@ -29,13 +29,8 @@ choice)."""
 HOLD_S, LONGEST_HOLD_S = 1.0, 4.0
 """Then it waits for the first at least, and twice as long each time up to the second: in 4 s, as far as walks
 are foreseen, whoever walks to and fro in a room has turned round (our choice)."""
-RECKON_S = 1.0
-"""So often the length of a way that has opened is reckoned anew (our choice)."""
 Met = tuple[float, tuple[str, ...]]
 """After so many metres of a way, these people are too near to it, or it leads between them."""
-PATIENCE_S = 8.0
-"""A way that has opened is taken after so long, however long it is: by then whoever is in the way was asked
-to make room, and has had time to (the executor's 2 s and 6 s)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,13 +98,9 @@ def in_the_way(
 class Hindrance:
     """Who is in the way of one approach, looked for when the map or the goal has changed.
 
-    The robot waits at once, and goes on at once where the way is as good as if everybody had made room. To
-    change its mind costs something otherwise, or it would go to and fro with those who walk to and fro:
-
-    - a longer way has to be worth it: the robot waits as long as the detour takes before it makes it, which
-      takes at most twice as long as the better of both (renting or buying: Karlin, Manasse, Rudolph and
-      Sleator 1988, "Competitive snoopy caching", Algorithmica 3);
-    - a way that closed again and again before the robot had come nearer is mistrusted for longer each time.
+    The robot waits at once, and goes on at once where a way opens. A way that closed again and again before
+    the robot had come nearer is mistrusted for longer each time, or it would go to and fro with those who
+    walk to and fro.
 
     Args:
         detour_m: How much longer the way around people may be.
@@ -129,9 +120,8 @@ class Hindrance:
         """Since when it waits; and how near it was when it had to, at best."""
         self._in_vain = 0
         """How often in a row it went on and came no nearer."""
-        self._reckoned_s = -math.inf
-        self._hold_s = self._detour_s = 0.0
-        """So long it waits at least: after what came of the last time, and for how long a way is open."""
+        self._hold_s = 0.0
+        """So long it waits at least, after what came of the last time."""
 
     @property
     def people(self) -> tuple[str, ...]:
@@ -142,27 +132,17 @@ class Hindrance:
         """Where to go now: the goal, or the place to wait at."""
         if self._has_changed(route_map, goal, now_s):
             self._looked_s = now_s
-            before, self._found = self._found, self._in_the_way(route_map, start, goal, approach)
+            self._found = self._in_the_way(route_map, start, goal, approach)
             self._map, self._goal = route_map, goal
-            if self._found is None and self.now is not None:
-                self._reckon(route_map, start, goal, approach, now_s, opens=before is not None)
         self._decide(now_s)
         return self.now.wait_xy if self.now else goal
-
-    def _reckon(
-        self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float, *, opens: bool
-    ) -> None:
-        """Find out what the way costs that is open: when it opens, and now and then; it takes computing."""
-        if opens or now_s - self._reckoned_s >= RECKON_S:
-            self._reckoned_s = now_s
-            self._detour_s = _detour_s(route_map, start, goal, approach)
 
     def _decide(self, now_s: float) -> None:
         if self._found is not None:
             if self.now is None:
                 self._begin_to_wait(self._found.left_m, now_s)
             self.now = self._found
-        elif now_s - self._waits_s >= min(max(self._hold_s, self._detour_s), PATIENCE_S):
+        elif now_s - self._waits_s >= self._hold_s:
             self.now = None
 
     def _begin_to_wait(self, left_m: float, now_s: float) -> None:
@@ -189,16 +169,6 @@ class Hindrance:
         if route_map is not self._map or self._goal is None:
             return True
         return math.dist(self._goal, goal) > STEP_M and now_s - self._looked_s >= FOLLOWS_S
-
-
-def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> float:
-    """How much longer the way that has opened takes than the one through those who may make room yet."""
-    around = route_map.route(start, goal, keep=approach.keep)
-    direct = without_people(route_map.surroundings, (approach.person,)).route(start, goal, keep=approach.keep)
-    if around is None or direct is None:
-        return 0.0
-    longer_m = max(0.0, around.length_m - direct.length_m - WORTH_M)
-    return longer_m / approach.speed_m_s
 
 
 def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> ObstructingPeople | None:
