@@ -14,6 +14,7 @@ from comity.study import Study
 from comity.study.report.answering import comparison_answer, comparison_named
 from comity.study.report.episodes import StudyVisits
 from comity.study.report.factors import factors_of_visits
+from comity.study.report.group_differences import groups_figure
 from comity.study.report.outcomes import outcomes_of, pictured
 from comity.study.report.reporting import write_report
 from comity.study.report.serving import served_worse, shortfalls, worst_served
@@ -120,6 +121,17 @@ def test_few_to_resample_are_the_individuals_of_the_smallest_group_and_the_seeds
     ]
     assert [few_of(some) for some in differences] == [{}, {"individuals": 9, "seeds": 3}]
     assert few_of(differences[1][:1]) == {"seeds": 3}
+
+
+def test_the_figure_by_group_draws_the_differences_and_intervals_of_the_comparison(tmp_path):
+    found = visits(tmp_path, lambda book, person, seed: book * (person + seed))
+    answer = compared(found, "rulebook", "a", "b")
+    (panel,) = groups_figure(answer).axes
+    zero, *drawn = [[float(x) for x in line.get_xdata()] for line in panel.lines]
+    told = [one.difference for one in answer.differences]
+    assert zero == [0, 0]
+    assert drawn == [part for one in told for part in ([one.low, one.high], [one.mean])]
+    assert [tick.get_text() for tick in panel.get_yticklabels()] == ["all", "near", "far"]
 
 
 def test_comparing_the_other_way_round_turns_the_sign(tmp_path):

@@ -235,8 +235,9 @@ def _comparisons(answer: StudyReportAnswer, figures: Mapping[str, Path]) -> Iter
     else:
         yield (
             "<p class='note'>Second minus first, in the unit of the outcome, over visits that differ in the "
-            "factor alone: same individual, room, seed, and other factors. In the figure each sign is an "
-            "individual: above the line the second is larger.</p>"
+            "factor alone: same individual, room, seed, and other factors. In the first figure each sign "
+            "is an individual: above the line the second is larger. In the next, a dot is the mean of a "
+            "group, the diamond that of all, and the bar its interval.</p>"
         )
     for i, one in enumerate(answer.comparisons, start=1):
         first, second = escape(one.first), escape(one.second)
@@ -244,6 +245,8 @@ def _comparisons(answer: StudyReportAnswer, figures: Mapping[str, Path]) -> Iter
         name = f"side_by_side_{i}"
         if name in figures:
             yield from _figure(name, figures[name], f"{words(one.factor)}: {one.first} and {one.second}")
+        if (name := f"by_group_{i}") in figures:
+            yield from _figure(name, figures[name], f"{one.second} minus {one.first}, by group")
         yield f"</div>{_differences(one)}"
     yield "</section>"
 

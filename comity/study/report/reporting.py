@@ -24,6 +24,7 @@ from comity.study.report.answering import (
 )
 from comity.study.report.episodes import StudyVisits
 from comity.study.report.factors import factors_of_visits
+from comity.study.report.group_differences import groups_figure
 from comity.study.report.outcomes import outcomes_of, pictured
 from comity.study.report.page import MARK, MOST_LISTED, page_of_study
 from comity.study.report.pictures import outcome_figure, sides_figure
@@ -126,6 +127,8 @@ def _found(
     for i, one in enumerate(comparisons_of(visits, factors), start=1):
         compared.append(comparison_answer(visits, one, drawn, name))
         drawings[f"side_by_side_{i}"] = _sides(visits, one, drawn)
+        if any(difference.group for difference in compared[-1].differences):
+            drawings[f"by_group_{i}"] = partial(groups_figure, compared[-1])
     return _Found(
         meanings={outcome.name: outcome.means for outcome in every.values()},
         levels=tuple(levels),
