@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.answers.run import Disturbance
 from comity.data_frames import events_table, frames_table, readings_table
-from comity.monitoring.told import values_at
+from comity.monitoring.parameter_updates import values_at
 from comity_executor import (
     History,
     Node,
     NodeExplanation,
+    PlanUpdate,
     ReadingSeries,
-    Revision,
     TraceEvent,
     Visit,
     Write,
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
     from comity.data_frames import Table
-    from comity.monitoring.told import ParameterUpdate
+    from comity.monitoring.parameter_updates import ParameterUpdate
     from comity.preparation import Prepared
     from comity_domain import PlanStep
     from comity_executor import LoopReport
@@ -63,7 +63,7 @@ class Episode:
     """Everyone's parameters as they were in the end."""
     steps: tuple[PlanStep, ...]
     """What was planned for everybody, by the last plan that had them."""
-    revisions: tuple[Revision, ...]
+    revisions: tuple[PlanUpdate, ...]
     """What took over from the first plan, in order."""
     told: tuple[ParameterUpdate, ...]
     """What people asked for on the way, in order: it counts from then on."""

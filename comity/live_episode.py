@@ -31,12 +31,12 @@ from comity_executor import (
     ExecutionStatus,
     MakeAct,
     Node,
+    PlanUpdate,
     ReadingSeries,
-    Revision,
     TraceEvent,
     Write,
 )
-from comity_executor.memory.meeting import NO_GESTURE, SAY_ACT
+from comity_executor.memory.visit_context import NO_GESTURE, SAY_ACT
 from comity_fis.errors import InputError
 from comity_sim2d import DoorTurn, Frames, World
 from comity_sim2d.base.drive import stopping_time_s
@@ -256,7 +256,7 @@ class LiveEpisode:
         return self._execution.plan
 
     @property
-    def revisions(self) -> tuple[Revision, ...]:
+    def revisions(self) -> tuple[PlanUpdate, ...]:
         """What took over from the first plan so far, in order."""
         return self._execution.revisions
 

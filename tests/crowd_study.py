@@ -22,7 +22,7 @@ from comity_sim2d import RobotBody, Room, Scene, Wall
 from comity_sim2d.people.crowd import Bodies, Crowd
 from comity_sim2d.people.itinerary import Itinerary
 from comity_sim2d.people.outlines import Outlines
-from comity_sim2d.people.strolling import Stroller, Strolling
+from comity_sim2d.people.pedestrian_behaviour import PedestrianBehaviour, Stroller
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.robot_reaction import RobotSeen
@@ -57,7 +57,7 @@ def crowd(
     )
     at = np.array([*starts, complex(scene.robot.x_m, scene.robot.y_m)])
     bodies = Bodies(at, np.zeros(len(at)), np.array([*[RADIUS_M] * len(starts), scene.robot.radius_m]))
-    strolling = Strolling(strollers, at, plan, STEP_S)
+    strolling = PedestrianBehaviour(strollers, at, plan, STEP_S)
     outlines = Outlines.of(scene)
     return Crowd(bodies, strollers, strolling, outlines, step_s=STEP_S, decision_s=STEP_S, seed=seed)
 

@@ -18,7 +18,7 @@ from comity_sim2d import RouteMap, wrap_angle
 from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S
 from comity_sim2d.navigation.docking import spot_beside
 from comity_sim2d.pose import direction_to
-from comity_sim2d.robot.in_the_way import in_the_way
+from comity_sim2d.robot.obstructing_people import in_the_way
 
 if TYPE_CHECKING:
     from comity.live.known_world import KnownWorld

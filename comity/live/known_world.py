@@ -17,8 +17,8 @@ from comity_sim2d.pose import Pose
 from comity_sim2d.robot.motion import PersonEstimate
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
+from comity_sim2d.senses.overlap_resolution import off_things
 from comity_sim2d.senses.sight import too_short_for
-from comity_sim2d.senses.taken_apart import off_things
 
 if TYPE_CHECKING:
     from comity_executor import Localisation, MapRobot, PersonTrack, RelativePose

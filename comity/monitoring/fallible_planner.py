@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from comity.monitoring.replanning import WorldPlanner
-    from comity_executor import Course, FaultError, NoRevision, Revision
+    from comity_executor import ExecutionState, FaultError, NoPlanUpdate, PlanUpdate
     from comity_fis import Inference
 
 
@@ -37,7 +37,7 @@ class FalliblePlanner:
         """As the planner says."""
         return self._planner.has_news(t)
 
-    def review(self, course: Course) -> Revision | None:
+    def review(self, course: ExecutionState) -> PlanUpdate | None:
         """As the planner says.
 
         Raises:
@@ -46,11 +46,11 @@ class FalliblePlanner:
         self._fail()
         return self._planner.review(course)
 
-    def permitted(self, course: Course) -> Revision | None:
+    def permitted(self, course: ExecutionState) -> PlanUpdate | None:
         """As the planner says: it takes no planning, and so does not break down with it."""
         return self._planner.permitted(course)
 
-    def replan(self, course: Course) -> Revision | NoRevision:
+    def replan(self, course: ExecutionState) -> PlanUpdate | NoPlanUpdate:
         """As the planner says.
 
         Raises:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
-from comity.monitoring.told import later_distances_m, values_at
+from comity.monitoring.parameter_updates import later_distances_m, values_at
 from comity.parameters.passing import DISTANCE
 from comity_executor import PROPER_OUTCOMES
 from comity_sim2d import Contacts, Known, Metrics, Span, TargetStop, measure
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from comity.monitoring.told import ParameterUpdate
+    from comity.monitoring.parameter_updates import ParameterUpdate
     from comity.preparation import Prepared
     from comity_domain import Plan
-    from comity_executor import Revision, TraceEvent, Visit
+    from comity_executor import PlanUpdate, TraceEvent, Visit
     from comity_sim2d import Frames, Scene, Touch
 
 DOCKING = "Reach_user"
@@ -39,7 +39,7 @@ def figures(
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
     *,
-    revisions: Sequence[Revision],
+    revisions: Sequence[PlanUpdate],
     told: Sequence[ParameterUpdate],
     undisturbed: Mapping[str, NDArray[np.float64]],
 ) -> Metrics:
@@ -73,7 +73,7 @@ def known_of(
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
     *,
-    revisions: Sequence[Revision],
+    revisions: Sequence[PlanUpdate],
     told: Sequence[ParameterUpdate],
 ) -> Known:
     """Whose distance was what, and whom the robot visited when; the arguments are those above."""
@@ -118,7 +118,7 @@ def _wanted(
     prepared: Prepared,
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
-    revisions: Sequence[Revision],
+    revisions: Sequence[PlanUpdate],
     told: Sequence[ParameterUpdate],
 ) -> Iterator[TargetStop]:
     """The visits that the robot set out for, each with its time and with where it was to stop."""
@@ -188,7 +188,7 @@ def _breaks(person: str, visit: Span, events: Sequence[TraceEvent]) -> tuple[Spa
 
 
 def _asked(
-    first: Plan, events: Iterable[TraceEvent], revisions: Iterable[Revision]
+    first: Plan, events: Iterable[TraceEvent], revisions: Iterable[PlanUpdate]
 ) -> dict[str, tuple[float, float]]:
     """Where the robot was to stop before each person when it first docked there: distance [m], bearing [deg].
 
@@ -205,7 +205,7 @@ def _asked(
 
 
 def _distances_m(
-    first: Plan, events: Iterable[TraceEvent], revisions: Iterable[Revision]
+    first: Plan, events: Iterable[TraceEvent], revisions: Iterable[PlanUpdate]
 ) -> dict[str, tuple[tuple[float, float], ...]]:
     """Since when [s] which distance [m] was wanted, by person: of the plans that have them."""
     takes_over_s = (event.t for event in events if event.status in TAKES_OVER)

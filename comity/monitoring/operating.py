@@ -9,7 +9,7 @@ from comity.answers.run import Disturbance
 from comity.live.operator import OF_PEOPLE, STOPPED, UNAPPROVED, Operator, OperatorCommand
 from comity.monitoring.consenting import consenting
 from comity.monitoring.nudging import nudged
-from comity_executor import Revision
+from comity_executor import PlanUpdate
 from comity_fis import InputError
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from comity.monitoring.replanning import WorldPlanner
     from comity.preparation import Prepared
     from comity.schedule import Schedule
-    from comity_executor import Course, Execution, NoRevision, Planner
+    from comity_executor import Execution, ExecutionState, NoPlanUpdate, Planner
 
 LEFT = "the operator left before the plan was approved"
 
@@ -119,20 +119,20 @@ class Approved:
         """As the planner says."""
         return self.planner.has_news(t)
 
-    def review(self, course: Course) -> Revision | None:
+    def review(self, course: ExecutionState) -> PlanUpdate | None:
         """As the planner says."""
         revision = self.planner.review(course)
         if revision is not None and revision.replanned:
             self.operator.note_plan(revision.plan)
         return revision
 
-    def permitted(self, course: Course) -> Revision | None:
+    def permitted(self, course: ExecutionState) -> PlanUpdate | None:
         """As the planner says: what a person no longer permits needs no approval to be left out."""
         return self.planner.permitted(course)
 
-    def replan(self, course: Course) -> Revision | NoRevision:
+    def replan(self, course: ExecutionState) -> PlanUpdate | NoPlanUpdate:
         """As the planner says."""
         answer = self.planner.replan(course)
-        if isinstance(answer, Revision):
+        if isinstance(answer, PlanUpdate):
             self.operator.note_plan(answer.plan)
         return answer

@@ -14,13 +14,13 @@ from math import dist
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from comity.monitoring.hope import what_may_help
+from comity.monitoring.belief_state import BeliefState, moment_of
 from comity.monitoring.lateness import told_late, without_missed
-from comity.monitoring.moment import BeliefState, moment_of
-from comity.monitoring.news import MOVED_M, News, Watch, differences
-from comity.monitoring.remaining import Remaining
-from comity.monitoring.told import ParameterUpdate
-from comity.monitoring.verdict import choices, found_again, known, other_ways, verdict
+from comity.monitoring.may_unblock import what_may_help
+from comity.monitoring.parameter_updates import ParameterUpdate
+from comity.monitoring.plan_validity import choices, found_again, known, other_ways, verdict
+from comity.monitoring.remaining_goals import RemainingGoals
+from comity.monitoring.world_changes import MOVED_M, Watch, WorldChange, differences
 from comity.parameters.passing import asked_speed_m_s, own_distance_m
 from comity.planning.request import PlanningRequest
 from comity.planning.serving import plan_for_most
@@ -37,7 +37,7 @@ from comity_domain import (
     same_choices,
     without,
 )
-from comity_executor import Cause, Course, NoRevision, Revision
+from comity_executor import Cause, ExecutionState, NoPlanUpdate, PlanUpdate
 from comity_fis import InputError
 from comity_sim2d import PastPeople, Scene, SceneError
 
@@ -85,7 +85,7 @@ class WorldPlanner:
             KeyError: if nobody is called so.
         """
         before = self._values[person]
-        self._watch.tell(News(person, text))
+        self._watch.tell(WorldChange(person, text))
         for news in differences(person, before, values):
             self._watch.tell(news)
         self._values[person] = values
@@ -101,7 +101,7 @@ class WorldPlanner:
         if person not in self._values:
             raise KeyError(person)
         self._skipped[person] = reason
-        self._watch.tell(News(person, reason))
+        self._watch.tell(WorldChange(person, reason))
 
     @property
     def told(self) -> tuple[ParameterUpdate, ...]:
@@ -116,13 +116,13 @@ class WorldPlanner:
             text: What it is, in words.
             fault: What is behind it, if one is.
         """
-        self._watch.note(News(about, text, fault=fault))
+        self._watch.note(WorldChange(about, text, fault=fault))
 
     def has_news(self, t: float) -> bool:
         """Whether a person's parameters or a door changed, or a person moved and stands still again."""
         return self._watch.has_news(t)
 
-    def review(self, course: Course) -> Revision | None:
+    def review(self, course: ExecutionState) -> PlanUpdate | None:
         """New numbers where the choices are known to stay the cheapest, else another plan, within the cap.
 
         What a person no longer permits, or asked for otherwise, is never done: no cap holds against that.
@@ -133,7 +133,7 @@ class WorldPlanner:
         revision = self._reviewed(course, was_told=was_told, because=because)
         return replace(revision, was_asked_for=was_told, moved=self._tell_moved())
 
-    def _reviewed(self, course: Course, *, was_told: bool, because: tuple[Cause, ...]) -> Revision:
+    def _reviewed(self, course: ExecutionState, *, was_told: bool, because: tuple[Cause, ...]) -> PlanUpdate:
         try:
             asked = self._asked(course)
             rest = rest_of(course.plan, course.done, course.progress)
@@ -152,14 +152,14 @@ class WorldPlanner:
         why = verdict(rest, kept, plan, asked.unreachable, too_late and too_late.after(course.t))
         return self._new(plan, asked, (*because, why, *choices(rest, plan)))
 
-    def permitted(self, course: Course) -> Revision | None:
+    def permitted(self, course: ExecutionState) -> PlanUpdate | None:
         """The plan without what a person permits no more, told without planning; None where all of it is."""
         return self._without_forbidden(course, ())
 
-    def _without_forbidden(self, course: Course, because: tuple[Cause, ...]) -> Revision | None:
+    def _without_forbidden(self, course: ExecutionState, because: tuple[Cause, ...]) -> PlanUpdate | None:
         rest = rest_of(course.plan, course.done, course.progress)
         # Full hands are no ban: what is planned with them was planned for them.
-        visitees = Remaining(self._prepared, self._values, carried=None).visitees(course)
+        visitees = RemainingGoals(self._prepared, self._values, carried=None).visitees(course)
         against = not_permitted(rest, {visitee.name: visitee for visitee in visitees})
         if not against:
             return None
@@ -172,7 +172,7 @@ class WorldPlanner:
         told = tuple(
             Cause("condition", f"no longer permitted: {reason}", None) for reason in against.values()
         )
-        return Revision(
+        return PlanUpdate(
             without(rest, against),
             dict(self._values),
             replanned=True,
@@ -181,21 +181,21 @@ class WorldPlanner:
             was_asked_for=True,
         )
 
-    def replan(self, course: Course) -> Revision | NoRevision:
+    def replan(self, course: ExecutionState) -> PlanUpdate | NoPlanUpdate:
         """Another plan for the people who are left, or why there is none."""
         because = course.failed
         try:
             before, news = self._before, self._take_news()
             if course.in_pause and not self._bears_on_who_is_left(news, before, course):
-                return NoRevision(())
+                return NoPlanUpdate(())
             because = (*because, *(cause for one in news for cause in one.causes))
             asked = self._asked(course)
             asked, plan = self._planned_even_late(asked, course)
         except SceneError as error:
             overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
-            return NoRevision((*because, Cause("condition", overlap, None)), may_pass=True)
+            return NoPlanUpdate((*because, Cause("condition", overlap, None)), may_pass=True)
         except (InputError, PlanningFailed, ValueError) as error:
-            return NoRevision((*because, Cause("condition", f"no new plan: {error}", None)))
+            return NoPlanUpdate((*because, Cause("condition", f"no new plan: {error}", None)))
         if not plan.steps:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
             no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}", None)
@@ -206,7 +206,7 @@ class WorldPlanner:
             hope = self._hope(course, asked, unseen, refused)
             watched = (name for name in refused if robot.has_to_watch(name))
             look_for = next(chain(watched, unseen), None)
-            return NoRevision((*because, no_plan), awaits=hope, look_for=look_for)
+            return NoPlanUpdate((*because, no_plan), awaits=hope, look_for=look_for)
         served = dict.fromkeys(step.person for step in plan.steps)
         barred = [
             Cause("condition", f"{name} at the start: {self._barred.pop(name)}", None)
@@ -218,10 +218,10 @@ class WorldPlanner:
         late = told_late(self._prepared.visitees, asked.request.visitees)
         return replace(self._new(plan, asked, (*because, *barred, told, *late)), moved=self._tell_moved())
 
-    def _same(self, plan: Plan, because: tuple[Cause, ...]) -> Revision:
-        return Revision(plan, dict(self._values), replanned=False, because=because)
+    def _same(self, plan: Plan, because: tuple[Cause, ...]) -> PlanUpdate:
+        return PlanUpdate(plan, dict(self._values), replanned=False, because=because)
 
-    def _as_planned(self, course: Course, because: tuple[Cause, ...], reason: str) -> Revision:
+    def _as_planned(self, course: ExecutionState, because: tuple[Cause, ...], reason: str) -> PlanUpdate:
         """The choices stay although they may not be the cheapest: only the numbers are new."""
         plan = renumbered(rest_of(course.plan, course.done, course.progress), self._values)
         stays = Cause(
@@ -229,18 +229,20 @@ class WorldPlanner:
         )
         return self._same(plan, (*because, stays))
 
-    def _new(self, plan: Plan, asked: PlanningRequest, because: tuple[Cause, ...]) -> Revision:
+    def _new(self, plan: Plan, asked: PlanningRequest, because: tuple[Cause, ...]) -> PlanUpdate:
         values = dict(self._values)
         self._world.robot.learn_places(asked.places)
-        return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
+        return PlanUpdate(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
-    def _plan(self, asked: PlanningRequest, course: Course) -> tuple[PlanningRequest, Plan]:
+    def _plan(self, asked: PlanningRequest, course: ExecutionState) -> tuple[PlanningRequest, Plan]:
         limit_s = self._prepared.file.scenario.limits.planning_s
         make = partial(plan_with, self._prepared.engine, time_limit_s=limit_s)
         scene = self._scene(self._now())
         return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
 
-    def _planned_even_late(self, asked: PlanningRequest, course: Course) -> tuple[PlanningRequest, Plan]:
+    def _planned_even_late(
+        self, asked: PlanningRequest, course: ExecutionState
+    ) -> tuple[PlanningRequest, Plan]:
         """A plan, without the deadlines that no order keeps any more; and what was asked with the others."""
         ends_s = monotonic() + self._prepared.file.scenario.limits.planning_s
         try:
@@ -251,17 +253,17 @@ class WorldPlanner:
                 raise
         return self._plan(late, course)
 
-    def _asked(self, course: Course) -> PlanningRequest:
+    def _asked(self, course: ExecutionState) -> PlanningRequest:
         """The request for the people who are left, from here and now."""
         asked = self._remaining(course).asked(course, self._scene(self._now()))
         self._met |= {visitee.name for visitee in asked.request.visitees}
         return asked
 
-    def _remaining(self, course: Course) -> Remaining:
+    def _remaining(self, course: ExecutionState) -> RemainingGoals:
         return self._remaining_in(self._now(), course)
 
-    def _remaining_in(self, moment: BeliefState, course: Course) -> Remaining:
-        return Remaining(
+    def _remaining_in(self, moment: BeliefState, course: ExecutionState) -> RemainingGoals:
+        return RemainingGoals(
             self._prepared,
             moment.values,
             self._world.robot.carried(),
@@ -270,14 +272,16 @@ class WorldPlanner:
             moment.walking,
         )
 
-    def _refused(self, course: Course) -> tuple[str, ...]:
+    def _refused(self, course: ExecutionState) -> tuple[str, ...]:
         """Who was asked in vain and has not moved since, and the people they stand together with."""
         alone = [name for name in course.refused if name not in self._moved]
         groups = [group.members for group in self._scene(self._now()).groups] if alone else []
         fellows = [name for members in groups if not set(members).isdisjoint(alone) for name in members]
         return tuple(dict.fromkeys((*alone, *fellows)))
 
-    def _bears_on_who_is_left(self, news: Iterable[News], before: BeliefState, course: Course) -> bool:
+    def _bears_on_who_is_left(
+        self, news: Iterable[WorldChange], before: BeliefState, course: ExecutionState
+    ) -> bool:
         """Whether a person moved who is left or was asked to make way, or there are other ways now."""
         left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
@@ -286,7 +290,7 @@ class WorldPlanner:
         return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
     def _hope(
-        self, course: Course, asked: PlanningRequest, unseen: Iterable[str], refused: Collection[str]
+        self, course: ExecutionState, asked: PlanningRequest, unseen: Iterable[str], refused: Collection[str]
     ) -> str | None:
         """What may give a way to anybody who has none."""
         moment, visitees = self._now(), self._remaining(course).visitees(course)
@@ -307,7 +311,7 @@ class WorldPlanner:
         """As everything is or was, with the robot here: where a person was, it may stand by now."""
         return moment.scene(self._prepared.scene, self._world.robot.pose)
 
-    def _take_news(self) -> tuple[News, ...]:
+    def _take_news(self) -> tuple[WorldChange, ...]:
         then = {person.name: person for person in self._before.people}
         self._before = self._now()
         people = self._before.people

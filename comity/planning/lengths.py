@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_domain import START, Leg, Spot, Survey, Way
 
 if TYPE_CHECKING:
-    from comity.planning.reckoning import Journey, TravelDistances
+    from comity.planning.travel_distances import Journey, TravelDistances
     from comity_sim2d import RouteMap, Scene
 
 XY = tuple[float, float]

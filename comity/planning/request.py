@@ -13,7 +13,7 @@ from comity.planning.barring import barring
 from comity.planning.companies import companies
 from comity.planning.elbow_room import with_elbow_room
 from comity.planning.lengths import Lengths
-from comity.planning.reckoning import TravelDistances
+from comity.planning.travel_distances import TravelDistances
 from comity_domain import (
     Side,
     Spot,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from comity.schedule import Announced
 from comity.simulation.sent_way import SentWay, sent_way, up_to_a_door
 from comity_sim2d import Person, Route
-from comity_sim2d.people.footing import is_taken
+from comity_sim2d.people.collision_filter import is_taken
 from comity_sim2d.people.leading import Lead
 from comity_sim2d.scene.person import find_person
 from comity_sim2d.senses import active_faults

@@ -5,15 +5,15 @@ from comity_executor.live.heartbeat import Heartbeat
 from comity_executor.live.loop import Loop, LoopReport, Overrun
 from comity_executor.live.watchdog import Watchdog, WatchdogError
 from comity_executor.memory.board import Shared
-from comity_executor.memory.meeting import NO_ACTS, MakeAct
 from comity_executor.memory.visit import PROPER_OUTCOMES, Deed, Visit
+from comity_executor.memory.visit_context import NO_ACTS, MakeAct
 from comity_executor.memory.write import Write
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import Diagnosed, FaultError
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node, tree_text
-from comity_executor.revision import Course, NoRevision, Planner, Revision
+from comity_executor.plan_update import ExecutionState, NoPlanUpdate, Planner, PlanUpdate
 from comity_executor.robots.capabilities import Capabilities, CapabilityValues
 from comity_executor.robots.carrier import Carrier
 from comity_executor.robots.check import RobotCheck, RobotError, check_robot
@@ -70,11 +70,11 @@ __all__ = [
     "CapabilityValues",
     "Carrier",
     "Cause",
-    "Course",
     "Deed",
     "Diagnosed",
     "Divergence",
     "Execution",
+    "ExecutionState",
     "ExecutionStatus",
     "FaultError",
     "GoalId",
@@ -95,7 +95,7 @@ __all__ = [
     "Motion",
     "MotionGoal",
     "MotionStatus",
-    "NoRevision",
+    "NoPlanUpdate",
     "Node",
     "NodeExplanation",
     "NodeId",
@@ -103,12 +103,12 @@ __all__ = [
     "Overrun",
     "PersonTrack",
     "Phrasebook",
+    "PlanUpdate",
     "Planner",
     "Reading",
     "ReadingSeries",
     "ReadingsFile",
     "RelativePose",
-    "Revision",
     "Robot",
     "RobotCheck",
     "RobotError",

@@ -16,10 +16,10 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.give_up import why_failed
 from comity_executor.memory.asking import Asking
 from comity_executor.memory.board import Shared
-from comity_executor.memory.meeting import NO_ACTS, MakeAct, VisitContext
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.progress import progress_of
 from comity_executor.memory.visit import PROPER_OUTCOMES, Visit, skipped_visit
+from comity_executor.memory.visit_context import NO_ACTS, MakeAct, VisitContext
 from comity_executor.memory.write import Write
 from comity_executor.nodes import node as _node
 from comity_executor.nodes.cause import Cause
@@ -27,8 +27,8 @@ from comity_executor.nodes.fault import FaultError
 from comity_executor.nodes.leaf import Action
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node
+from comity_executor.plan_update import ExecutionState, NoPlanUpdate, Planner, PlanUpdate
 from comity_executor.recovery import Later, Recovery, broken
-from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robots.check import require_robot
 from comity_executor.robots.goals import GoalId, MotionGoal
 from comity_executor.robots.raised import raised
@@ -113,14 +113,14 @@ class Execution:
         self._recovery = Recovery(planner, limits) if planner else None
         self._deeds = 0
         """People who were served, and what else was done of agendas."""
-        self._next: Revision | None = None
+        self._next: PlanUpdate | None = None
         self._no_more: str | None = None
         """Why no other plan took over after the last failure."""
         self._trees: list[Tree] = []
         """One for every plan that took over."""
         self._unserved: Mapping[str, str] = NOBODY
         """People left out of the plan under way, and why."""
-        self._revisions: list[Revision] = []
+        self._revisions: list[PlanUpdate] = []
         self._recorder = Recorder(self._senses.now_s)
         self.tree = BehaviourTree(self._begin(plan, values, unserved if planner else NOBODY))
         """The behaviour tree; its root is another one with every new plan. It takes visitors and handlers."""
@@ -319,7 +319,7 @@ class Execution:
         return tuple(stops.values())
 
     @property
-    def revisions(self) -> tuple[Revision, ...]:
+    def revisions(self) -> tuple[PlanUpdate, ...]:
         """What took over so far: one for every event `rebound` or `replanned`, in their order."""
         return tuple(self._revisions)
 
@@ -400,7 +400,7 @@ class Execution:
             self._revisions.append(revision)
             self._note("rebound", revision.because)
 
-    def _permitted(self, course: Course, planner: Planner) -> Revision | None:
+    def _permitted(self, course: ExecutionState, planner: Planner) -> PlanUpdate | None:
         """What a planner that broke down leaves of the plan: all that is permitted.
 
         Where it cannot even tell that, the plan must not go on: the tree fails, and the robot rests.
@@ -420,9 +420,9 @@ class Execution:
             return Status.SUCCESS
         return self._take(t, recovery.after_failure(course))
 
-    def _take(self, t: float, answer: Revision | Later | NoRevision | None) -> Status:
+    def _take(self, t: float, answer: PlanUpdate | Later | NoPlanUpdate | None) -> Status:
         """Do what was said after a failure; the status of the whole."""
-        if isinstance(answer, Revision):
+        if isinstance(answer, PlanUpdate):
             self._renew(t, answer)
         elif answer is not None:
             self._note("not_replanned", answer.because)
@@ -432,14 +432,14 @@ class Execution:
                 self._memory.shared.base = None  # the turn replaces the last command
                 self._senses.require_fresh()
                 self._looks = self._robot.go(MotionGoal("face", answer.look_for))
-        return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
+        return Status.FAILURE if isinstance(answer, NoPlanUpdate) else Status.RUNNING
 
     def _is_everybody_served(self) -> bool:
         """Whether the tree failed although there is nothing left to do: one of its leaves broke down."""
         served = all(visit.outcome in PROPER_OUTCOMES for visit in self.visits)
         return served and not self._unserved
 
-    def _renew(self, t: float, revision: Revision) -> None:
+    def _renew(self, t: float, revision: PlanUpdate) -> None:
         """Another plan takes over."""
         self._next, self._looks = None, None
         self._asking.forget(revision.moved)
@@ -485,14 +485,14 @@ class Execution:
     def _meetings(self) -> Iterator[VisitContext]:
         return (meeting for tree in self._trees for meeting in tree.meetings)
 
-    def _course(self, t: float) -> Course:
+    def _course(self, t: float) -> ExecutionState:
         visits = self.visits
         done = tuple(visit.person for visit in visits if visit.outcome in ("greeted", "declined"))
         deeds = len(done) + sum(deed.done_s is not None for visit in visits for deed in visit.agenda)
         if self._recovery and deeds > self._deeds:
             self._recovery.begin_again()
         self._deeds = deeds
-        return Course(
+        return ExecutionState(
             t=t,
             plan=self.plan,
             values=self._values,

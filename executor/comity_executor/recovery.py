@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import FaultError
 from comity_executor.nodes.limits import Limits
-from comity_executor.revision import Course, NoRevision, Planner, Revision
+from comity_executor.plan_update import ExecutionState, NoPlanUpdate, Planner, PlanUpdate
 from comity_executor.robots.raised import raised
 
 LONGEST_PAUSE_S = 30.0
@@ -77,13 +77,13 @@ class Recovery:
         self._attempts = self._changes = 0
         self._waited_s = 0.0
 
-    def after_failure(self, course: Course) -> Revision | Later | NoRevision:
+    def after_failure(self, course: ExecutionState) -> PlanUpdate | Later | NoPlanUpdate:
         """The tree has just failed."""
         if self._attempts and self.is_left:
             return self._later(course, course.failed)
         return self._ask(course)
 
-    def look(self, course: Course) -> Revision | Later | NoRevision | None:
+    def look(self, course: ExecutionState) -> PlanUpdate | Later | NoPlanUpdate | None:
         """Ask where it is time, or where something changed; None where neither is so."""
         assert self._ask_s is not None
         if course.t >= self._ask_s - 1e-9:
@@ -94,18 +94,18 @@ class Recovery:
         if not self._planner.has_news(course.t):
             return None
         revision = another(replace(course, in_pause=True), self._planner)
-        if isinstance(revision, NoRevision):
+        if isinstance(revision, NoPlanUpdate):
             return None  # it is asked again when the pause is over
         return self._go_on(course, revision)
 
-    def _ask(self, course: Course) -> Revision | Later | NoRevision:
+    def _ask(self, course: ExecutionState) -> PlanUpdate | Later | NoPlanUpdate:
         self._ask_s = None
-        revision = another(course, self._planner) if self._limits.replans else NoRevision(())
-        if isinstance(revision, NoRevision) and revision.awaits is not None:
+        revision = another(course, self._planner) if self._limits.replans else NoPlanUpdate(())
+        if isinstance(revision, NoPlanUpdate) and revision.awaits is not None:
             return self._wait(course, revision)
         if not self.is_left:
             return self._cap()
-        if isinstance(revision, Revision):
+        if isinstance(revision, PlanUpdate):
             return self._go_on(course, revision)
         self._end_wait(course)
         self._attempts += 1
@@ -113,27 +113,27 @@ class Recovery:
             return self._later(course, revision.because)
         return revision  # the people who are left could not be served from the start
 
-    def _go_on(self, course: Course, revision: Revision) -> Revision:
+    def _go_on(self, course: ExecutionState, revision: PlanUpdate) -> PlanUpdate:
         """Another plan takes over: an attempt, unless it only follows a way that has opened."""
         self._ask_s = None
         if not self._end_wait(course):
             self._attempts += 1
         return revision
 
-    def _wait(self, course: Course, revision: NoRevision) -> Later | NoRevision:
+    def _wait(self, course: ExecutionState, revision: NoPlanUpdate) -> Later | NoPlanUpdate:
         """Wait for the way, as long as there is patience."""
         if self._waits_since_s is None:
             self._waits_since_s, self._looks = course.t, 0
         left_s = self._limits.patience_s - self._waited_s - (course.t - self._waits_since_s)
         if left_s <= 1e-9:
             over = f"{self._limits.patience_s:g} s of waiting for the way are over"
-            return NoRevision((*revision.because, Cause("condition", over, self._limits.patience_s)))
+            return NoPlanUpdate((*revision.because, Cause("condition", over, self._limits.patience_s)))
         self._ask_s = course.t + min(left_s, self._pause_s(self._looks))
         self._looks += 1
         waits = f"the way is waited for until t={course.t + left_s:.2f} s at most: {revision.awaits}"
         return Later((*revision.because, Cause("condition", waits, left_s)), revision.look_for)
 
-    def _end_wait(self, course: Course) -> bool:
+    def _end_wait(self, course: ExecutionState) -> bool:
         """Charge the wait against the patience; whether there was one.
 
         The least charge is a pause, so that a way that opens and shuts in every tick has an end, too.
@@ -144,7 +144,7 @@ class Recovery:
         self._waits_since_s = None
         return True
 
-    def _later(self, course: Course, because: tuple[Cause, ...]) -> Later:
+    def _later(self, course: ExecutionState, because: tuple[Cause, ...]) -> Later:
         pause_s = self._pause_s(self._attempts - 1)
         self._ask_s = course.t + pause_s
         again = Cause("condition", f"another plan is asked for in {pause_s:g} s", pause_s)
@@ -154,17 +154,17 @@ class Recovery:
         """How long to wait after so many pauses."""
         return min(self._limits.replan_pause_s * 2.0**times, LONGEST_PAUSE_S)
 
-    def _cap(self) -> NoRevision:
+    def _cap(self) -> NoPlanUpdate:
         cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
-        return NoRevision((Cause("condition", cap, float(self._limits.replans)),))
+        return NoPlanUpdate((Cause("condition", cap, float(self._limits.replans)),))
 
 
-def another(course: Course, planner: Planner) -> Revision | NoRevision:
+def another(course: ExecutionState, planner: Planner) -> PlanUpdate | NoPlanUpdate:
     """Another plan; a planner that breaks down has none."""
     try:
         return planner.replan(course)
     except Exception as error:
-        return NoRevision(broken(error), may_pass=True)
+        return NoPlanUpdate(broken(error), may_pass=True)
 
 
 def broken(error: Exception) -> tuple[Cause, ...]:

@@ -14,12 +14,12 @@ from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.maps.doorways import DoorTurn, Doorways
 from comity_sim2d.maps.topology import topology
 from comity_sim2d.navigation.route_map import RouteMap
-from comity_sim2d.people.footing import Stride, is_taken
+from comity_sim2d.people.collision_filter import Stride, is_taken
 from comity_sim2d.people.leading import Leads
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import Pose
 from comity_sim2d.robot.acts import ActEvent
-from comity_sim2d.robot.locomotion import Locomotion
+from comity_sim2d.robot.base_controller import BaseController
 from comity_sim2d.robot.margins import MarginDecision
 from comity_sim2d.robot.reduced_margin import check_margin
 from comity_sim2d.robot.sim_robot import SimRobot
@@ -36,8 +36,8 @@ from comity_sim2d.senses.sight import Sight
 if TYPE_CHECKING:
     import networkx as nx
 
-    from comity_sim2d.people.foot_traffic import FootTraffic
     from comity_sim2d.people.making_way import MakingWay
+    from comity_sim2d.people.pedestrians import Pedestrians
     from comity_sim2d.people.reactions import Reactions, Shown
     from comity_sim2d.scene.footpath import Disc
 
@@ -308,11 +308,11 @@ class World:
     def _robot_in(self, ways: RouteMap, places: Mapping[str, Pose]) -> SimRobot:
         """The robot, which minds the passers-by, who are bodies to it."""
         body, physics, senses = self.scene.robot, self._physics, self._senses
-        locomotion = Locomotion(body, physics, senses, self._clock, ways, places=places, said=self._said)
+        controller = BaseController(body, physics, senses, self._clock, ways, places=places, said=self._said)
         if self._traffic:
             physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
-            locomotion.let_pass(self._traffic)
-        return SimRobot(body, physics, senses, self._clock, locomotion, said=self._said, faults=self.faults)
+            controller.let_pass(self._traffic)
+        return SimRobot(body, physics, senses, self._clock, controller, said=self._said, faults=self.faults)
 
     def _people_who_react(self, seed: int) -> Reactions | None:
         if not any(person.comfort for person in self.scene.people):
@@ -329,13 +329,13 @@ class World:
 
         return MakingWay(self.scene.robot.radius_m, self._plan, self._clock, self._said)
 
-    def _people_who_walk(self, seed: int) -> FootTraffic | None:
+    def _people_who_walk(self, seed: int) -> Pedestrians | None:
         moving = self.scene.passers_by or any(person.may_move for person in self.scene.people)
         if not moving:
             return None
-        from comity_sim2d.people.foot_traffic import FootTraffic
+        from comity_sim2d.people.pedestrians import Pedestrians
 
-        return FootTraffic(self.scene, self._clock, seed)
+        return Pedestrians(self.scene, self._clock, seed)
 
     def _observe(self) -> None:
         felt = {touch.entity for touch in self._physics.touches[self._felt :]}

@@ -13,7 +13,7 @@ from comity.live_episode import LiveEpisode
 from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
 from comity.scenario import load_scenario
-from comity_executor import Course, NoRevision, Revision, read_nodes, read_trace
+from comity_executor import ExecutionState, NoPlanUpdate, PlanUpdate, read_nodes, read_trace
 from comity_sim2d import World
 
 LOUNGE = """\
@@ -149,9 +149,9 @@ def test_who_seems_to_stand_in_the_robot_hinders_neither_a_new_plan_nor_a_ban(he
     x_m, y_m = world.robot.pose.xy
     world.move_person("anna", x_m + 0.3, y_m, 0.0)
     world.step()
-    course = Course(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
+    course = ExecutionState(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
     assert planner.permitted(course) is None, "all of it is, wherever anybody stands"
-    assert isinstance(planner.replan(course), Revision)
+    assert isinstance(planner.replan(course), PlanUpdate)
 
 
 def test_who_seems_to_stand_in_the_robot_where_there_is_no_room_beside_it_hinders_a_new_plan_for_now(here):
@@ -168,14 +168,14 @@ def test_who_seems_to_stand_in_the_robot_where_there_is_no_room_beside_it_hinder
     planner = WorldPlanner(prepared, world)
     world.move_person("anna", 0.25, 3.0, 0.0)
     world.step()
-    course = Course(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
+    course = ExecutionState(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
     refused = planner.replan(course)
-    assert isinstance(refused, NoRevision)
+    assert isinstance(refused, NoPlanUpdate)
     assert refused.may_pass
     assert "no new plan while anna and others seem to be in one place" in refused.because[-1].text
     world.move_person("anna", 5.0, 5.0, -math.pi / 2)
     world.step()
-    assert isinstance(planner.replan(course), Revision)
+    assert isinstance(planner.replan(course), PlanUpdate)
 
 
 def test_wishes_do_not_use_up_the_new_plans_for_other_changes(here):

@@ -11,8 +11,8 @@ import yaml
 
 from comity.live_episode import execute
 from comity.planning.diagnosis import GoalsUnmet
-from comity.planning.reckoning import TravelDistances
 from comity.planning.request import spots_of
+from comity.planning.travel_distances import TravelDistances
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_domain import visits_of

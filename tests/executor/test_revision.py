@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 
 from comity_executor import (
     Cause,
-    Course,
     Execution,
+    ExecutionState,
     FaultError,
     History,
     Limits,
-    NoRevision,
-    Revision,
+    NoPlanUpdate,
+    PlanUpdate,
     read_nodes,
     read_trace,
 )
@@ -30,23 +30,23 @@ WHY = (Cause("reading", "something changed", None), Cause("condition", "reckoned
 class Script:
     """A planner that does as it is told at its times."""
 
-    reviews: dict[float, Callable[[Course], Revision]] = field(default_factory=dict)
+    reviews: dict[float, Callable[[ExecutionState], PlanUpdate]] = field(default_factory=dict)
     """By time, what follows from the news of then."""
-    again: Callable[[Course], Revision | NoRevision] = lambda course: NoRevision(WHY)
-    permits: Callable[[Course], Revision | None] = lambda course: None
-    courses: list[Course] = field(default_factory=list)
+    again: Callable[[ExecutionState], PlanUpdate | NoPlanUpdate] = lambda course: NoPlanUpdate(WHY)
+    permits: Callable[[ExecutionState], PlanUpdate | None] = lambda course: None
+    courses: list[ExecutionState] = field(default_factory=list)
 
     def has_news(self, t: float) -> bool:
         return any(due <= t for due in self.reviews)
 
-    def review(self, course: Course) -> Revision:
+    def review(self, course: ExecutionState) -> PlanUpdate:
         self.courses.append(course)
         return self.reviews.pop(min(self.reviews))(course)
 
-    def permitted(self, course: Course) -> Revision | None:
+    def permitted(self, course: ExecutionState) -> PlanUpdate | None:
         return self.permits(course)
 
-    def replan(self, course: Course) -> Revision | NoRevision:
+    def replan(self, course: ExecutionState) -> PlanUpdate | NoPlanUpdate:
         self.courses.append(course)
         return self.again(course)
 
@@ -57,26 +57,26 @@ def planned(visits, script: Script, **limits: float):
     return visits
 
 
-def with_number(name: str, number: float) -> Callable[[Course], Revision]:
+def with_number(name: str, number: float) -> Callable[[ExecutionState], PlanUpdate]:
     """The plan as it is, with another number in every step that has it."""
 
-    def revise(course: Course) -> Revision:
+    def revise(course: ExecutionState) -> PlanUpdate:
         steps = tuple(
             replace(step, parameters={**step.parameters, name: number}) if name in step.parameters else step
             for step in course.plan.steps
         )
-        return Revision(replace(course.plan, steps=steps), course.values, replanned=False, because=WHY)
+        return PlanUpdate(replace(course.plan, steps=steps), course.values, replanned=False, because=WHY)
 
     return revise
 
 
-def anew(course: Course, *, unserved: dict[str, str] | None = None) -> Revision:
+def anew(course: ExecutionState, *, unserved: dict[str, str] | None = None) -> PlanUpdate:
     """The steps of whoever is left, as a new plan, in the opposite order."""
     stops = [course.plan.steps[i : i + 2] for i in range(0, len(course.plan.steps), 2)]
     left = [step for stop in stops[::-1] if stop[0].person not in course.done for step in stop]
     kept = tuple(step for step in left if step.person not in (unserved or {}))
     plan = replace(course.plan, steps=kept)
-    return Revision(plan, course.values, replanned=True, because=WHY, unserved=unserved or {})
+    return PlanUpdate(plan, course.values, replanned=True, because=WHY, unserved=unserved or {})
 
 
 def of_plans(execution: Execution) -> list[tuple[str, float]]:
@@ -214,7 +214,7 @@ def test_without_a_planner_a_tree_that_fails_has_failed(episode) -> None:
 def test_a_planner_that_breaks_down_leaves_the_plan_as_it_is_or_ends_it_with_its_words(episode) -> None:
     """Neither a review nor a tree that failed brings the run down."""
 
-    def broken(course: Course) -> Revision:
+    def broken(course: ExecutionState) -> PlanUpdate:
         raise OSError("the engine is gone")
 
     visits = planned(episode(), Script({2.0: broken})).run()
@@ -231,7 +231,7 @@ def test_a_planner_that_breaks_down_leaves_the_plan_as_it_is_or_ends_it_with_its
     assert visits.hall.at_rest
 
 
-def gone(course: Course) -> Revision:
+def gone(course: ExecutionState) -> PlanUpdate:
     raise OSError("the engine is gone")
 
 
@@ -257,7 +257,7 @@ def test_a_planner_that_cannot_even_tell_what_is_permitted_ends_the_run_at_rest(
 def test_only_new_plans_that_nobody_asked_for_use_up_the_cap(episode, asked_for: bool, left: bool) -> None:
     """Two in a row, the cap being one; the third review is told whether another would be within it."""
 
-    def asked(course: Course) -> Revision:
+    def asked(course: ExecutionState) -> PlanUpdate:
         return replace(anew(course), was_asked_for=asked_for)
 
     script = Script(dict.fromkeys((0.5, 1.0), asked) | {1.5: with_number("approach_speed", 0.3)})
@@ -338,10 +338,10 @@ def test_whenever_it_is_revised_the_trace_is_one_story_that_reads_back(
 def test_waiting_for_a_way_uses_up_patience_and_no_attempts_and_has_an_end(episode, shut, patience_s):
     """However often the way opens and shuts: every plan fails at once here, and a wait costs at least 2 s."""
 
-    def again(course: Course) -> Revision | NoRevision:
+    def again(course: ExecutionState) -> PlanUpdate | NoPlanUpdate:
         is_shut = shut[round(course.t * 20) % len(shut)]
         nobody = replace(anew(course, unserved={"johanna": "shut"}), plan=replace(course.plan, steps=()))
-        return NoRevision(WHY, awaits="a door may be opened") if is_shut else nobody
+        return NoPlanUpdate(WHY, awaits="a door may be opened") if is_shut else nobody
 
     script = Script({0.0: lambda course: anew(course, unserved={"johanna": "shut"})}, again=again)
     visits = planned(episode(), script, patience_s=patience_s)
@@ -354,7 +354,7 @@ def test_waiting_for_a_way_uses_up_patience_and_no_attempts_and_has_an_end(episo
 
 
 def test_while_it_waits_the_robot_looks_to_where_somebody_should_be_whom_it_does_not_see(episode):
-    look = NoRevision(WHY, awaits="johanna may stand otherwise", look_for="johanna")
+    look = NoPlanUpdate(WHY, awaits="johanna may stand otherwise", look_for="johanna")
     script = Script(
         {0.0: lambda course: anew(course, unserved={"johanna": "no place"})}, again=lambda _: look
     )
@@ -365,7 +365,7 @@ def test_while_it_waits_the_robot_looks_to_where_somebody_should_be_whom_it_does
 
 
 def test_a_robot_that_cannot_turn_waits_all_the_same(episode):
-    look = NoRevision(WHY, awaits="johanna may stand otherwise", look_for="johanna")
+    look = NoPlanUpdate(WHY, awaits="johanna may stand otherwise", look_for="johanna")
     script = Script(
         {0.0: lambda course: anew(course, unserved={"johanna": "no place"})}, again=lambda _: look
     )

@@ -14,7 +14,7 @@ from comity_sim2d.people.crowd import Bodies, Crowd
 from comity_sim2d.people.itinerary import Itinerary
 from comity_sim2d.people.leading import Lead
 from comity_sim2d.people.outlines import Outlines
-from comity_sim2d.people.strolling import Stroller, Strolling
+from comity_sim2d.people.pedestrian_behaviour import PedestrianBehaviour, Stroller
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.robot_reaction import RobotSeen
@@ -36,7 +36,7 @@ def two(at: complex) -> Crowd:
     return Crowd(
         Bodies(places, np.zeros(3), np.array([0.2, 0.2, 0.25])),
         strollers,
-        Strolling(strollers, places, plan, DECISION_S),
+        PedestrianBehaviour(strollers, places, plan, DECISION_S),
         Outlines.of(HALL),
         step_s=STEP_S,
         decision_s=DECISION_S,

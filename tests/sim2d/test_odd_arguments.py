@@ -73,7 +73,7 @@ ROBOT_PARTS = {
     "physics": WORLD._physics,
     "senses": WORLD._senses,
     "clock": WORLD._clock,
-    "locomotion": WORLD.robot._locomotion,
+    "controller": WORLD.robot._controller,
 }
 
 CALLS: Mapping[str, Mapping[str, Any]] = {

@@ -76,7 +76,7 @@ def _maps(world: World, seconds: float, move: Callable[[World], None] = lambda w
     for _ in range(round(seconds / world.step_s)):
         move(world)
         world.step()
-        found.append(world.robot._locomotion.standing.map)
+        found.append(world.robot._controller.standing.map)
     return found
 
 

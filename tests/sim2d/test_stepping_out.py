@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from comity_executor import ActGoal
 from comity_sim2d import DockingPose, PassersBy, Person, RobotBody, Room, Scene, Wall, World
 from comity_sim2d.clock import Clock
-from comity_sim2d.people.foot_traffic import FootTraffic
+from comity_sim2d.people.pedestrians import Pedestrians
 from comity_sim2d.people.stepping_out import HEARD_M, way_out
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import floor_plan
@@ -90,14 +90,14 @@ def test_passers_by_are_asked_to_let_it_pass_and_told_nothing_else() -> None:
 
 @pytest.mark.parametrize("reacts", REACTIONS)
 def test_nobody_makes_way_for_a_thing_or_means_to(reacts: str) -> None:
-    traffic = FootTraffic(doorway(reacts), Clock(20), 0)
+    traffic = Pedestrians(doorway(reacts), Clock(20), 0)
     x, y = traffic.poses[0, :2].tolist()
     makes_way = traffic.ask_to_pass("passer-by 1", (x + 1.0, y), ((x + 1.0, y), (x - 2.0, y)))
     assert makes_way == (reacts not in {"impassive", "threatening"})
 
 
 def test_who_does_not_hear_it_stays() -> None:
-    traffic = FootTraffic(doorway(), Clock(20), 0)
+    traffic = Pedestrians(doorway(), Clock(20), 0)
     x, y = traffic.poses[0, :2].tolist()
     far = (x + HEARD_M + 0.1, y)
     assert not traffic.ask_to_pass("passer-by 1", far, (far, (x - 2.0, y)))

@@ -10,11 +10,13 @@ from comity.report.plans.plan import steps_answer
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from comity_executor import Revision, TraceEvent
+    from comity_executor import PlanUpdate, TraceEvent
     from comity_sim2d import DoorTurn
 
 
-def revision_answers(events: Iterable[TraceEvent], revisions: Iterable[Revision]) -> Iterator[RevisionAnswer]:
+def revision_answers(
+    events: Iterable[TraceEvent], revisions: Iterable[PlanUpdate]
+) -> Iterator[RevisionAnswer]:
     """Every revision with the plan that it led to.
 
     Args:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.monitoring.measuring import known_of
-from comity.monitoring.told import later_distances_m
+from comity.monitoring.parameter_updates import later_distances_m
 from comity.parameters.passing import own_distance_m
 from comity.testing.amounts import causes
 from comity.testing.amounts.course import MOTIONS

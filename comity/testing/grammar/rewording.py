@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 
 from comity_domain.problem.bound_parameters import ABOUT_VISITS
-from comity_executor.memory.meeting import SAY_ACT
+from comity_executor.memory.visit_context import SAY_ACT
 from comity_sim2d.metrics import EPISODE, VISIT, by_short_name
 from comity_sim2d.robot.acts import VERBS
 

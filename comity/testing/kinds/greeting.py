@@ -11,7 +11,7 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.acting import Done, done_for
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.trials.visits import outcome_of, require_goal, to_visit
-from comity_executor.memory.meeting import SAY_ACT
+from comity_executor.memory.visit_context import SAY_ACT
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS
 

@@ -11,7 +11,7 @@ from comity.testing.amounts import causes
 from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.trials.visits import goals_of, spoken_to
-from comity_executor.memory.meeting import SAY_ACT
+from comity_executor.memory.visit_context import SAY_ACT
 
 if TYPE_CHECKING:
     from comity.episode import Episode

@@ -15,7 +15,7 @@ from comity.testing.amounts.ordering import visited
 from comity.testing.amounts.standing import DockedPose, standing
 from comity.testing.measuring.safety import Danger, dangers
 from comity.testing.trials.visits import approached, outcome_of, values_when_judged, visit_of
-from comity_executor.memory.meeting import SAY_ACT
+from comity_executor.memory.visit_context import SAY_ACT
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:

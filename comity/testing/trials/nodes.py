@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing.trials.visits import goals_of
 from comity_executor import is_called, node_names
-from comity_executor.memory.meeting import SAY_ACT
+from comity_executor.memory.visit_context import SAY_ACT
 from comity_executor.trees.tree import GREETINGS, SKIP
 from comity_fis import InputError, closest
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from comity_domain.problem.bound_parameters import ABOUT_GESTURES, ABOUT_SPEECH, ABOUT_WORDS
 from comity_executor.leaves.body_act import BodyAct
-from comity_executor.memory.meeting import SAY_ACT, VisitContext
+from comity_executor.memory.visit_context import SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import ActGoal, speech

@@ -14,7 +14,7 @@ from comity_executor.leaves.body_act import BodyAct
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import SAY_ACT, VisitContext
+from comity_executor.memory.visit_context import SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.identity import NodeId

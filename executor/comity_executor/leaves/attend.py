@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from comity_executor.memory.meeting import VisitContext
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports

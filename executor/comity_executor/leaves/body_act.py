@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from py_trees.common import Status
 
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import VisitContext
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from comity_executor.leaves.docking_band import DockingBand, enter_band, leave_band
-from comity_executor.memory.meeting import SAY_ACT, VisitContext
+from comity_executor.memory.visit_context import SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.identity import NodeId

@@ -11,8 +11,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
 
-from comity_executor.memory.meeting import MakeAct, VisitContext
 from comity_executor.memory.task import Task
+from comity_executor.memory.visit_context import MakeAct, VisitContext
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Ports
 from comity_executor.nodes.node import preorder

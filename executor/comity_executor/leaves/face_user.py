@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.docking_band import enter_band, lost_band
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import POSE, VisitContext
+from comity_executor.memory.visit_context import POSE, VisitContext
 from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Reading

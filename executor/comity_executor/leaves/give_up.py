@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Parallel
 
-from comity_executor.memory.meeting import VisitContext
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.cause import Account, explains
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action

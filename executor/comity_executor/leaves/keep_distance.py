@@ -7,7 +7,7 @@ from contextlib import suppress
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import POSE, VisitContext
+from comity_executor.memory.visit_context import POSE, VisitContext
 from comity_executor.nodes.identity import NodeId
 from comity_executor.robots.goals import MotionGoal, RelativePose
 from comity_fis.learning.signals import WORDS

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import VisitContext
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import WAY
 from comity_executor.nodes.identity import NodeId

@@ -8,8 +8,8 @@ from comity_domain.plans.actions import LEAVE
 from comity_domain.problem.agenda import Say
 from comity_domain.problem.bound_parameters import ABOUT_GESTURES, ABOUT_SPEECH, ABOUT_WORDS
 from comity_executor.leaves.body_act import BodyAct
-from comity_executor.memory.meeting import SAY_ACT
 from comity_executor.memory.task import Task
+from comity_executor.memory.visit_context import SAY_ACT
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports

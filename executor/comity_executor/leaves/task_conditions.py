@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from comity_executor.memory.meeting import VisitContext
 from comity_executor.memory.task import Task
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Condition, Ports

@@ -8,8 +8,8 @@ from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import POSE
 from comity_executor.memory.task import Task
+from comity_executor.memory.visit_context import POSE
 from comity_executor.nodes.cause import Account, with_verb
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
@@ -128,16 +128,16 @@ class StepAway(MotionAction):
             self.say(Account(f"distance {reading.distance_m:.2f} m", reading.distance_m, "approach_speed"))
         elif self.is_stuck(unasked=True):
             what = "no room to step away" if reading is not None else "nobody is seen to step away from"
-            self.say(Account(f"{what}: {self._hindrance}"))
+            self.say(Account(f"{what}: {self._obstruction}"))
         elif meeting.senses.now_s() - self._since_s >= patience_s:
-            self.say(Account(f"not away within {patience_s:g} s: {self._hindrance}"))
+            self.say(Account(f"not away within {patience_s:g} s: {self._obstruction}"))
         else:
             return Status.RUNNING
         self._task.memory.done_s = meeting.senses.now_s()
         return Status.SUCCESS
 
     @property
-    def _hindrance(self) -> str:
+    def _obstruction(self) -> str:
         """What keeps the robot there, in words: people by their names, as it does not go to anybody."""
         motion = self.meeting.robot.motion()
         who = motion.blocked_by

@@ -7,8 +7,8 @@ from contextlib import suppress
 
 from comity_domain.plans.actions import OFFER
 from comity_domain.plans.rest import VisitProgress
-from comity_executor.memory.meeting import VisitContext
 from comity_executor.memory.visit import TaskMemory
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.robots.carrier import HAND_OVER, Carrier
 from comity_executor.robots.robot import Robot
 

@@ -11,8 +11,8 @@ from py_trees.behaviour import Behaviour
 from comity_domain.plans.actions import ANNOUNCED, FETCH, LEAVE, OFFER, RETURN
 from comity_domain.plans.plan import PlanStep
 from comity_domain.problem.agenda import PLAIN
-from comity_executor.memory.meeting import SAY_ACT, VisitContext, acts_of
 from comity_executor.memory.visit import TaskMemory, VisitMemory
+from comity_executor.memory.visit_context import SAY_ACT, VisitContext, acts_of
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.leaf import Ports
 from comity_executor.robots.carrier import HAND_OVER, Carrier

@@ -38,7 +38,7 @@ from comity_executor.leaves.announce import (
     SayStopped,
 )
 from comity_executor.leaves.keep_distance import KeepDistance
-from comity_executor.memory.meeting import VisitContext
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.composites import fallback, parallel_until_one, sequence

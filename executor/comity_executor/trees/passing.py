@@ -22,8 +22,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from comity_executor.leaves.performing import Performing
-from comity_executor.memory.meeting import VisitContext
 from comity_executor.memory.shared import PassageRequest
+from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.composites import fallback, never_succeeding, sequence
 from comity_executor.nodes.fault import trouble_with

@@ -23,8 +23,8 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.task_act import TaskAct, WaitBefore
 from comity_executor.leaves.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
 from comity_executor.leaves.task_motion import StepAway
-from comity_executor.memory.meeting import SAY_ACT, VisitContext
 from comity_executor.memory.task import Task
+from comity_executor.memory.visit_context import SAY_ACT, VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.composites import fallback, parallel_until_all, parallel_until_one, sequence
 from comity_executor.nodes.identity import NodeId

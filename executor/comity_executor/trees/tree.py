@@ -60,10 +60,10 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.plan_holds import DoesPlanHold
 from comity_executor.leaves.task_conditions import IsServed
-from comity_executor.memory.meeting import NO_ACTS, MakeAct, VisitContext
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.task import EFFECTS, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
+from comity_executor.memory.visit_context import NO_ACTS, MakeAct, VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds, explains
 from comity_executor.nodes.composites import fallback, parallel_until_all, parallel_until_one, sequence

@@ -15,9 +15,9 @@ from comity_sim2d.people.headway import within_headway
 from comity_sim2d.people.near import Near
 from comity_sim2d.people.neighbours import Indices, NeighbourList
 from comity_sim2d.people.outlines import Outlines, WallList
+from comity_sim2d.people.pedestrian_behaviour import PedestrianBehaviour, Stroller
 from comity_sim2d.people.social_force import FASTEST, Numbers, Vectors, between, from_wall, towards_goal
 from comity_sim2d.people.stepping_out import SteppingOut
-from comity_sim2d.people.strolling import Stroller, Strolling
 from comity_sim2d.people.yielding import Yielding
 from comity_sim2d.scene.robot_reaction import RobotSeen
 
@@ -71,7 +71,7 @@ class Crowd:
         self,
         bodies: Bodies,
         strollers: tuple[Stroller, ...],
-        strolling: Strolling,
+        strolling: PedestrianBehaviour,
         outlines: Outlines,
         *,
         step_s: float,

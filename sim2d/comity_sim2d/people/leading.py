@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
-    from comity_sim2d.people.foot_traffic import FootTraffic
+    from comity_sim2d.people.pedestrians import Pedestrians
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,7 +35,7 @@ class Leads:
         traffic: Who walks by themselves while nothing leads them.
     """
 
-    def __init__(self, traffic: FootTraffic | None) -> None:
+    def __init__(self, traffic: Pedestrians | None) -> None:
         self._traffic = traffic
         self._leads: dict[str, Lead] = {}
 

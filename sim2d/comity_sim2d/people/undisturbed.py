@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from comity_sim2d.clock import Clock
 from comity_sim2d.maps.doorways import DoorTurn, turned
-from comity_sim2d.people.foot_traffic import FootTraffic
+from comity_sim2d.people.pedestrians import Pedestrians
 from comity_sim2d.pose import Pose, Twist
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.person import Person
@@ -39,7 +39,7 @@ def undisturbed_walks(
         return {}
     clock = Clock(control_hz)
     people = {person.name: person for person in scene.people}
-    traffic, states = FootTraffic(scene, clock, seed), dict[str, bool]()
+    traffic, states = Pedestrians(scene, clock, seed), dict[str, bool]()
     coming = sorted(turns, key=lambda turn: turn.t)
 
     def put(person: Person) -> None:
@@ -62,7 +62,7 @@ def undisturbed_walks(
     return {name: np.column_stack([times_s, tracks[:, i]]) for i, name in enumerate(names)}
 
 
-def _row(people: dict[str, Person], movers: list[str], traffic: FootTraffic) -> NDArray[np.float64]:
+def _row(people: dict[str, Person], movers: list[str], traffic: Pedestrians) -> NDArray[np.float64]:
     """Places of the movers and the passers-by, shape (people, 2)."""
     at = np.array([people[name].xy for name in movers]).reshape(-1, 2)
     return np.concatenate([at, traffic.poses[:, :2]])

@@ -8,8 +8,8 @@ from comity_sim2d.base.base import Base
 from comity_sim2d.base.physics import Physics, foresee
 from comity_sim2d.clock import Clock
 from comity_sim2d.robot.approach import AT_PLACE, Approach, MovingTarget
-from comity_sim2d.robot.in_the_way import ARRIVED_M, ObstructingPeople
 from comity_sim2d.robot.motion import MotionProgress, blocked
+from comity_sim2d.robot.obstructing_people import ARRIVED_M, ObstructingPeople
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import SensedPeople

@@ -20,9 +20,9 @@ from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist
 from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, PICK_UP, ActEvent, ActProgress, ActRequest, Acts
+from comity_sim2d.robot.base_controller import BaseController
 from comity_sim2d.robot.carrying import carried_at
 from comity_sim2d.robot.lease import LEASE_S, Lease
-from comity_sim2d.robot.locomotion import Locomotion
 from comity_sim2d.robot.margins import MarginDecision
 from comity_sim2d.robot.motion import BaseCapabilities, MotionProgress, MotionRequest, PersonEstimate
 from comity_sim2d.robot.walkers_met import agreed, pose_at_side
@@ -43,7 +43,7 @@ class SimRobot:
         physics: Where it is, in truth.
         senses: Where it believes people to be.
         clock: The ticks.
-        locomotion: How it moves.
+        controller: How it moves.
         said: What people say to it, as they say it.
         faults: What is wrong with it.
     """
@@ -54,7 +54,7 @@ class SimRobot:
         physics: Physics,
         senses: SensedPeople,
         clock: Clock,
-        locomotion: Locomotion,
+        controller: BaseController,
         *,
         said: Sequence[Said] = (),
         faults: ActiveFaults | None = None,
@@ -62,7 +62,7 @@ class SimRobot:
         require_kinds(
             "robot", spec=(spec, RobotBody), physics=(physics, Physics), senses=(senses, SensedPeople)
         )
-        require_kinds("robot", clock=(clock, Clock), locomotion=(locomotion, Locomotion))
+        require_kinds("robot", clock=(clock, Clock), controller=(controller, BaseController))
         require_kinds("robot", faults=(faults, ActiveFaults | None))
         require_each("robot", "said", said, Said)
         self._spec = spec
@@ -77,7 +77,7 @@ class SimRobot:
         self._lease = Lease(clock)
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
-        self._locomotion = locomotion
+        self._controller = controller
         self._distances_m: dict[str, float] = {}
         """How far from each person it was told to stand last, between the surfaces [m]."""
 
@@ -116,7 +116,7 @@ class SimRobot:
 
         From elsewhere, or after a while, it is worth while to look again: then they are not among them.
         """
-        return {name: why for name in sorted(self.missing) if (why := self._locomotion.in_vain(name))}
+        return {name: why for name in sorted(self.missing) if (why := self._controller.in_vain(name))}
 
     def would_see(self, person: str) -> bool:
         """Whether it need only turn to see if somebody whom it does not see stands where it believes them."""
@@ -200,7 +200,7 @@ class SimRobot:
             ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
         """
         self._require(person)
-        ways = self._locomotion.standing.everybody()
+        ways = self._controller.standing.everybody()
         if self._senses.has_lost(person):  # the robot goes to look for them where they were seen last
             ways = RouteMap(
                 ways.surroundings.with_people((*ways.surroundings.people, self._senses.person(person)))
@@ -274,7 +274,7 @@ class SimRobot:
         _require_command(speed_m_s, detour_m, near_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
         self._distances_m[person] = pose.distance_m
-        self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, near_m_s=near_m_s, detour_m=detour_m)
+        self._controller.navigate(person, pose, speed_m_s=speed_m_s, near_m_s=near_m_s, detour_m=detour_m)
         return self._next_goal()
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> int:
@@ -286,12 +286,12 @@ class SimRobot:
         _require_command(speed_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
         self._distances_m[person] = pose.distance_m
-        self._locomotion.dock(person, pose, speed_m_s=speed_m_s)
+        self._controller.dock(person, pose, speed_m_s=speed_m_s)
         return self._next_goal()
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
         """Where it stands to fetch things that it could not get to before; what it knows stays."""
-        self._locomotion.learn_places(places)
+        self._controller.learn_places(places)
 
     def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
         """Know from now on how a person wants it to move near them, and look for another way at once.
@@ -310,7 +310,7 @@ class SimRobot:
             return
         self._senses.learn(person, distance_m=distance_m, speed_m_s=speed_m_s)
         if known.personal_distance_m != distance_m:
-            self._locomotion.look_for_another_way()
+            self._controller.look_for_another_way()
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> int:
         """Go where something is kept, and turn to it; people in the way as for `navigate`; the goal's number.
@@ -319,7 +319,7 @@ class SimRobot:
             ValueError: Where there is no such place.
         """
         _require_command(speed_m_s, detour_m)
-        self._locomotion.go_to(place, speed_m_s=speed_m_s, detour_m=detour_m)
+        self._controller.go_to(place, speed_m_s=speed_m_s, detour_m=detour_m)
         return self._next_goal()
 
     def carried(self) -> str | None:
@@ -329,7 +329,7 @@ class SimRobot:
     def face(self, person: str) -> int:
         """Stop and turn on the spot towards a person, and keep facing them; the goal's number."""
         self._require(person)
-        self._locomotion.face(person)
+        self._controller.face(person)
         return self._next_goal()
 
     def stop(self, goal: int | str | None = None) -> None:
@@ -338,15 +338,15 @@ class SimRobot:
         if isinstance(goal, str):
             self._acts.stop(goal)
         elif goal in (None, self._goals):
-            self._locomotion.stop()
+            self._controller.stop()
 
     def motion(self) -> MotionProgress:
         """How the newest motion goal goes."""
         twist = self._physics.twist
-        return self._locomotion.motion._replace(
+        return self._controller.motion._replace(
             goal=self._goals or None,
             stamp_s=self._clock.now_s,
-            remaining_m=self._locomotion.remaining_m,
+            remaining_m=self._controller.remaining_m,
             is_at_rest=twist.speed_m_s == 0.0 and twist.turn_rad_s == 0.0,
         )
 
@@ -356,7 +356,7 @@ class SimRobot:
         A path that is shut somewhere is no fault of a robot that something else blocks.
         """
         subject = active_faults.part(part)
-        if subject == PATH and self._locomotion.is_held_up_on_its_way:
+        if subject == PATH and self._controller.is_held_up_on_its_way:
             return None
         return self._faults.of(subject)
 
@@ -378,7 +378,7 @@ class SimRobot:
         require_kinds("act", act=(act.act, str))
         if act.act == PICK_UP:
             require_text("robot", "place", act.to)
-        elif not (act.act == ASK_TO_PASS and act.to in self._locomotion.standing.passers_by):
+        elif not (act.act == ASK_TO_PASS and act.to in self._controller.standing.passers_by):
             self._require(act.to)
         if act.act in (PICK_UP, HAND_OVER):
             require_kinds("act", thing=(act.thing, str))
@@ -403,15 +403,15 @@ class SimRobot:
     @property
     def margin_decisions(self) -> tuple[MarginDecision, ...]:
         """Whether each person who let it pass is passed at the reduced margin, in order."""
-        return tuple(self._locomotion.margins.decisions)
+        return tuple(self._controller.margins.decisions)
 
     def find_way(self) -> tuple[XY, ...]:
         """The way that it wants to go if everybody makes way; empty where it goes nowhere."""
-        return self._locomotion.find_way()
+        return self._controller.find_way()
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
-        self._locomotion.use_plan(plan)
+        self._controller.use_plan(plan)
         self._senses.use_plan(plan)
 
     def feel(self) -> None:
@@ -420,31 +420,31 @@ class SimRobot:
         Called by the world after every tick.
         """
         self._bump_stop.feel()
-        self._locomotion.note_asked(self.asked_now)
+        self._controller.note_asked(self.asked_now)
         if self._faults.of(VOICE):
             self._acts.fall_silent()
 
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
         twist = self._commanded()
-        return self._locomotion.cut() if self._faults.of(BASE) else twist
+        return self._controller.cut() if self._faults.of(BASE) else twist
 
     def _commanded(self) -> Twist:
         if (bump := self._bump_stop.reason) is not None:
-            return self._locomotion.cut(bump)
+            return self._controller.cut(bump)
         if self.emergency_stop.reason is not None:
-            return self._locomotion.brake()
+            return self._controller.brake()
         if self._faults.of(SENSORS) is not None:
-            return self._locomotion.stand_blind()
+            return self._controller.stand_blind()
         if self._lease.is_over:
             self._lease.waive()
-            self._locomotion.expire(LEASE_S)
-        return self._locomotion.go_on()
+            self._controller.expire(LEASE_S)
+        return self._controller.go_on()
 
     @property
     def goal(self) -> XY | None:
         """Where it is under way to; None where it is not."""
-        return self._locomotion.goal
+        return self._controller.goal
 
     def _next_goal(self) -> int:
         self._goals += 1

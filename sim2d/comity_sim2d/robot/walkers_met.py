@@ -23,8 +23,8 @@ from comity_sim2d.pose import XY, Pose, wrap_angle
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.surroundings import Surroundings
-from comity_sim2d.senses.seen_floor import Numbers
 from comity_sim2d.senses.sensing import SensedPeople
+from comity_sim2d.senses.visibility_memory import Numbers
 
 WALK_M = 0.3
 """A person who has moved by less has made a step, and does not walk [m] (our choice)."""

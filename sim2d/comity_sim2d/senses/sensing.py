@@ -17,9 +17,9 @@ from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.active_faults import SENSORS, ActiveFaults
 from comity_sim2d.senses.missing import Missing
-from comity_sim2d.senses.seen_floor import Numbers, SeenFloor, WalkedOut
 from comity_sim2d.senses.sight import Sight, too_short_for
 from comity_sim2d.senses.tracking import Track
+from comity_sim2d.senses.visibility_memory import Numbers, VisibilityMemory, WalkedOut
 
 DRIFTS_M_S = 0.05
 """Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
@@ -66,8 +66,8 @@ class SensedPeople:
         self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
-        self._floor = SeenFloor(sensor)
-        self._looked_at = SeenFloor(sensor) if self._lag else self._floor
+        self._floor = VisibilityMemory(sensor)
+        self._looked_at = VisibilityMemory(sensor) if self._lag else self._floor
         self.sees_all_round = sensor.field_of_view_deg >= 360.0
         """Whether its field of view leaves nothing out; where it does, it remembers what it saw."""
 

@@ -95,7 +95,7 @@ def in_the_way(
     return None if found is None else _waiting(direct, found, route_map, start)
 
 
-class Hindrance:
+class PathObstruction:
     """Who is in the way of one approach, looked for when the map or the goal has changed.
 
     The robot waits at once, and goes on at once where a way opens. A way that closed again and again before

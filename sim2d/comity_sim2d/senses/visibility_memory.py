@@ -36,7 +36,7 @@ class WalkedOut(NamedTuple):
     seen_s: float
 
 
-class SeenFloor:
+class VisibilityMemory:
     """When each place around one robot was in view last; it goes with the robot.
 
     Args:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from judging import Body, touches_lines
 
 from comity_sim2d import Furniture, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall, World
-from comity_sim2d.avoidance.last_moment import NEARLY_M, LastMoment
+from comity_sim2d.avoidance.emergency_braking import NEARLY_M, EmergencyBraking
 from comity_sim2d.base.base import Base, BaseControl, VelocityCommand
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.drive import hardest_braking
@@ -58,7 +58,7 @@ def test_a_robot_that_is_steered_at_a_thing_stops_before_it(
     drive: str, plan: FloorPlan, aside: float, speed: float
 ) -> None:
     body = RobotBody(1.0, 3.0, drive=drive, max_speed_m_s=speed)
-    control, moment, pose = DRIVES[drive](body, STEP_S), LastMoment(body), Pose(1.0, 3.0, 0.0)
+    control, moment, pose = DRIVES[drive](body, STEP_S), EmergencyBraking(body), Pose(1.0, 3.0, 0.0)
     wanted = VelocityCommand((speed * math.cos(aside), speed * math.sin(aside)), aside)
     for _ in range(400):
         base = control.base(pose)
@@ -82,7 +82,7 @@ def test_a_robot_that_is_steered_at_a_passer_by_stops_before_them(
     drive: str, aside_m: float, speed: float
 ) -> None:
     body = RobotBody(1.0, 3.0, drive=drive, max_speed_m_s=speed)
-    control, moment, pose = DRIVES[drive](body, STEP_S), LastMoment(body), Pose(1.0, 3.0, 0.0)
+    control, moment, pose = DRIVES[drive](body, STEP_S), EmergencyBraking(body), Pose(1.0, 3.0, 0.0)
     people, reach_m = np.array([5.0 + (3.0 + aside_m) * 1j, 5.0 + 9.0j]), np.array([0.45, 0.45])
     wanted = VelocityCommand((speed, 0.0), 0.0)
     for _ in range(600):
@@ -108,7 +108,7 @@ def test_it_does_not_brake_for_who_is_behind_or_beside_its_way(
     place = apart * complex(math.cos(towards), math.sin(towards))
     if not behind:
         place = complex(place.real, math.copysign(0.45 + NEARLY_M + off, place.imag))
-    assert not LastMoment(BODY).has_come_before(base, np.array([place]), np.array([0.45]))
+    assert not EmergencyBraking(BODY).has_come_before(base, np.array([place]), np.array([0.45]))
 
 
 @given(st.floats(4.0, 7.0), st.floats(-3.0, 3.0), st.floats(0.2, 1.5), st.floats(-3.0, 3.0))
@@ -118,7 +118,7 @@ def test_a_robot_that_passes_a_thing_does_not_brake(
 ) -> None:
     """However near: on a straight line at 11 mm from it there is no reason to."""
     box = Furniture.box("box", x, 3.0, width_m=0.6, depth_m=0.4, angle_rad=angle)
-    plan, moment = FloorPlan(ROOM, (), (box,)), LastMoment(BODY)
+    plan, moment = FloorPlan(ROOM, (), (box,)), EmergencyBraking(BODY)
     ux, uy = math.cos(course), math.sin(course)
     across = [-uy * (cx - x) + ux * (cy - 3.0) for cx, cy in box.corners]
     off = max(across) + BODY.radius_m + NEARLY_M + 0.001
@@ -132,7 +132,7 @@ def test_a_robot_that_passes_a_thing_does_not_brake(
 def test_a_robot_that_was_pushed_to_a_wall_may_go_along_it_and_away(
     gap: float, speed: float, course: float
 ) -> None:
-    plan, moment = FloorPlan(ROOM, (), ()), LastMoment(BODY)
+    plan, moment = FloorPlan(ROOM, (), ()), EmergencyBraking(BODY)
     velocity = (speed * math.cos(course), speed * math.sin(course))  # the wall is to the left
     at = Pose(BODY.radius_m + gap, 3.0, course)
     assert not moment.has_come(Base(at, velocity, 0.0, 0.5, STEP_S, 0.0), plan)
@@ -183,14 +183,14 @@ HOOK = ((3.0, 3.0), (5.0, 3.0), (5.0, 3.4), (3.4, 3.4), (3.4, 5.0), (3.0, 5.0))
 def test_two_wheels_of_little_jerk_get_round_a_corner_without_braking_before_it(jerk, limit, monkeypatch):
     """They come inside of their bends besides what aiming ahead does."""
     late: list[Pose] = []
-    has_come = LastMoment.has_come
+    has_come = EmergencyBraking.has_come
 
-    def noted(self: LastMoment, base: Base, plan: FloorPlan) -> bool:
+    def noted(self: EmergencyBraking, base: Base, plan: FloorPlan) -> bool:
         if comes := has_come(self, base, plan):
             late.append(base.pose)
         return comes
 
-    monkeypatch.setattr(LastMoment, "has_come", noted)
+    monkeypatch.setattr(EmergencyBraking, "has_come", noted)
     limits = {"max_jerk_m_s3": jerk, "max_acceleration_m_s2": limit}
     walls, table = (Wall((6.0, 0.0), (6.0, 3.0)),), Furniture("table", HOOK)
     world = docking(RobotBody(1.0, 1.0, 0.35, drive="differential", **limits), walls, table)

@@ -10,12 +10,12 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, RouteMap, Scene, Wall, World
 from comity_sim2d.robot.approach import Approach
-from comity_sim2d.robot.in_the_way import (
+from comity_sim2d.robot.obstructing_people import (
     HOLD_S,
     LONGEST_HOLD_S,
     MAY_FAIL,
     NEARER_M,
-    Hindrance,
+    PathObstruction,
 )
 
 WALL = (Wall((5.0, 0.0), (5.0, 2.2)), Wall((5.0, 3.8), (5.0, 6.0)))
@@ -145,12 +145,12 @@ OPEN = at_the_wall(marta=OUT, eve=FAR_IN)
 
 def waits(maps: list[RouteMap], starts: list[tuple[float, float]] | None = None) -> list[bool]:
     """Whether it waits in each tick of 0.1 s, with the map and from the place of that tick."""
-    hindrance, approach = Hindrance(math.inf), Approach("johanna", POSE, SPEED_M_S)
+    obstruction, approach = PathObstruction(math.inf), Approach("johanna", POSE, SPEED_M_S)
     found = []
     for tick, ways in enumerate(maps):
         start = starts[tick] if starts else START
-        hindrance.look(ways, start, GOAL, approach, tick * 0.1)
-        found.append(hindrance.now is not None)
+        obstruction.look(ways, start, GOAL, approach, tick * 0.1)
+        found.append(obstruction.now is not None)
     return found
 
 
@@ -189,9 +189,9 @@ def test_a_way_that_is_short_enough_by_a_hair_is_waited_beside() -> None:
     """A way round that is now 1 cm too long and now 1 cm short enough, as noise has it, turns nobody."""
     around, direct = LONG.length(START, GOAL), OPEN.length(START, GOAL)
     near = at_the_wall(marta=(IN[0] + 0.001, IN[1]))
-    hindrance, approach = Hindrance(around - direct - 0.01), Approach("johanna", POSE, SPEED_M_S)
-    hindrance.look(LONG, START, GOAL, approach, 0.0)
-    assert hindrance.now is not None
-    hindrance.detour_m += 0.02
-    hindrance.look(near, START, GOAL, approach, 10.0)
-    assert hindrance.now is not None
+    obstruction, approach = PathObstruction(around - direct - 0.01), Approach("johanna", POSE, SPEED_M_S)
+    obstruction.look(LONG, START, GOAL, approach, 0.0)
+    assert obstruction.now is not None
+    obstruction.detour_m += 0.02
+    obstruction.look(near, START, GOAL, approach, 10.0)
+    assert obstruction.now is not None

@@ -7,8 +7,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
-from comity_sim2d.avoidance.drawing_back import DrawBack
-from comity_sim2d.avoidance.restraint import NO_LIMITS, Restraint
+from comity_sim2d.avoidance.contact_recovery import ContactRecovery
+from comity_sim2d.avoidance.speed_governor import NO_LIMITS, SpeedGovernor
 from comity_sim2d.base.base import Base, BaseControl, VelocityCommand
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.omnidirectional import Omnidirectional
@@ -20,10 +20,10 @@ from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.robot.approach import AT_PLACE, Approach, MovingTarget
-from comity_sim2d.robot.in_the_way import Hindrance
 from comity_sim2d.robot.looking import DRIVES_M_S, LOOK_M, gaze_rad
 from comity_sim2d.robot.margins import Margins
 from comity_sim2d.robot.motion import MotionProgress, blocked
+from comity_sim2d.robot.obstructing_people import PathObstruction
 from comity_sim2d.robot.progress import ApproachProgress
 from comity_sim2d.robot.search import Search
 from comity_sim2d.robot.standing import DetourMap, PassersByKnown
@@ -44,7 +44,7 @@ WAITS_M = 0.05
 """So near the place to wait at the robot stands, and looks at the person [m] (our choice)."""
 
 
-class Locomotion:
+class BaseController:
     """The base of one robot and what it was told to do: commands in, a velocity for every tick out.
 
     Args:
@@ -80,12 +80,12 @@ class Locomotion:
         self.motion = MotionProgress("stopped")
         """How the last command goes."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
-        self._restraint = Restraint(spec, senses)
-        self._hindrance = Hindrance(math.inf)
+        self._governor = SpeedGovernor(spec, senses)
+        self._obstruction = PathObstruction(math.inf)
         self._search = Search(spec.sensor, senses, clock)
         self._walkers = WalkersMet(spec, senses, clock)
         self._progress = ApproachProgress(spec, physics, senses, clock)
-        self._draw_back = DrawBack(physics.touches, spec.radius_m)
+        self._draw_back = ContactRecovery(physics.touches, spec.radius_m)
         self._approach: Approach | None = None
         self._docks = False
         self._near_m_s: dict[str, float] = {}
@@ -94,13 +94,13 @@ class Locomotion:
 
     def let_pass(self, passers_by: PassersByKnown) -> None:
         """Mind people whom nobody plans for: those who walk go first, those who stand are gone round."""
-        self._restraint.let_pass(passers_by)
+        self._governor.let_pass(passers_by)
         self.standing.let_pass(passers_by)
 
     def note_asked(self, names: Collection[str]) -> None:
         """It has asked some people to let it pass."""
         self.margins.note_asked(names)
-        self._restraint.note_asked(names)
+        self._governor.note_asked(names)
 
     def find_way(self) -> tuple[XY, ...]:
         """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
@@ -270,8 +270,8 @@ class Locomotion:
 
     def _mind_people(self, to: str, detour_m: float) -> None:
         """Look for people in the way; whoever is told the same again, as after a bump, remembers them."""
-        if (self._hindrance.to, self._hindrance.detour_m) != (to, detour_m):
-            self._hindrance = Hindrance(detour_m, to)
+        if (self._obstruction.to, self._obstruction.detour_m) != (to, detour_m):
+            self._obstruction = PathObstruction(detour_m, to)
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
         if person in self._walkers.declined:
@@ -311,23 +311,23 @@ class Locomotion:
                 return self._wait_command(approach, base, waits_at)
         keeps_all = partial(self._keeps_all, approach, base.xy)
         self.margins.look(base.xy, approach.person, self.motion.blocked_by, keeps_all)
-        waits = not approach.has_route or self._hindrance.now is not None
-        waits_for = [*self._hindrance.people]
+        waits = not approach.has_route or self._obstruction.now is not None
+        waits_for = [*self._obstruction.people]
         if approach.gives_way_to:
             waits_for.append(approach.gives_way_to)
-        ways = self.standing.look(approach.person, waits_for, lets_by=self._restraint.held_up_by, waits=waits)
+        ways = self.standing.look(approach.person, waits_for, lets_by=self._governor.held_up_by, waits=waits)
         goal, seen = self._goal_of(approach)
-        if self._restraint.backs_out_before is None:
+        if self._governor.backs_out_before is None:
             velocity = self._steer(approach, base, goal, ways)
         else:  # it follows no way until it goes on
             approach.forget_route()
             velocity = (0.0, 0.0)
-        heading = gaze_rad(approach, base, seen, self._hindrance.people, self._senses)
+        heading = gaze_rad(approach, base, seen, self._obstruction.people, self._senses)
         self.motion = self._progress.of(
             approach,
             goal,
             wrap_angle(heading - base.pose.heading_rad),
-            held_up_by=self._hindrance.now,
+            held_up_by=self._obstruction.now,
             docks=self._docks,
             was=self.motion,
             plan=self._plan,
@@ -344,9 +344,9 @@ class Locomotion:
     def _wait_command(self, approach: Approach, base: Base, place: XY) -> Twist:
         """The velocity to where the robot waits for a person who walks; there it looks at them."""
         person = self._senses.person(approach.person)
-        ways = self.standing.look("", (), lets_by=self._restraint.held_up_by, waits=False)
+        ways = self.standing.look("", (), lets_by=self._governor.held_up_by, waits=False)
         heading, velocity = direction_to(base.xy, person.xy), (0.0, 0.0)
-        if self._restraint.backs_out_before is None and math.dist(base.xy, place) > WAITS_M:
+        if self._governor.backs_out_before is None and math.dist(base.xy, place) > WAITS_M:
             velocity = approach.steer(base, MovingTarget(place, (0.0, 0.0)), ways, self.standing.movers(""))
             heading = gaze_rad(approach, base, person.xy, (), self._senses)
         else:
@@ -361,8 +361,8 @@ class Locomotion:
         """The velocity along the way to the goal, or to where it waits."""
         # for where the body is when it has caught up
         led = MovingTarget(_later(goal, base.lag_s), goal.velocity)
-        xy = self._hindrance.look(ways, base.xy, led.xy, approach, self._clock.now_s)
-        now = MovingTarget(xy, (0.0, 0.0)) if self._hindrance.now else led
+        xy = self._obstruction.look(ways, base.xy, led.xy, approach, self._clock.now_s)
+        now = MovingTarget(xy, (0.0, 0.0)) if self._obstruction.now else led
         return approach.steer(base, now, ways, self.standing.movers(approach.person))
 
     def _goal_of(self, approach: Approach) -> tuple[MovingTarget, XY]:
@@ -390,19 +390,19 @@ class Locomotion:
     ) -> Twist:
         plan = self._plan
         body = self._body(base)
-        if self._restraint.is_late(base, body, plan):
+        if self._governor.is_late(base, body, plan):
             return self._base.brake_before_things(body)
         going = self._approach
         approached = going.person if going is not None and going.has_route and not waits else None
         under_way_to = None if self.motion.state == "succeeded" else visited
-        allowed, most_m_s = self._restraint.allowed(
+        allowed, most_m_s = self._governor.allowed(
             base,
             wanted,
             plan,
             visited=under_way_to,
             approached=approached,
             movers=self.standing.movers(visited or ""),
-            stand=self._hindrance.people,
+            stand=self._obstruction.people,
             looks=looks,
             near_m_s=self._near_m_s if going is not None else NO_LIMITS,
         )
@@ -412,11 +412,11 @@ class Locomotion:
 
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
-        if (before := self._restraint.backs_out_before) is not None:
+        if (before := self._governor.backs_out_before) is not None:
             self.motion = MotionProgress("running", f"backing out before {before}")
-        elif (comer := self._restraint.held_up_by) is not None:
+        elif (comer := self._governor.held_up_by) is not None:
             self.motion = MotionProgress("running", f"giving way to {comer}")
-        elif not (looks and self._restraint.looks_first):
+        elif not (looks and self._governor.looks_first):
             return
         elif self.motion.state == "running" and not self.motion.is_blocked:
             self.motion = MotionProgress("running", "looking at where it goes before it goes there")

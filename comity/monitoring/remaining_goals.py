@@ -13,12 +13,12 @@ from comity_sim2d import PastPeople, Scene
 if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity_domain import Visitee
-    from comity_executor import Course
+    from comity_executor import ExecutionState
     from comity_fis import Inference
 
 
 @dataclass(frozen=True, slots=True)
-class Remaining:
+class RemainingGoals:
     """What holds now, in the place of what held at the scenario's start."""
 
     prepared: Prepared
@@ -32,7 +32,7 @@ class Remaining:
     walking: Collection[str] = ()
     """Who is going somewhere: they turn round."""
 
-    def asked(self, course: Course, scene: Scene) -> PlanningRequest:
+    def asked(self, course: ExecutionState, scene: Scene) -> PlanningRequest:
         """The request for the people who are left, from where everybody is now.
 
         What the robot has fetched is for the first who is to get such a thing and can be served; where there
@@ -45,7 +45,7 @@ class Remaining:
                 return asked
         return self._asked_with(course, scene, None)
 
-    def visitees(self, course: Course, bearer: str | None = None) -> tuple[Visitee, ...]:
+    def visitees(self, course: ExecutionState, bearer: str | None = None) -> tuple[Visitee, ...]:
         """Who is left, with what holds of them now.
 
         Args:
@@ -58,7 +58,7 @@ class Remaining:
             if each.name not in course.done
         )
 
-    def _asked_with(self, course: Course, scene: Scene, bearer: str | None) -> PlanningRequest:
+    def _asked_with(self, course: ExecutionState, scene: Scene, bearer: str | None) -> PlanningRequest:
         return ask(
             scene,
             PastPeople(scene, self.refused, walkers=self.walking),
@@ -68,7 +68,7 @@ class Remaining:
             attend_s=self.prepared.attend_s,
         )
 
-    def _visitee(self, visitee: Visitee, course: Course, bearer: str | None) -> Visitee:
+    def _visitee(self, visitee: Visitee, course: ExecutionState, bearer: str | None) -> Visitee:
         """The same with what holds now; a deadline that is over is none any more."""
         name, values = visitee.name, self.values[visitee.name]
         prepared = self.prepared
@@ -80,7 +80,7 @@ class Remaining:
         return _under_way(replace(visitee, values=values, now=now, by_s=by_s), course, bearer)
 
 
-def _under_way(visitee: Visitee, course: Course, bearer: str | None) -> Visitee:
+def _under_way(visitee: Visitee, course: ExecutionState, bearer: str | None) -> Visitee:
     """What is left of a visit; nobody whose visit was begun is left out at a price, or greeted again."""
     in_hand, progress = visitee.name == bearer, course.progress.get(visitee.name)
     if progress is None or not (progress.greeted or in_hand):

@@ -24,7 +24,7 @@ AHEAD_M = 0.05
 """So much room behind it is enough for the next ticks."""
 
 
-class DrawBack:
+class ContactRecovery:
     """From whom one robot gets away.
 
     Args:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity.parameters.passing import own_distance_m
 from comity_sim2d import Scene, SceneError
 from comity_sim2d.scene.obstacles import floor_plan
-from comity_sim2d.senses.taken_apart import taken_apart
+from comity_sim2d.senses.overlap_resolution import taken_apart
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping

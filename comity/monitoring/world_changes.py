@@ -24,7 +24,7 @@ SETTLED_M, SETTLED_DEG, SETTLED_S = 0.1, 10.0, 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class News:
+class WorldChange:
     """Something changed about a person or something."""
 
     about: str
@@ -51,8 +51,8 @@ class Watch:
 
     def __init__(self, world: Environment) -> None:
         self._world = world
-        self._told: list[News] = []
-        self._noted: list[News] = []
+        self._told: list[WorldChange] = []
+        self._noted: list[WorldChange] = []
         self._planned_with = self._people()
         """Where everybody was when the plan was last looked at."""
         self._doors = world.doors
@@ -60,11 +60,11 @@ class Watch:
         self._seen = self._people()
         self._seen_s = 0.0
 
-    def tell(self, news: News) -> None:
+    def tell(self, news: WorldChange) -> None:
         """Something that is not to be seen."""
         self._told.append(replace(news, was_told=True))
 
-    def note(self, news: News) -> None:
+    def note(self, news: WorldChange) -> None:
         """Something that is to be told, and changes nothing."""
         self._noted.append(news)
 
@@ -78,7 +78,7 @@ class Watch:
         turned = self._world.doors != self._doors
         return bool(self._told or self._noted) or turned or (self._look(t) and any(self._changed()))
 
-    def take(self) -> tuple[News, ...]:
+    def take(self) -> tuple[WorldChange, ...]:
         """All that is new; it is not any more."""
         news, self._told, self._noted = (*self._told, *self._noted, *self._changed()), [], []
         self._planned_with, self._doors = self._people(), self._world.doors
@@ -94,19 +94,19 @@ class Watch:
         before, self._seen, self._seen_s = self._seen, self._people(), t
         return all(_rests(before[name], person) for name, person in self._seen.items())
 
-    def _changed(self) -> Iterator[News]:
+    def _changed(self) -> Iterator[WorldChange]:
         for door, now in zip(self._doors, self._world.doors, strict=True):
             if door != now:
                 text = f"{now.name} was {'opened' if now.is_open else 'shut'}"
-                yield News(now.name, text, fault=self._world.faults.of(active_faults.door(now.name)))
+                yield WorldChange(now.name, text, fault=self._world.faults.of(active_faults.door(now.name)))
         for name, person in self._people().items():
             before = self._planned_with[name]
             moved_m = dist(person.xy, before.xy)
             turned_deg = _turned_deg(before, person)
             if moved_m > MOVED_M:
-                yield News(name, f"{name} moved by {moved_m:.2f} m", moved_m)
+                yield WorldChange(name, f"{name} moved by {moved_m:.2f} m", moved_m)
             elif turned_deg > TURNED_DEG:
-                yield News(name, f"{name} turned by {turned_deg:.0f} deg", turned_deg)
+                yield WorldChange(name, f"{name} turned by {turned_deg:.0f} deg", turned_deg)
 
 
 def _rests(before: Person, now: Person) -> bool:
@@ -117,14 +117,14 @@ def _turned_deg(before: Person, now: Person) -> float:
     return abs(degrees(wrap_angle(now.heading_rad - before.heading_rad)))
 
 
-def differences(person: str, before: Inference, after: Inference) -> Iterator[News]:
+def differences(person: str, before: Inference, after: Inference) -> Iterator[WorldChange]:
     """The parameters that are others now, with what they were."""
     for name, value in after.parameters.items():
         old = before.parameters.get(name)
         if old is None or old.value == value.value:
             continue
         if isinstance(value.value, str) or isinstance(old.value, str):
-            yield News(person, f"{name} of {person} {old.value} -> {value.value} ({value.origin})")
+            yield WorldChange(person, f"{name} of {person} {old.value} -> {value.value} ({value.origin})")
         else:
             words = f"{old.value:.4f} -> {value.value:.4f} ({value.origin})"
-            yield News(person, f"{name} of {person} {words}", float(value.value))
+            yield WorldChange(person, f"{name} of {person} {words}", float(value.value))

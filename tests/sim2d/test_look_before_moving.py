@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 from sampling import sampled
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
-from comity_sim2d.avoidance.looking_first import SHIFT_M
+from comity_sim2d.avoidance.look_before_moving import SHIFT_M
 from comity_sim2d.base.drive import speed_within_sight
 from comity_sim2d.pose import Pose
-from comity_sim2d.senses.seen_floor import CELL_M, SeenFloor
+from comity_sim2d.senses.visibility_memory import CELL_M, VisibilityMemory
 
 DRIVES = st.sampled_from(["omnidirectional", "differential"])
 ROUND = st.floats(-math.pi, math.pi)
@@ -117,7 +117,7 @@ def test_floor_is_seen_where_somebody_on_it_would_be(
     heading: float, view_deg: float, bearing: float, apart_m: float
 ) -> None:
     """But for places at the edge of the view, as a place has a size."""
-    floor = SeenFloor(Sensor(field_of_view_deg=view_deg))
+    floor = VisibilityMemory(Sensor(field_of_view_deg=view_deg))
     floor.take_in(Pose(*START, heading), 1.0)
     place = beside(bearing, apart_m)
     unseen = floor.unseen(START, 0.5, 3.0)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import Person, RobotBody, Room, Scene
 from comity_sim2d.scene.obstacles import floor_plan
-from comity_sim2d.senses.taken_apart import taken_apart
+from comity_sim2d.senses.overlap_resolution import taken_apart
 
 ROOM = Room.rectangle(6.0, 5.0)
 ROBOT = RobotBody(3.0, 2.5)

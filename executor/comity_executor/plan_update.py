@@ -13,7 +13,7 @@ from comity_fis.inference.value import Inference
 
 
 @dataclass(frozen=True, slots=True)
-class Course:
+class ExecutionState:
     """How far an execution is."""
 
     t: float
@@ -49,7 +49,7 @@ class Course:
 
 
 @dataclass(frozen=True, slots=True)
-class Revision:
+class PlanUpdate:
     """What is to hold from now on."""
 
     plan: Plan
@@ -68,7 +68,7 @@ class Revision:
 
 
 @dataclass(frozen=True, slots=True)
-class NoRevision:
+class NoPlanUpdate:
     """There is no plan for those who are left."""
 
     because: tuple[Cause, ...]
@@ -91,7 +91,7 @@ class Planner(Protocol):
         """Asked before every tick: is it time to review the plan?"""
         ...
 
-    def review(self, course: Course) -> Revision | None:
+    def review(self, course: ExecutionState) -> PlanUpdate | None:
         """Asked when there is news: does the plan still hold? None where nothing follows from it.
 
         Where `may_replan` is not so, the revision has to keep the choices of the plan, unless a person no
@@ -99,13 +99,13 @@ class Planner(Protocol):
         """
         ...
 
-    def permitted(self, course: Course) -> Revision | None:
+    def permitted(self, course: ExecutionState) -> PlanUpdate | None:
         """Asked where `review` broke down: the plan without what a person no longer permits.
 
         None where all of it is still permitted, so that the plan stays as it is.
         """
         ...
 
-    def replan(self, course: Course) -> Revision | NoRevision:
+    def replan(self, course: ExecutionState) -> PlanUpdate | NoPlanUpdate:
         """Asked when the tree has failed, within the cap: another plan from the world as it is, or none."""
         ...

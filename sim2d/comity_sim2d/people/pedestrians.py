@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_sim2d.clock import Clock
+from comity_sim2d.people.collision_filter import Stride
 from comity_sim2d.people.crowd import TURN, Bodies, Crowd
-from comity_sim2d.people.footing import Stride
 from comity_sim2d.people.itinerary import Itinerary
 from comity_sim2d.people.outlines import Outlines
+from comity_sim2d.people.pedestrian_behaviour import PedestrianBehaviour, Stroller
 from comity_sim2d.people.social_force import Numbers, Vectors
 from comity_sim2d.people.stepping_out import HEARD_M, SteppingOut, way_out
-from comity_sim2d.people.strolling import Stroller, Strolling
 from comity_sim2d.pose import XY, Pose, Twist, wrap_angle
 from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
@@ -34,7 +34,7 @@ WALKS_OFF_M_S = 1.0
 """Who stands and goes because of the robot goes at this pace where the reaction knows none (our choice)."""
 
 
-class FootTraffic:
+class Pedestrians:
     """The people of one world who may move, with all others as bodies in their way.
 
     Raises:
@@ -55,7 +55,7 @@ class FootTraffic:
         self._paths = _paths(scene, plan)
         strollers = tuple(_strollers(scene, placed, self._paths))
         bodies = _bodies(scene, placed)
-        self._strolling = Strolling(strollers, bodies.at, plan, decision_s)
+        self._strolling = PedestrianBehaviour(strollers, bodies.at, plan, decision_s)
         self._crowd = Crowd(
             bodies,
             strollers,

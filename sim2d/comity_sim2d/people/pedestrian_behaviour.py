@@ -50,7 +50,7 @@ class Stroller:
     """Whether they stand where their walk ends, at the start, and move only because of the robot."""
 
 
-class Strolling:
+class PedestrianBehaviour:
     """The goals of everybody who may move; arrays are over all bodies.
 
     Args:

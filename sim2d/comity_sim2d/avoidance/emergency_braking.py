@@ -35,7 +35,7 @@ Line = tuple[float, float, float, float, float]
 """Start, the way from there to the end, and half the thickness [m]."""
 
 
-class LastMoment:
+class EmergencyBraking:
     """Looks after one robot on its way between things.
 
     Args:

@@ -9,8 +9,8 @@ from types import MappingProxyType
 import numpy as np
 
 from comity_sim2d.avoidance.backing_out import BackingOut
-from comity_sim2d.avoidance.last_moment import LastMoment
-from comity_sim2d.avoidance.looking_first import LookingFirst
+from comity_sim2d.avoidance.emergency_braking import EmergencyBraking
+from comity_sim2d.avoidance.look_before_moving import LookBeforeMoving
 from comity_sim2d.avoidance.making_room import make_room
 from comity_sim2d.avoidance.oncoming import Oncoming
 from comity_sim2d.avoidance.right_of_way import PassersBySeen, yield_to
@@ -39,7 +39,7 @@ second (our choice: a third of where it does not go by itself)."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 
-class Restraint:
+class SpeedGovernor:
     """The limits that hold everywhere, over what one robot knows of the people around it.
 
     Args:
@@ -57,9 +57,9 @@ class Restraint:
         """Between the robot's centre and theirs when the bodies touch."""
         self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
         """Between the bodies when somebody comes into view, less what the robot keeps off them."""
-        self._last_moment = LastMoment(spec)
+        self._emergency_braking = EmergencyBraking(spec)
         self._stepping_aside = SteppingAside(spec.radius_m)
-        self._looking_first = None if senses.sees_all_round else LookingFirst(spec, senses)
+        self._look_first = None if senses.sees_all_round else LookBeforeMoving(spec, senses)
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
         """Mind people whom nobody plans for."""
@@ -116,9 +116,11 @@ class Restraint:
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
         self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
-        left = self._last_moment.turned(base, VelocityCommand(velocity, roomy.heading_rad, roomy.may_reverse))
-        if looks and self._looking_first is not None:
-            left = self._looking_first.allowed(base, left, plan)
+        left = self._emergency_braking.turned(
+            base, VelocityCommand(velocity, roomy.heading_rad, roomy.may_reverse)
+        )
+        if looks and self._look_first is not None:
+            left = self._look_first.allowed(base, left, plan)
         return left, most_m_s
 
     def _most_near(self, visited_m_s: Mapping[str, float]) -> Callable[[Person], float]:
@@ -150,7 +152,7 @@ class Restraint:
     @property
     def looks_first(self) -> bool:
         """Whether the robot looks at where it wants to go before it goes there."""
-        return self._looking_first is not None and self._looking_first.looks
+        return self._look_first is not None and self._look_first.looks
 
     def is_late(self, base: Base, body: Base, plan: FloorPlan) -> bool:
         """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing.
@@ -160,10 +162,10 @@ class Restraint:
             body: Where it is, and how it moves: from there it brakes.
             plan: What stands still around it.
         """
-        if self._is_late_for_people(base) or self._last_moment.has_come(body, plan):
+        if self._is_late_for_people(base) or self._emergency_braking.has_come(body, plan):
             return True
         passers_by = self._passers_by
-        return passers_by is not None and self._last_moment.has_come_before(
+        return passers_by is not None and self._emergency_braking.has_come_before(
             body, passers_by.at, self._reach_m
         )
 

@@ -17,8 +17,8 @@ from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_body import RobotBody
-from comity_sim2d.senses.seen_floor import CELL_M, Numbers
 from comity_sim2d.senses.sensing import SensedPeople
+from comity_sim2d.senses.visibility_memory import CELL_M, Numbers
 
 SEEN_S = 10.0
 """So long floor counts as free that was: longer than it takes to look to both sides (our choice)."""
@@ -41,7 +41,7 @@ class StraightPath(NamedTuple):
     length_m: float
 
 
-class LookingFirst:
+class LookBeforeMoving:
     """Keeps one robot on floor that it has seen.
 
     Args:
