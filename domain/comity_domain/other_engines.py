@@ -1,15 +1,18 @@
 """Visits planned by another engine of unified-planning: the same steps, parameters and reasons.
 
-The engine gets the problem as PDDL, in a process of its own that is ended at the limit.
+The engine gets the problem of `problem_of`, in a process of its own that is ended at the limit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
 from comity_domain.choices.options import Options, options
 from comity_domain.classical.initial_state import visit_names
-from comity_domain.classical.pddl import domain_pddl, problem_pddl
+from comity_domain.classical.naming import PddlNames
+from comity_domain.classical.problem import problem_with
 from comity_domain.classical.tour_of import tour_of
 from comity_domain.labelling.skipping import left_out, skip_steps
 from comity_domain.planner import ENGINE, make_plan
@@ -20,6 +23,9 @@ from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
 from comity_domain.tours.tour import PlannedVisit, Stop, best_tour, tour_cost
 from comity_fis.errors import InputError, Where
+
+if TYPE_CHECKING:
+    from comity_domain.custom.solving.solution import Solution
 
 
 def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
@@ -38,8 +44,8 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     """
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
+    from comity_domain.custom.process import in_one_process
     from comity_domain.custom.solving.choosing import require_installed
-    from comity_domain.custom.solving.texts import solve_pddl
 
     require_installed(engine)
     _require_all_said(engine, request)
@@ -47,7 +53,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     served = request.without(left)
     choices = options(fully_measured(served))
     names = visit_names(choices)
-    found = solve_pddl(engine, domain_pddl(), problem_pddl(choices, names), time_limit_s=time_limit_s)
+    found = in_one_process(partial(_solved, engine, choices, names, time_limit_s), limit_s=time_limit_s)
     visits = _tied(tour_of(((one.name, one.arguments) for one in found.actions), choices, names), choices)
     skipped = skip_steps(request, left)
     steps = (*steps_of(visits, choices, lambda: choices), *skipped)
@@ -57,6 +63,12 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     return Plan(
         engine, optimal=bound == cost, reproducible=found.finished, cost=cost, bound=bound, steps=steps
     )
+
+
+def _solved(engine: str, choices: Options, names: PddlNames, time_limit_s: float) -> Solution:
+    from comity_domain.custom.solving.engines import solve
+
+    return solve(problem_with(choices, names), engine=engine, time_limit_s=time_limit_s)
 
 
 def _tied(visits: Sequence[PlannedVisit], choices: Options) -> Sequence[PlannedVisit]:

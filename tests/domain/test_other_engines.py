@@ -7,12 +7,14 @@ from importlib.resources import files
 
 import pytest
 from downward import needs_fast_downward
+from unified_planning.io import PDDLReader
 
 from comity_domain import make_plan, plan_with
 from comity_domain.choices.options import options
 from comity_domain.classical.initial_state import goals, initial_state, visit_names
 from comity_domain.classical.tour_of import tour_of
-from comity_domain.custom.solving.texts import solve_pddl
+from comity_domain.custom.reading.reading import fresh_environment
+from comity_domain.custom.solving.engines import solve
 from comity_domain.tours.tour import tour_cost
 from comity_fis import InputError
 
@@ -109,7 +111,9 @@ def test_plans_of_the_core_are_plans_of_the_whole_at_equal_cost(infer, request_f
             ")) (:metric minimize (total-cost)))",
         ]
     )
-    found = solve_pddl("fast-downward-opt", domain, problem, time_limit_s=60.0)
+    with fresh_environment(whole=True) as environment:
+        read = PDDLReader(environment).parse_problem_string(domain, problem)
+        found = solve(read, engine="fast-downward-opt", time_limit_s=60.0)
     visits = tour_of(((one.name, one.arguments) for one in found.actions), choices, names)
     assert tour_cost(visits, choices) == make_plan(request).cost
 

@@ -34,7 +34,7 @@ def problem_of(request: VisitRequest) -> Problem:
         ValueError: The request holds a person whom no plan can serve.
     """
     choices = _choices(request)
-    return _problem(choices, visit_names(choices))
+    return problem_with(choices, visit_names(choices))
 
 
 def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, SequentialPlan]:
@@ -46,7 +46,7 @@ def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, Seq
     """
     choices = _choices(request)
     names = visit_names(choices)
-    problem = _problem(choices, names)
+    problem = problem_with(choices, names)
     visits = [visit for visit in visits_of(plan) if visit.spot.place in choices.people]
     return problem, sequential_plan(problem, visits, choices, names)
 
@@ -70,7 +70,8 @@ def _choices(request: VisitRequest) -> Options:
     return options(fully_measured(request.without(left_out(request))))
 
 
-def _problem(choices: Options, names: PddlNames) -> Problem:
+def problem_with(choices: Options, names: PddlNames) -> Problem:
+    """The problem whose plans are made of some choices, its objects called by their names."""
     from unified_planning.model import Object
 
     from comity_domain.classical.visit_domain import empty_problem
