@@ -11,10 +11,11 @@ from comity.adaptation.editing import Books, checked, edited, keep_edited
 from comity.parameters.acquaintance import met_at, model_m, usual_situation
 from comity.people.adulthood import require_adult
 from comity.people.consents import require_consent
-from comity.people.learnt_file import PARAMETER, Stated
+from comity.people.learnt_file import Stated
 from comity.people.profile import load_profile
 from comity.people.remembered import forget_answers, remember_answer
 from comity.people.store import Store
+from comity_domain.problem.bound_parameters import DISTANCE
 
 if TYPE_CHECKING:
     from comity.people.fact import Fact
@@ -46,8 +47,8 @@ class Question:
         Raises:
             InputError: for an answer that cannot be granted; nothing is changed.
         """
-        words = {f"settings.{PARAMETER}": said}
-        wish = keep_edited(self.name, words, self.judges).settings.get(PARAMETER)
+        words = {f"settings.{DISTANCE}": said}
+        wish = keep_edited(self.name, words, self.judges).settings.get(DISTANCE)
         return None if wish is None else float(wish)
 
     def observation(self, said: str) -> float | None:
@@ -60,8 +61,8 @@ class Question:
             InputError: for an answer that could not be granted as a wish either, or of a person who did not
                 agree that meetings teach about them; nothing is changed.
         """
-        document = edited({"name": self.name}, {f"settings.{PARAMETER}": said}, self.judges)
-        wish = checked(document, self.judges, self.day).settings.get(PARAMETER)
+        document = edited({"name": self.name}, {f"settings.{DISTANCE}": said}, self.judges)
+        wish = checked(document, self.judges, self.day).settings.get(DISTANCE)
         if wish is None:
             forget_answers(self.name, self.situation)
             return None
@@ -97,5 +98,5 @@ def ask_in(name: str, judges: Books, day: date, told: Mapping[str, Fact]) -> Que
 
 
 def _without_wish(declared: Declared) -> Declared:
-    settings = {name: wish for name, wish in declared.profile.settings.items() if name != PARAMETER}
+    settings = {name: wish for name, wish in declared.profile.settings.items() if name != DISTANCE}
     return replace(declared, profile=declared.profile.model_copy(update={"settings": settings}))

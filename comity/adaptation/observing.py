@@ -11,10 +11,11 @@ from comity.adaptation.observers_words import distance, situation_told
 from comity.parameters.acquaintance import met_at, model_m, usual_situation
 from comity.people.adulthood import require_adult
 from comity.people.consents import require_consent
-from comity.people.learnt_file import PARAMETER, Observation
+from comity.people.learnt_file import Observation
 from comity.people.profile import load_profile
 from comity.people.remembered import write_down
 from comity.people.store import Store
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, NumericParameter, Where
 from comity_fis.learning.signals import Signal
 
@@ -97,9 +98,9 @@ def _refuse_impossible(sight: ObservedSignal, day: date, rulebook: Rulebook) -> 
             remedy="Check the date.",
         )
     distance(sight.distance_m, sight.where)
-    if not isinstance(rulebook.parameters.get(PARAMETER), NumericParameter):
+    if not isinstance(rulebook.parameters.get(DISTANCE), NumericParameter):
         raise InputError(
-            expected=f"a rulebook with the numeric parameter {PARAMETER}",
+            expected=f"a rulebook with the numeric parameter {DISTANCE}",
             got=rulebook.name,
             remedy="Name another one.",
             where=Where("--rulebook"),

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from comity.adaptation.editing import FRIENDLY, Document, kept_document
-from comity.people.store import LEARNT_ABOUT, Store
+from comity.people.store import Store
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, Where, closest
 from comity_fis.validation.yaml_file import read_yaml
 
@@ -33,7 +34,7 @@ def reset(name: str, parameter: str | None = None) -> tuple[str, ...]:
     wanted = FRIENDLY.get(parameter, parameter) if parameter else None
     path = store.path(name)
     wishes = _wishes(kept_document(name, read_yaml(path))) if path else {}
-    learnt = wanted in (None, LEARNT_ABOUT) and store.forget_learnt(name)
+    learnt = wanted in (None, DISTANCE) and store.forget_learnt(name)
     forgotten = [key for key in wishes if wanted in (None, key)]
     if wanted is not None and not forgotten and not learnt:
         raise InputError(

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from comity.live_episode import LiveEpisode
 from comity.parameters.acquaintance import model_m, observation, situation_of
 from comity.parameters.which_rulebook import which_rulebook
-from comity.people.learnt_file import PARAMETER, Learning, Observation, comfort_on, learnt_on
+from comity.people.learnt_file import Learning, Observation, comfort_on, learnt_on
 from comity.people.profile import load_profile
 from comity.people.remembered import remembered
 from comity.preparation import Prepared, prepare
 from comity.scenario import ComfortSpec, ScenarioFile, load_scenario
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ class Acquaintance:
             profiles={PERSON: self.profile},
             rulebook=self.rulebook,
             at=day or self.begin,
-            learnt={PERSON: {PARAMETER: learnt}} if learnt else {},
+            learnt={PERSON: {DISTANCE: learnt}} if learnt else {},
         )
         _refuse_setting(prepared)
         return prepared
@@ -141,7 +142,7 @@ def likes(acquaintance: Acquaintance) -> ComfortSpec:
     parameter = _parameter(prepared.rulebook)
     rng = np.random.Generator(np.random.PCG64([acquaintance.seed, 2]))
     half_m = float(parameter.spread * 0.5 * np.exp(0.4 * rng.standard_normal()))
-    middle_m = model_m(prepared.values[PERSON][PARAMETER]) + float(parameter.spread * rng.standard_normal())
+    middle_m = model_m(prepared.values[PERSON][DISTANCE]) + float(parameter.spread * rng.standard_normal())
     middle_m = min(max(middle_m, NEAREST_M + half_m), FARTHEST_M - half_m)
     return ComfortSpec(wants_m=(round(middle_m - half_m, 3), round(middle_m + half_m, 3)))
 
@@ -189,7 +190,7 @@ def _meet(
     days = visit * acquaintance.every_days
     day = acquaintance.begin + timedelta(days=days)
     prepared = acquaintance.prepared(comfort, day, learnt_on(day, known, parameter.spread))
-    value = prepared.values[PERSON][PARAMETER]
+    value = prepared.values[PERSON][DISTANCE]
     belief, model = comfort_on(day, known, parameter.spread), model_m(value)
     low, high = belief.interval(nearest=parameter.safe.low - model)
     live = LiveEpisode(prepared, seed=1000 * acquaintance.seed + visit)
@@ -224,11 +225,11 @@ def _parameter(rulebook: Rulebook) -> NumericParameter:
     Raises:
         InputError: if the rulebook does not have it.
     """
-    parameter = rulebook.parameters.get(PARAMETER)
+    parameter = rulebook.parameters.get(DISTANCE)
     if isinstance(parameter, NumericParameter):
         return parameter
     raise InputError(
-        expected=f"a rulebook with the numeric parameter {PARAMETER}",
+        expected=f"a rulebook with the numeric parameter {DISTANCE}",
         got=rulebook.name,
         remedy="Name another one.",
         where=Where("--rulebook"),
@@ -236,10 +237,10 @@ def _parameter(rulebook: Rulebook) -> NumericParameter:
 
 
 def _refuse_setting(prepared: Prepared) -> None:
-    asked = prepared.values[PERSON][PARAMETER].start
+    asked = prepared.values[PERSON][DISTANCE].start
     if asked.origin == "setting":
         raise InputError(
-            expected=f"a profile that leaves {PARAMETER} open",
+            expected=f"a profile that leaves {DISTANCE} open",
             got=f"one that asks for {asked.value}",
             remedy="What a person asked for stands, and nothing is learnt about it.",
             where=Where(prepared.profiles[PERSON].name),

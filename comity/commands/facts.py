@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from comity.commands.options import pairs
 from comity.parameters.acquaintance import learnt_here
-from comity.parameters.language import LANGUAGE
 from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.unread import noting_unread
 from comity.parameters.values import Fact, cases_of, infer_for
@@ -16,7 +15,7 @@ from comity.parameters.which_rulebook import which_rulebook
 from comity.people.dated import UNKNOWN
 from comity.people.profile import NOBODY, PERSONAL, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
-from comity_domain.problem.bound_parameters import ABOUT_WORDS
+from comity_domain.problem.bound_parameters import ABOUT_WORDS, GREETING_LANGUAGE
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 from comity_fis.validation.csv_table import NUMBER
 
@@ -69,7 +68,7 @@ class PersonFacts:
         ]
         value, wordings = inference[parameter], _wordings(parameter, inference)
         if not value.parts:
-            account = replace(accounts[0], value=value) if parameter == LANGUAGE else accounts[0]
+            account = replace(accounts[0], value=value) if parameter == GREETING_LANGUAGE else accounts[0]
             return Explained(inference, value, (("", 1.0, account),), wordings)
         parts = [(part.name, part.share) for part in value.parts]
         named = zip(parts, accounts, strict=True)

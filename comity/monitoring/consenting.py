@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from comity.monitoring.nudging import DISTANCE
 from comity.parameters.consent import CONSENT
 from comity.parameters.in_run import infer_in_run
 from comity.people.profile import Declared
 from comity.simulation.changes import said_by
 from comity.specification.goals import agenda_of
+from comity_domain.problem.bound_parameters import DISTANCE
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.values import infer_for
 from comity.people.profile import NOBODY, Profile
+from comity_domain.problem.bound_parameters import DISTANCE, SPEED
 from comity_fis import InputError
 
 if TYPE_CHECKING:
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
     from comity.schedule import Listener
     from comity_executor import FaultError
     from comity_fis import Inference
-
-DISTANCE, SPEED = "conversational_distance", "approach_speed"
 
 
 class Guarding:

@@ -8,7 +8,7 @@ from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
 from comity.monitoring.parameter_updates import later_distances_m, values_at
-from comity.parameters.passing import DISTANCE
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor import PROPER_OUTCOMES
 from comity_sim2d import Contacts, Known, Metrics, Span, TargetStop, measure
 

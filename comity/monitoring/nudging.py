@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Contribution
 from comity_fis.learning.signals import AWAY
 
@@ -12,7 +13,6 @@ if TYPE_CHECKING:
     from comity_executor import Visit
     from comity_fis import Inference
 
-DISTANCE = "conversational_distance"
 FLOOR_M, FARTHEST_M = 0.30, 3.0
 """Never nearer than the first between the bodies (safety), and no farther than anybody may ask for."""
 STEP_SHARE = 0.5

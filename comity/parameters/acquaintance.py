@@ -10,9 +10,10 @@ from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.values import infer_for
 from comity.people.adulthood import is_under_age
 from comity.people.dated import held
-from comity.people.learnt_file import PARAMETER, Observation, learnt_on
+from comity.people.learnt_file import Observation, learnt_on
 from comity.people.profile import day_for
 from comity.people.remembered import remembered
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Learnt, NumericParameter
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def learnt_about(
     Raises:
         InputError: if the file in the store was damaged.
     """
-    parameter = rulebook.parameters.get(PARAMETER)
+    parameter = rulebook.parameters.get(DISTANCE)
     if declared.kept_as is None or not isinstance(parameter, NumericParameter):
         return {}
     if is_under_age(declared.profile, day):
@@ -66,7 +67,7 @@ def learnt_about(
     if document is None:
         return {}
     learnt = learnt_on(day or date.today(), document.in_situation(situation), parameter.spread)
-    return {PARAMETER: learnt} if learnt else {}
+    return {DISTANCE: learnt} if learnt else {}
 
 
 def met_at(
@@ -83,7 +84,7 @@ def met_at(
     told = {name: fact for name, fact in situation.items() if name in rulebook.variables}
     learnt = learnt_about(declared, rulebook, situation, day)
     at = day_for(day, declared.profile)
-    return infer_for(declared, rulebook, situation=told, at=at, learnt=learnt)[PARAMETER]
+    return infer_for(declared, rulebook, situation=told, at=at, learnt=learnt)[DISTANCE]
 
 
 def learnt_here(
@@ -149,7 +150,7 @@ def observation(
         situation: What held around the person.
         day: When it was.
     """
-    value = values[PARAMETER]
+    value = values[DISTANCE]
     if visit.noticed is None or any(part.origin == "setting" for part in value.contributions):
         return None
     return Observation(

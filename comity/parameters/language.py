@@ -12,13 +12,12 @@ from typing import TYPE_CHECKING
 
 from comity.people.dated import held
 from comity.people.language import iso639
+from comity_domain.problem.bound_parameters import GREETING_LANGUAGE
 from comity_fis import Choice, Contribution
 
 if TYPE_CHECKING:
     from comity.people.profile import Profile
     from comity_fis import Inference, ParameterValue
-
-LANGUAGE = "greeting_language"
 
 
 def in_a_stated_language(
@@ -32,16 +31,17 @@ def in_a_stated_language(
         site: The language of the site by its ISO 639-3 code; None where there is no site.
         without_culture: Gives what the rules say, had the person declared no culture.
     """
-    value = values.parameters.get(LANGUAGE)
+    value = values.parameters.get(GREETING_LANGUAGE)
     if value is None or value.asked_for or isinstance(value.value, float):
         return values
     codes = [iso639(words) for words in stated]
     if value.origin != "neutral":
         others = bool(codes) and value.word not in codes
-        if not others and without_culture()[LANGUAGE].value == value.value:
+        if not others and without_culture()[GREETING_LANGUAGE].value == value.value:
             return values
         why = "they speak others" if others else "it follows from a nationality alone"
-        note = f"{LANGUAGE}: rules give {value.word}, which is not spoken, for {why}; a language is stated."
+        given = f"{GREETING_LANGUAGE}: rules give {value.word}, which is not spoken, for {why}"
+        note = f"{given}; a language is stated."
         values = replace(values, notes=(*values.notes, note))
     spoken = value.desirability.memberships if isinstance(value.desirability, Choice) else ()
     if known := [code for code in codes if code in spoken]:
@@ -76,4 +76,4 @@ def _given(value: ParameterValue, code: str, why: Contribution) -> ParameterValu
 
 
 def _with(values: Inference, value: ParameterValue) -> Inference:
-    return replace(values, parameters={**values.parameters, LANGUAGE: value})
+    return replace(values, parameters={**values.parameters, GREETING_LANGUAGE: value})

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from comity_domain.problem.bound_parameters import DISTANCE, SPEED
+
 if TYPE_CHECKING:
     from comity_fis import Inference
-
-DISTANCE = "conversational_distance"
-SPEED = "approach_speed"
 
 
 def own_distance_m(values: Inference) -> float:

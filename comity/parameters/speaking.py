@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.parameters.language import LANGUAGE
 from comity.people.language import iso639
+from comity_domain.problem.bound_parameters import GREETING_LANGUAGE
 from comity_executor import Address, Phrasebook, Speaker, read_wordings
 from comity_fis import InputError, NominalParameter, Where, closest
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
@@ -107,13 +107,14 @@ def require_words(rulebook: Rulebook, speaker: Speaker) -> None:
     Raises:
         InputError: it has one.
     """
-    parameter = rulebook.parameters.get(LANGUAGE)
+    parameter = rulebook.parameters.get(GREETING_LANGUAGE)
     if not isinstance(parameter, NominalParameter):
         return
     for category in parameter.categories:
         if category.name not in speaker.phrasebook:
+            languages = ", ".join(speaker.phrasebook)
             raise InputError(
-                expected=f"{LANGUAGE} as one that the robot speaks ({', '.join(speaker.phrasebook)})",
+                expected=f"{GREETING_LANGUAGE} as one that the robot speaks ({languages})",
                 got=repr(category.name),
                 remedy=f"{closest(category.name, speaker.phrasebook.codes)} Or give a file of `wordings`.",
             )

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from comity.parameters.passing import DISTANCE
-from comity_domain.problem.bound_parameters import BOUND
+from comity_domain.problem.bound_parameters import BOUND, DISTANCE
 
 if TYPE_CHECKING:
     from comity_fis import Inference, Rulebook

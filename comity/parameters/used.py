@@ -8,10 +8,10 @@ from datetime import date
 from typing import TYPE_CHECKING, Any
 
 from comity.parameters.consent import CONSENT
-from comity.parameters.language import LANGUAGE
 from comity.parameters.perception import is_read
 from comity.people.adulthood import AGE_BAND, is_under_age
 from comity.people.profile import Profile
+from comity_domain.problem.bound_parameters import GREETING_LANGUAGE
 from comity_fis import Interval
 
 ADDRESS = "form_of_address"
@@ -31,7 +31,7 @@ def used_facts(rulebook: Rulebook) -> frozenset[str]:
 
 def reads_languages(rulebook: Rulebook) -> bool:
     """Whether the languages that a person stated make a difference to a rule or to what the robot speaks."""
-    return "language" in used_facts(rulebook) or LANGUAGE in rulebook.parameters
+    return "language" in used_facts(rulebook) or GREETING_LANGUAGE in rulebook.parameters
 
 
 def used_of(

@@ -11,14 +11,13 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 
 from comity.people.dated import Day
 from comity.people.fact import Fact, Number, Word
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Learnt
 from comity_fis.learning.signals import AWAY, SAID, SIGNALS, WORDS, Signal
 
 if TYPE_CHECKING:
     from comity_fis.learning.comfort import ComfortPosterior
 
-PARAMETER = "conversational_distance"
-"""What is learnt about, so far."""
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 _Metres = Annotated[Number, Field(ge=0, le=20)]
@@ -114,7 +113,7 @@ class LearntFile(BaseModel):
 
     def also(self, seen: Iterable[Learning]) -> LearntFile:
         """The same with further observations."""
-        return self.model_copy(update={PARAMETER: (*self.conversational_distance, *seen)})
+        return self.model_copy(update={DISTANCE: (*self.conversational_distance, *seen)})
 
     def with_entry(self, seen: Iterable[Observation]) -> LearntFile:
         """The same with what a person wrote down at once, under the next number."""
@@ -131,7 +130,7 @@ class LearntFile(BaseModel):
         """The same without what was written down last."""
         last = self.last_entry
         left = tuple(one for one in self.conversational_distance if one not in last)
-        return self.model_copy(update={PARAMETER: left})
+        return self.model_copy(update={DISTANCE: left})
 
     @property
     def _shown(self) -> Iterator[Observation]:
@@ -144,7 +143,7 @@ class LearntFile(BaseModel):
             for one in self.conversational_distance
             if not (isinstance(one, Stated) and one.situation == situation and day in (None, one.day))
         )
-        return self.model_copy(update={PARAMETER: tuple(kept)})
+        return self.model_copy(update={DISTANCE: tuple(kept)})
 
     def in_situation(self, situation: Mapping[str, object]) -> tuple[Learning, ...]:
         """The observations that were made in a situation: only those count there."""

@@ -31,8 +31,6 @@ EXPORTED = "# Exported by Comity: everything that is kept of a person, but for t
 EXPORT_MARK = "# Exported by Comity: everything that is kept of a person"
 """How each export began, by which a later one knows what it may replace."""
 NOTE_STAYS = "The note `about` stays in the store: `comity profile show` shows it there."
-LEARNT_ABOUT = "conversational_distance"
-"""The parameter that meetings teach something about."""
 _FOLDER_VARIABLES = ("XDG_DATA_HOME", "HOME", "USERPROFILE", "LOCALAPPDATA", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
 """What the platform's folder may depend on."""
 Document = Mapping[str, Any]

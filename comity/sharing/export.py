@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING, Any
 
-from comity.people.store import EXPORT_MARK, LEARNT_ABOUT
+from comity.people.store import EXPORT_MARK
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, Where
 from comity_fis.validation.yaml_file import dump_yaml
 
@@ -49,7 +50,7 @@ class Export:
     @property
     def text(self) -> str:
         """A profile file."""
-        lessons = dump_yaml({LEARNT_ABOUT: self.learnt}, inline=True).splitlines() if self.learnt else []
+        lessons = dump_yaml({DISTANCE: self.learnt}, inline=True).splitlines() if self.learnt else []
         lines = ["", "What was learnt, by days since the first:", *lessons] if lessons else []
         comments = "".join(f"# {line}".rstrip() + "\n" for line in lines)
         return f"{EXPORT_MARK}, under a pseudonym.\n{dump_yaml(self.profile, inline=True)}{comments}"

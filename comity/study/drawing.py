@@ -15,8 +15,9 @@ import numpy as np
 from comity.parameters.values import infer_for
 from comity.people.profile import declared_by
 from comity.scenario import ComfortSpec
-from comity.study.individual import DISTANCE, Individual, plain_fact
+from comity.study.individual import Individual, plain_fact
 from comity.study.population_file import ChosenFact, DrawnComfort, DrawnGroup, PopulationFile, UniformFact
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, load_rulebook
 from comity_sim2d.scene.comfort import FARTHEST_M, NEAREST_M
 

@@ -8,8 +8,6 @@ from typing import Any
 
 from comity.scenario import ComfortSpec
 
-DISTANCE = "conversational_distance"
-"""The parameter that comfort is about, and the only one that individuals wish."""
 WHOLE = frozenset({"birth_year", "education"})
 """Facts that a profile has as whole numbers."""
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from comity.people.profile import Profile, declared_by
 from comity.scenario import ComfortSpec
 from comity.sharing.person import pseudonyms
-from comity.study.individual import DISTANCE, Individual, plain_fact
+from comity.study.individual import Individual, plain_fact
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, closest
 from comity_fis.validation.csv_table import CsvTable, Row, read_csv
 

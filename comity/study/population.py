@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.study.drawing import drawn_individuals, random_numbers
-from comity.study.individual import DISTANCE, Individual
+from comity.study.individual import Individual
 from comity.study.people_table import individuals_of_table
 from comity.study.population_file import PopulationFile, Wishes
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Where
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from comity.answers.inference import ShownValueAnswer
 from comity.answers.profile import ProfileAnswer
 from comity.people.learnt_file import LearntFile, in_words
-from comity.people.store import LEARNT_ABOUT
 from comity.report.text import number, stated, table, unbroken, words
 from comity.report.values.explanation_answer import graded_rule, graded_shift
 from comity.report.values.inference import inputs_answer, speaks, value_fields
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import rests_on_facts
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def profile_text(shown: ShownProfile) -> Iterator[RenderableType]:
     if shown.learnt:
         yield "\nLearnt, by situation; `comity profile export` shows all of it"
         yield table(list(_learnt(shown.learnt)))
-        simulated = sum(bool(one.get("simulated")) for one in shown.learnt.get(LEARNT_ABOUT, ()))
+        simulated = sum(bool(one.get("simulated")) for one in shown.learnt.get(DISTANCE, ()))
         if simulated:
             yield (
                 f"  {simulated} observations are simulated: by `comity visits --keep`, or in a scenario that "

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.text import number
 from comity_domain import START
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_sim2d import spot_pose
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 XY = tuple[float, float]
 HERE = (START.place, START.side)
-DISTANCE, BEARING = "conversational_distance", "approach_bearing"
+BEARING = "approach_bearing"
 UNITS = {DISTANCE: "m", BEARING: "deg"}
 SHOWN = {"m": 0.0005, "deg": 0.05}
 """Less than this is not seen in print."""

@@ -10,9 +10,10 @@ from comity.report.drawing import COLOURS, GREY, INK, Label
 from comity.report.rulebooks import fit_picture
 from comity.report.values import variable_picture
 from comity.report.values.mapping_picture import Line, mapping_picture, parameter_picture
-from comity.report.values.paper import DISTANCE, PRINTED, Printed
+from comity.report.values.paper import PRINTED, Printed
 from comity.tables.column import TableColumn
 from comity.tables.fit import Fit, fit_column
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import (
     Level,
     NominalVariable,

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from comity.answers.paper import ComputedDistanceAnswer, PaperAnswer, PrintedDistanceAnswer
 from comity.report.text import table
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Mode, NumericParameter, Rulebook, load_rulebook
 
 if TYPE_CHECKING:
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-DISTANCE = "conversational_distance"
 MODES: tuple[Mode, ...] = ("matlab", "exact", "skfuzzy")
 """The paper's own way of computing comes first."""
 assert set(MODES) == set(get_args(Mode))

@@ -24,12 +24,12 @@ from comity.study.collecting.collected import (
 from comity.study.collecting.collection_file import CONSENT, DISTANCE, FACT, Collection
 from comity.study.collecting.growing_table import GrowingTable, opened_table, without_participant
 from comity.study.collecting.steps import Step, steps_of
-from comity.study.individual import DISTANCE as PARAMETER
 from comity.study.individual import plain_fact
 from comity.study.people_table import NUMBERS
 from comity.study.questionnaires.questionnaire_file import QuestionnaireFile
 from comity.system.locks import locked
 from comity.system.own_files import make_folder
+from comity_domain.problem.bound_parameters import DISTANCE as PARAMETER
 from comity_fis import InputError, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.csv_table import NUMBER

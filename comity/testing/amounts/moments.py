@@ -14,8 +14,9 @@ from comity.parameters.passing import own_distance_m
 from comity.testing.amounts import causes
 from comity.testing.amounts.course import MOTIONS
 from comity.testing.amounts.happened import walking
-from comity.testing.amounts.shaping import DISTANCE, told_of
+from comity.testing.amounts.shaping import told_of
 from comity.testing.trials.visits import approached
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor import Limits
 from comity_sim2d.metrics import (
     clearances_m,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.report.values.inference import in_brief
 from comity.testing.amounts.amount import told
 from comity.testing.amounts.holding import Held, held
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor import Limits
 from comity_sim2d.metrics import clearances_m
 from comity_sim2d.paths.personal_space import FRONT
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 HEAD = "goes by   "
 """How these lines begin: each says all of one parameter, so that a text need not say it twice."""
-DISTANCE = "conversational_distance"
 PASSED_M = 2.0
 """Whoever the robot passes nearer than this, or within their space, may have moved its way (our choice)."""
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from comity.parameters.passing import DISTANCE
 from comity.testing.amounts.course import actions
 from comity.testing.amounts.moments import intrusion
 from comity.testing.amounts.ordering import visited
 from comity.testing.amounts.standing import DockedPose, standing
 from comity.testing.measuring.safety import Danger, dangers
 from comity.testing.trials.visits import approached, outcome_of, values_when_judged, visit_of
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor.memory.visit_context import SAY_ACT
 from comity_sim2d.robot.acts import VERBS
 

@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-ABOUT_VISITS = (
-    "conversational_distance",
-    "approach_direction",
-    "approach_speed",
-    "greeting_modality",
-    "greeting_gesture",
-)
+DISTANCE, SPEED, GREETING_LANGUAGE = "conversational_distance", "approach_speed", "greeting_language"
+ABOUT_VISITS = (DISTANCE, "approach_direction", SPEED, "greeting_modality", "greeting_gesture")
 """What reaching and greeting a person binds; a rulebook for visits has all of them."""
-GREETING_LANGUAGE = "greeting_language"
 ABOUT_WORDS = (GREETING_LANGUAGE, "formality", "rhetorical_style", "verbal_directness")
 """What chooses the words of an utterance."""
 ABOUT_SPEECH = ("voice_volume", "speech_rate")

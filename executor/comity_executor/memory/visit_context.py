@@ -11,6 +11,7 @@ from py_trees.behaviour import Behaviour
 
 from comity_domain.choices.distances import distance_desirability
 from comity_domain.plans.plan import PlanStep
+from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor.memory.asking import Asking
 from comity_executor.memory.drive import Drive
 from comity_executor.memory.shared import SharedMemory
@@ -30,7 +31,6 @@ from comity_fis.membership.interval import Interval
 
 SAY_ACT = "say"
 NO_GESTURE = "none"
-DISTANCE = "conversational_distance"
 POSE = ("pose", "reach", "values", "shown")
 """Entries that say where the robot is to stand."""
 DONE = ("greet", "performed", "done_before")
