@@ -118,7 +118,7 @@ def _read(path: Path, columns: Collection[str]) -> list[tuple[int, dict[str, str
     """
     found = []
     try:
-        with path.open(encoding="utf-8", newline="") as file:
+        with path.open(encoding="utf-8-sig", newline="") as file:
             rows = csv.reader(file)
             heading = next(rows, [])
             if missing := [name for name in columns if name not in heading]:

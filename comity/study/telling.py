@@ -120,7 +120,7 @@ def run_text(answer: StudyRunAnswer) -> Iterator[RenderableType]:
         yield "  Not all episodes are in the table: run the same command again"
     if answer.damaged_lines:
         lines = counted(answer.damaged_lines, "damaged line")
-        yield f"  {lines} of the journal skipped; the episodes that stood there ran again"
+        yield f"  {lines} of the journal skipped: episodes of this study that stood there ran again"
     if answer.different < answer.episodes:
         yield (
             f"  {answer.different} different episodes: individuals with the same facts, wish and comfort "

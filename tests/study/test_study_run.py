@@ -209,6 +209,8 @@ def test_a_study_is_done_only_when_its_table_has_every_episode(here, noisy):
         plan, here / "out", lambda: EpisodeRunner(installation(), all_but_one), lambda *_: lambda _: None
     )
     assert (answer.status, answer.done, answer.rows) == ("stopped", 7, 7)
+    found = Study.load(here / "out")
+    assert (found.progress, len(found.rows)) == ((7, 8), 7)
 
 
 def test_individuals_who_are_alike_share_an_episode_and_have_a_row_each(comity, here):
