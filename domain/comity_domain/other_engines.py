@@ -14,7 +14,9 @@ from comity_domain.classical.initial_state import visit_names
 from comity_domain.classical.naming import PddlNames
 from comity_domain.classical.problem import problem_with
 from comity_domain.classical.tour_of import tour_of
+from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.labelling.skipping import left_out, skip_steps
+from comity_domain.ordering.best_order import best_order
 from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import fully_measured
@@ -44,7 +46,6 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     """
     if engine == ENGINE:
         return make_plan(request, time_limit_s=time_limit_s)
-    from comity_domain.custom.process import in_one_process
     from comity_domain.custom.solving.choosing import require_installed
 
     require_installed(engine)
@@ -53,7 +54,7 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     served = request.without(left)
     choices = options(fully_measured(served))
     names = visit_names(choices)
-    found = in_one_process(partial(_solved, engine, choices, names, time_limit_s), limit_s=time_limit_s)
+    found = _found(engine, choices, names, time_limit_s)
     visits = _tied(tour_of(((one.name, one.arguments) for one in found.actions), choices, names), choices)
     skipped = skip_steps(request, left)
     steps = (*steps_of(visits, choices, lambda: choices), *skipped)
@@ -63,6 +64,19 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     return Plan(
         engine, optimal=bound == cost, reproducible=found.finished, cost=cost, bound=bound, steps=steps
     )
+
+
+def _found(engine: str, choices: Options, names: PddlNames, time_limit_s: float) -> Solution:
+    from comity_domain.custom.process import in_one_process
+
+    try:
+        return in_one_process(partial(_solved, engine, choices, names, time_limit_s), limit_s=time_limit_s)
+    except NoPlan:
+        best_order(choices, time_limit_s)  # raises where there is none
+        raise PlanningFailed(
+            f"{engine} says that there is no plan, and there is one: it does not read the visit domain right",
+            remedy=f"Plan with another engine, such as {ENGINE} or fast-downward-opt.",
+        ) from None
 
 
 def _solved(engine: str, choices: Options, names: PddlNames, time_limit_s: float) -> Solution:

@@ -9,7 +9,7 @@ import pytest
 from downward import needs_fast_downward
 from unified_planning.io import PDDLReader
 
-from comity_domain import make_plan, plan_with
+from comity_domain import NoPlan, PlanningFailed, make_plan, plan_with
 from comity_domain.choices.options import options
 from comity_domain.classical.initial_state import goals, initial_state, visit_names
 from comity_domain.classical.tour_of import tour_of
@@ -125,3 +125,16 @@ def test_an_engine_that_is_a_script_finds_its_modules_where_python_does_not_look
     request = without_deadlines(rich_request(2, 4))
     monkeypatch.setenv("PYTHONSAFEPATH", "1")
     assert plan_with("fast-downward-opt", request).cost == make_plan(request).cost
+
+
+def test_that_there_is_no_plan_is_not_believed_where_there_is_one(rich_request, monkeypatch):
+    """As of ENHSP, which does not read all of the domain."""
+
+    def says_none(*_, **__):
+        raise NoPlan("no plan reaches all goals, says fast-downward-opt", remedy="Look for a goal.")
+
+    monkeypatch.setattr("comity_domain.custom.process.in_one_process", says_none)
+    monkeypatch.setattr("comity_domain.custom.solving.choosing.require_installed", lambda _: None)
+    with pytest.raises(PlanningFailed) as refused:
+        plan_with("fast-downward-opt", without_deadlines(rich_request(2, 4)))
+    assert not isinstance(refused.value, NoPlan)
