@@ -8,6 +8,7 @@ from datetime import date, timedelta
 from typing import TYPE_CHECKING
 
 from comity.live_episode import LiveEpisode
+from comity.monitoring.nudging import FARTHEST_M
 from comity.parameters.acquaintance import model_m, observation, situation_of
 from comity.parameters.which_rulebook import which_rulebook
 from comity.people.learnt_file import Learning, Observation, comfort_on, learnt_on
@@ -17,6 +18,7 @@ from comity.preparation import Prepared, prepare
 from comity.scenario import ComfortSpec, ScenarioFile, load_scenario
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity_fis import Learnt, Rulebook
@@ -24,8 +26,6 @@ if TYPE_CHECKING:
 
 STAGE, PERSON = "acquaintance", "guest"
 """The shipped scenario in which people are met, and who is met there."""
-NEAREST_M, FARTHEST_M = 0.30, 3.0
-"""Nobody who is simulated wants a robot nearer or farther (safety's floor, and what may be asked for)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +143,7 @@ def likes(acquaintance: Acquaintance) -> ComfortSpec:
     rng = np.random.Generator(np.random.PCG64([acquaintance.seed, 2]))
     half_m = float(parameter.spread * 0.5 * np.exp(0.4 * rng.standard_normal()))
     middle_m = model_m(prepared.values[PERSON][DISTANCE]) + float(parameter.spread * rng.standard_normal())
-    middle_m = min(max(middle_m, NEAREST_M + half_m), FARTHEST_M - half_m)
+    middle_m = min(max(middle_m, PERSON_MARGIN_M + half_m), FARTHEST_M - half_m)
     return ComfortSpec(wants_m=(round(middle_m - half_m, 3), round(middle_m + half_m, 3)))
 
 

@@ -24,16 +24,25 @@ class MeetingAnswer(Record):
     interval_m: tuple[float, float]
     """Where the robot believed the liked distance with 90 % probability, before the visit; no nearer than
     safety allows."""
-    distance_wanted_m: float
+    distance_target_m: float
     """Where the robot wanted to stop."""
-    distance_reached_m: float | None
+    distance_actual_m: float | None
     """Where the robot stood when it docked."""
     error_m: float | None
-    """Reached minus liked."""
+    """Actual minus liked."""
     shown: Signal | None
     """What the simulated person truly did."""
     noticed: Signal | None
     """What the robot noticed."""
+    distance_wanted_m: float | None = None
+    """The older name of `distance_target_m`; gone with the next release."""
+    distance_reached_m: float | None = None
+    """The older name of `distance_actual_m`; gone with the next release."""
+
+    def __post_init__(self) -> None:
+        """Give the older names their values."""
+        object.__setattr__(self, "distance_wanted_m", self.distance_target_m)
+        object.__setattr__(self, "distance_reached_m", self.distance_actual_m)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

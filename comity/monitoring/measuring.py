@@ -8,6 +8,7 @@ from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
 from comity.monitoring.parameter_updates import later_distances_m, values_at
+from comity_domain.plans.actions import REACH
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor import PROPER_OUTCOMES
 from comity_sim2d import Contacts, Known, Metrics, Span, TargetStop, measure
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
     from comity_executor import PlanUpdate, TraceEvent, Visit
     from comity_sim2d import Frames, Scene, Touch
 
-DOCKING = "Reach_user"
-"""The action of the plan whose parameters say where the robot is to stop."""
 _VISITED, _DOCKED = "visited", "docked?"
 """What the nodes of the tree do by which a visit is done, and which ask whether the robot has docked."""
 TAKES_OVER = ("rebound", "replanned")
@@ -225,7 +224,7 @@ def _stops(plan: Plan) -> dict[str, tuple[float, float]]:
             float(step.parameters["approach_bearing"]),
         )
         for step in plan.steps
-        if step.action == DOCKING
+        if step.action == REACH
     }
 
 

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Contribution
 from comity_fis.learning.signals import AWAY
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity_executor import Visit
     from comity_fis import Inference
 
-FLOOR_M, FARTHEST_M = 0.30, 3.0
-"""Never nearer than the first between the bodies (safety), and no farther than anybody may ask for."""
+FARTHEST_M = 3.0
+"""No farther between the bodies than a person may ask for [m]."""
 STEP_SHARE = 0.5
 """Of the spread: so much nearer than without the operator at most, as for invitations of a person."""
 
@@ -31,7 +32,7 @@ def nudged(values: Inference, by_m: float, *, visit: Visit | None, tolerance_m: 
     value = values[DISTANCE]
     wanted_m = value.number + by_m
     before_m = value.number - sum(_nudge(each) for each in value.contributions)
-    nearest_m = max(FLOOR_M + tolerance_m, before_m - STEP_SHARE * (value.spread or 0.0))
+    nearest_m = max(PERSON_MARGIN_M + tolerance_m, before_m - STEP_SHARE * (value.spread or 0.0))
     if value.asked_for:
         return f"they asked for {value.number:.2f} m"
     if by_m < 0.0 and visit is not None and visit.noticed and visit.noticed.kind in AWAY:

@@ -18,12 +18,12 @@ from comity_domain import in_the_way
 from comity_sim2d import PastPeople
 from comity_sim2d.maps.doorways import turned
 from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
+from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, floor_plan
 
 if TYPE_CHECKING:
     from comity_sim2d import Scene
 
-XY = tuple[float, float]
 MOST_TRIED = 12
 """Doors, and people, one at a time, the rest together: leaving some out costs about 0.1 s (our choice)."""
 MOST_NAMED = 3

@@ -8,19 +8,17 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity_domain import Company, Spot
+from comity_domain.choices.earshot import NEAREST_M
+from comity_domain.choices.side import WIDEST_DEG
 from comity_sim2d import Pose, docked
+from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from comity_sim2d import RouteMap
 
-XY = tuple[float, float]
 
-NEAREST_M = 0.45
-"""No member is stood nearer to: the smallest distance of Bruno et al. 2017."""
 FARTHEST_M = 2.1
 """The end of the close phase of social distance (Hall 1966); that a greeting carries so far is our choice."""
-WIDEST_DEG = 90.0
-"""Nobody is greeted from behind their shoulders."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 

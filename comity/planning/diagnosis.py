@@ -21,6 +21,7 @@ from comity_domain import (
     offers,
 )
 from comity_sim2d import RouteMap
+from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import Scene
 
-XY = tuple[float, float]
 MOST_THINGS = 12
 """Doors, walls and pieces of furniture each: trying one costs about 0.1 s (our choice)."""
 

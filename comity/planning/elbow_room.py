@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from comity_domain import FORWARDS, Spot, Visitee, reach_of
 from comity_fis import Choice
 from comity_sim2d import Pose
-from comity_sim2d.pose import direction_to
+from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import floor_plan
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from comity_sim2d import Scene
     from comity_sim2d.scene.obstacles import FloorPlan
 
-XY = tuple[float, float]
 EXACT_M = 1e-6
 
 

@@ -7,12 +7,11 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from comity_domain import START, Leg, Spot, Survey, Way
+from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from comity.planning.travel_distances import Journey, TravelDistances
     from comity_sim2d import RouteMap, Scene
-
-XY = tuple[float, float]
 
 
 class Lengths:

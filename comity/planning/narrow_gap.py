@@ -13,6 +13,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from comity_sim2d import RouteMap
+from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from comity_sim2d import Scene
     from comity_sim2d.scene.person import Person
 
-XY = tuple[float, float]
 MOST_GOALS = 4
 """Places to stand that are tried: beside one person, nearly all open at the same gap (our choice)."""
 STEP_M = 0.002

@@ -30,6 +30,7 @@ from comity_domain import (
 from comity_fis import Choice
 from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
 from comity_sim2d.navigation.docking import spots_beside
+from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.surroundings import Surroundings
 
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import DockingPose, Pose, Scene
 
-XY = tuple[float, float]
 
 MOST_MEASURED = 1
 """People to whom all ways are measured at once: a plan takes most of them anyway (our choice)."""

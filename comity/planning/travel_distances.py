@@ -19,13 +19,13 @@ import numpy as np
 from comity_domain import Way
 from comity_sim2d import spot_pose
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
+from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from comity_sim2d import Pose, RouteMap, Scene
     from comity_sim2d.navigation.route import Route
     from comity_sim2d.scene.person import Person
 
-XY = tuple[float, float]
 
 CRUISE_M_S = 0.6
 """On the way: the base's 0.7 m/s, with its speeding up and slowing down."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_sim2d import Route, RouteMap
+from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from comity_sim2d import Person, World
     from comity_sim2d.scene.door import Door
 
-XY = tuple[float, float]
 DOOR_GAP_M = 0.10
 """Whoever waits for a door stands so far from its leaf, unless it was shut before their nose (our choice)."""
 BRUSHES_M = 0.04

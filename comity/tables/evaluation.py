@@ -15,15 +15,14 @@ from comity_fis import InputError, NumericParameter, Where, find_score
 from comity_fis.audit.accuracy import Compared, StudyAccuracy, accuracy
 from comity_fis.audit.agreement import StudyAgreement, agreement
 from comity_fis.audit.order import equality_band
+from comity_sim2d.scene.person import PERSON_RADIUS_M
+from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 
 if TYPE_CHECKING:
     from comity_fis import Origin, ParameterValue, Rulebook
 
 Reading = Literal["surface", "centre", "as_stated"]
 """How rows are read that do not say between which points of the bodies they measured."""
-
-ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
-"""Of the bodies in a scenario that does not state others."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,9 +20,10 @@ from comity_domain.explanation.relaxing import InTheWay, in_the_way
 from comity_domain.explanation.stability import BreakEven, differences, flips
 from comity_domain.explanation.what_if import NextInstead, next_instead, visits_of
 from comity_domain.labelling.punctual import Deadlines
-from comity_domain.labelling.skipping import SKIP, cost_of_serving
+from comity_domain.labelling.skipping import cost_of_serving
 from comity_domain.other_engines import plan_with
 from comity_domain.planner import ENGINE, make_plan
+from comity_domain.plans.actions import SKIP
 from comity_domain.plans.permission import not_permitted, without
 from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.plans.rest import VisitProgress, renumbered, rest_of

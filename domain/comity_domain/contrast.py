@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 from comity_domain.errors import PlanningFailed
 from comity_domain.explanation.what_if import MOST_PEOPLE
-from comity_domain.labelling.skipping import SKIP, served_part
+from comity_domain.labelling.skipping import served_part
 from comity_domain.planner import make_plan
+from comity_domain.plans.actions import SKIP
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.request import Company, VisitRequest
 from comity_domain.problem.spot import Spot

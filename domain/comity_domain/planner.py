@@ -7,11 +7,12 @@ from time import monotonic
 
 from comity_domain.choices.options import Options
 from comity_domain.explanation.around import options_around
-from comity_domain.labelling.skipping import SKIP, leaving, skip_steps
+from comity_domain.labelling.skipping import leaving, skip_steps
 from comity_domain.ordering.best_order import best_order
 from comity_domain.ordering.measuring import measured_options
 from comity_domain.ordering.order import Order
 from comity_domain.ordering.settling import settled
+from comity_domain.plans.actions import SKIP
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of

@@ -16,8 +16,8 @@ from comity_domain.choices.options import Options, options
 from comity_domain.explanation.around import options_around
 from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.search import cheapest
-from comity_domain.labelling.skipping import SKIP, left_out, skip_steps
-from comity_domain.plans.actions import ANNOUNCED, REACH, RETURN
+from comity_domain.labelling.skipping import left_out, skip_steps
+from comity_domain.plans.actions import ANNOUNCED, REACH, RETURN, SKIP
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest

@@ -12,6 +12,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.trees import BehaviourTree
 
+from comity_domain.plans.actions import SKIP
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.give_up import why_failed
 from comity_executor.memory.asking import Asking
@@ -43,7 +44,7 @@ from comity_executor.tracing.recorder import Recorder
 from comity_executor.tracing.trace import EventStatus, Halt, TraceEvent
 from comity_executor.trees.btcpp import btcpp_xml
 from comity_executor.trees.leaf_faults import LeafFaults
-from comity_executor.trees.tree import SKIP, Tree, build_tree
+from comity_executor.trees.tree import Tree, build_tree
 from comity_fis.inference.value import Inference
 
 ExecutionStatus = Literal["running", "success", "failure", "stopped", "stop_unconfirmed"]

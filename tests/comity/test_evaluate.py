@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 
 import comity
 from comity.commands.evaluate import evaluate as command
-from comity.tables.evaluation import PERSON_RADIUS_M, ROBOT_RADIUS_M, Radii, evaluate
+from comity.tables.evaluation import Radii, evaluate
 from comity.tables.measurements import SHIPPED, read_measurements
 from comity_fis import InputError, load_rulebook, shipped_rulebooks
-from comity_sim2d.scene.person import Person
-from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.scene.person import PERSON_RADIUS_M, Person
+from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M, RobotBody
 
 HEAD = "study,culture,gender,parameter,value,unit,measured,partner,n,sd\n"
 GOOD = (

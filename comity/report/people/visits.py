@@ -53,8 +53,8 @@ def _meeting(visit: int, meeting: Meeting, liked_m: float) -> MeetingAnswer:
         distance_liked_m=liked_m,
         distance_model_m=meeting.model_m,
         interval_m=meeting.interval_m,
-        distance_wanted_m=meeting.wanted_m,
-        distance_reached_m=reached,
+        distance_target_m=meeting.wanted_m,
+        distance_actual_m=reached,
         error_m=None if reached is None else reached - liked_m,
         shown=meeting.shown,
         noticed=meeting.seen.signal if meeting.seen else None,
@@ -62,7 +62,7 @@ def _meeting(visit: int, meeting: Meeting, liked_m: float) -> MeetingAnswer:
 
 
 def summary(answer: VisitsAnswer) -> Iterator[RenderableType]:
-    """What was wanted, reached, believed and shown, visit by visit."""
+    """Target and actual distance, belief and reaction, visit by visit."""
     low, high = answer.likes_m
     yield (
         f"\n{answer.profile}, met {len(answer.visits)} times, every {answer.every_days} days; "
@@ -76,7 +76,7 @@ def summary(answer: VisitsAnswer) -> Iterator[RenderableType]:
         yield f"  It remembers {answer.known_before} earlier observations."
     yield table(
         [_row(visit) for visit in answer.visits],
-        head=("visit", "day", "wanted", "reached", "off by", "90 % interval", "the person"),
+        head=("visit", "day", "target", "actual", "error", "90 % interval", "the person"),
     )
     yield unbroken(_remembered(answer))
 
@@ -96,8 +96,8 @@ def _row(visit: MeetingAnswer) -> tuple[str, ...]:
     return (
         str(visit.visit),
         str(visit.days),
-        number(visit.distance_wanted_m, digits=2),
-        number(visit.distance_reached_m, "m", digits=2),
+        number(visit.distance_target_m, digits=2),
+        number(visit.distance_actual_m, "m", digits=2),
         off,
         f"{low:.2f}..{high:.2f} m",
         _shown(visit),

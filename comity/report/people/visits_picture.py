@@ -72,9 +72,9 @@ def _draw_believed(ax: Axes, answer: VisitsAnswer) -> None:
 
 def _draw_stops(ax: Axes, answer: VisitsAnswer) -> None:
     stops = [
-        (visit.visit, visit.distance_reached_m, visit.noticed or "nothing")
+        (visit.visit, visit.distance_actual_m, visit.noticed or "nothing")
         for visit in answer.visits
-        if visit.distance_reached_m is not None
+        if visit.distance_actual_m is not None
     ]
     ax.plot([at for at, _, _ in stops], [reached for _, reached, _ in stops], color=FAINT, lw=1.2, zorder=2)
     for at, reached, signal in stops:

@@ -9,12 +9,12 @@ from comity.report.text import number
 from comity_domain import START
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_sim2d import spot_pose
+from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity_domain import PlanStep
 
-XY = tuple[float, float]
 HERE = (START.place, START.side)
 BEARING = "approach_bearing"
 UNITS = {DISTANCE: "m", BEARING: "deg"}

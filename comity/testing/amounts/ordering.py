@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from comity.monitoring.measuring import TAKES_OVER
 from comity.report.plans.plan_why import PARTS
 from comity.specification.goals import greeted
 from comity.testing.amounts import causes
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from comity_domain import OtherOrder, Plan
     from comity_executor import TraceEvent
 
-TAKES_OVER = ("rebound", "replanned")
-"""Events with which another plan, or the same with other numbers, holds from then on."""
 _OF_WAYS = {"travel": "conversational_distance", "side": "approach_direction"}
 """Parts of the costs, with the parameter that they hang on."""
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.testing.trials.visits import visit_of
+from comity_domain.choices.side import FRONT_HALF_WIDTH_DEG
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
     from comity_executor import Visit
     from comity_sim2d import Frames
 
-FRONT_DEG, BESIDE_DEG = 22.5, 112.5
-"""Off a person's facing: up to the one it is the front, up to the other a side, beyond it the back."""
+BESIDE_DEG = 112.5
+"""Off the direction in which a person faces: beyond the front and up to this it is a side, then the back."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +34,7 @@ class DockedPose:
     @property
     def side(self) -> str:
         """front, left, right or back, as the person sees it."""
-        if abs(self.bearing_deg) <= FRONT_DEG:
+        if abs(self.bearing_deg) <= FRONT_HALF_WIDTH_DEG:
             return "front"
         if abs(self.bearing_deg) > BESIDE_DEG:
             return "back"

@@ -66,10 +66,12 @@ class Measured:
     def properties(self) -> Iterator[tuple[str, str | float]]:
         """For JUnit reports, beside the case's own."""
         yield from (("outcome", self.outcome), ("simulated_s", round(self.time_s, 6)))
-        for person, (wanted, reached) in self.distances_m.items():
-            yield f"distance_wanted_m.{person}", round(wanted, 4)
-            if reached is not None:
-                yield f"distance_reached_m.{person}", round(reached, 4)
+        for person, (target, actual) in self.distances_m.items():
+            yield f"distance_target_m.{person}", round(target, 4)
+            yield f"distance_wanted_m.{person}", round(target, 4)  # the older name, for one release
+            if actual is not None:
+                yield f"distance_actual_m.{person}", round(actual, 4)
+                yield f"distance_reached_m.{person}", round(actual, 4)
 
 
 def measured(case: Case, episode: Episode) -> Measured:

@@ -16,9 +16,10 @@ import numpy as np
 from comity.report.difference import counted
 from comity.testing.amounts import causes
 from comity.testing.amounts.touching import THINGS, before_bump, bumps
-from comity_sim2d.base.drive import SPEED_SHARE
+from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within
 from comity_sim2d.metrics import clearances_m, speeds_m_s
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,9 +28,6 @@ if TYPE_CHECKING:
     from comity_executor import History
     from comity_sim2d import Frames, RobotBody
 
-NEAREST_M = 0.30
-FASTEST_NEAR_M_S, NEAR_M = 0.5, 1.5
-"""The project's own limits between bodies and on the speed near people (design choices)."""
 _SLACK = 0.02
 """In metres and metres per second: a controller's overshoot, below what anybody would notice (our choice)."""
 COMING_M_S = 0.02
@@ -66,7 +64,7 @@ def dangers(episode: Episode) -> Iterator[Danger]:
         if spare[worst - 1] < -_SLACK:
             t, limit = float(frames.time_s[worst]), f"{least_m[worst]:g} m from {person}"
             yield _danger(history, limit, f"{gap[worst]:.3f} m at t={t:.2f} s", t)
-        near = np.minimum(gap[1:], gap[:-1]) < NEAR_M
+        near = np.minimum(gap[1:], gap[:-1]) < NEAR_PEOPLE_M
         begun = near & ~np.concatenate(([False], near[:-1])) & (come[:, i] > COMING_M_S)
         most = _most_m_s(frames.time_s, speeds, begun, episode.prepared.scene.robot)
         over = np.where(near, speeds - most, -np.inf)
@@ -75,7 +73,7 @@ def dangers(episode: Episode) -> Iterator[Danger]:
             t = float(frames.time_s[worst])
             yield _danger(
                 history,
-                f"at most {FASTEST_NEAR_M_S:g} m/s within {NEAR_M:g} m of {person}",
+                f"at most {NEAR_PEOPLE_M_S:g} m/s within {NEAR_PEOPLE_M:g} m of {person}",
                 f"{speeds[worst]:.2f} m/s at t={t:.2f} s",
                 t,
             )
@@ -84,7 +82,7 @@ def dangers(episode: Episode) -> Iterator[Danger]:
 def _least_m(episode: Episode, person: str) -> NDArray[np.float64]:
     """How near the robot may come to a person at each frame [m], shape (n,): less while they let it pass."""
     time_s = episode.frames.time_s
-    least_m = np.full(len(time_s), NEAREST_M)
+    least_m = np.full(len(time_s), PERSON_MARGIN_M)
     for one in episode.disturbances:
         end_s = one.t if one.end_s is None else one.end_s
         if one.kind == "passage" and one.about == person and end_s > one.t:
@@ -122,7 +120,7 @@ def _most_m_s(
 ) -> NDArray[np.float64]:
     """How fast the robot may be near a person from each frame to the next; more for a while where they came.
 
-    A person who walks to within `NEAR_M` of it is braked for as usual, from the speed that it had then.
+    For a person who walks to within `NEAR_PEOPLE_M` of it it brakes as usual, from the speed that it had.
 
     Args:
         time_s: Of the frames, shape (n,).
@@ -130,13 +128,13 @@ def _most_m_s(
         begun: Whether they came so near then, by their own motion; shape (n - 1,).
         body: The robot's.
     """
-    most = np.full(len(speeds), FASTEST_NEAR_M_S)
+    most = np.full(len(speeds), NEAR_PEOPLE_M_S)
     braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
     late_s = TAKES_IN_S + body.sensor.delay_s + 2.0 * body.max_acceleration_m_s2 / body.max_jerk_m_s3
     for first in np.flatnonzero(begun).tolist():
         after_s = time_s[first:-1] - time_s[first]
         braked = speeds[first] - braking * np.maximum(after_s - late_s, 0.0)
-        most[first:] = np.maximum(FASTEST_NEAR_M_S, braked)
+        most[first:] = np.maximum(NEAR_PEOPLE_M_S, braked)
     return most
 
 

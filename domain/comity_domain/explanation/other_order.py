@@ -10,7 +10,8 @@ from itertools import pairwise
 from comity_domain.choices.options import Options, options
 from comity_domain.explanation.what_if import MOST_PEOPLE
 from comity_domain.labelling.search import cheapest
-from comity_domain.labelling.skipping import SKIP, served_part
+from comity_domain.labelling.skipping import served_part
+from comity_domain.plans.actions import SKIP
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest

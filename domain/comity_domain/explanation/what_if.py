@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from comity_domain.choices.options import options
 from comity_domain.labelling.search import cheapest
-from comity_domain.labelling.skipping import SKIP, served_part
-from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN
+from comity_domain.labelling.skipping import served_part
+from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN, SKIP
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.measuring import measured, unmeasured
 from comity_domain.problem.request import VisitRequest

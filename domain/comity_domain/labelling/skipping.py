@@ -15,14 +15,13 @@ from comity_domain.choices.cost import travel_cost
 from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.labelling.alike import ANY_GREETING, ANY_SIDE
 from comity_domain.labelling.search import Cheapest, cheapest
+from comity_domain.plans.actions import SKIP
 from comity_domain.plans.plan import Plan, PlanStep, Why
 from comity_domain.problem.agenda import offers
 from comity_domain.problem.measuring import measured, unmeasured_ways
 from comity_domain.problem.request import Visitee, VisitRequest
 from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import best_tour, path
-
-SKIP = "Skip_visit"
 
 
 @dataclass(frozen=True, slots=True)

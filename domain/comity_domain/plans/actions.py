@@ -17,3 +17,5 @@ TOLD: Mapping[str, str] = MappingProxyType({ANNOUNCED: "in words"})
 FETCH, OFFER, LEAVE = "Fetch", "Offer", "Take_leave"
 TASKS = (*(kind.action for kind in PLAIN), OFFER, LEAVE)
 """What is on agendas, once the person is greeted."""
+SKIP = "Skip_visit"
+"""Nothing to do: a person who is left out at a price."""

@@ -45,7 +45,7 @@ from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
-from comity_domain.plans.actions import ANNOUNCED, FETCH, GREET, GREET_TOGETHER, REACH, RETURN
+from comity_domain.plans.actions import ANNOUNCED, FETCH, GREET, GREET_TOGETHER, REACH, RETURN, SKIP
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.act import Act
 from comity_executor.leaves.announce import is_announced
@@ -86,8 +86,6 @@ VISITED, DOCKED = "visited", "docked"
 """What the nodes do in which a whole visit runs, and in which the robot comes to its pose."""
 GREETINGS = (GREET, GREET_TOGETHER)
 KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
-SKIP = "Skip_visit"
-"""Nothing to do: a person who is left out has no branch."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,12 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.frames import Frames
 from comity_sim2d.metrics.motion import Numbers, speeds_m_s, velocities_m_s
 from comity_sim2d.metrics.proximity import seconds_in_zones, weights_s
 
-NEAR_M = 1.5
-"""Nearer than this the robot keeps to the speed that people near it are to meet [m]."""
 FAST_SHARE = 0.95
 """The percentile of the speed: the largest one of an episode is that of a single frame."""
 
@@ -64,11 +63,11 @@ def _mean_nearest_m(frames: Frames, gaps: Numbers) -> float:
 
 
 def speed_near_m_s(frames: Frames, gaps: Numbers) -> float | None:
-    """95th percentile of the robot's speed within `NEAR_M` of the people in the columns [m/s]; None: never.
+    """95th percentile of the speed within `NEAR_PEOPLE_M` of the people in the columns [m/s]; None: never.
 
     A step between two frames is within it where the mean of the gaps at its ends is.
     """
-    near = ((gaps[:-1] + gaps[1:]) / 2 < NEAR_M).any(axis=1)
+    near = ((gaps[:-1] + gaps[1:]) / 2 < NEAR_PEOPLE_M).any(axis=1)
     return float(np.quantile(speeds_m_s(frames)[near], FAST_SHARE)) if near.any() else None
 
 
