@@ -43,6 +43,9 @@ CUT_M = 0.02
 """At most so far inside its route a base takes a bend that takes up commands slowly: less than half of what
 the route keeps off walls (our choice)."""
 REVERSE_M = 0.5
+STAYS_M, SIDEWAYS_COS = 0.1, 0.8
+"""To the side it stays so far from a goal that stands, unless it is too near or too far off and not docked:
+it would turn away from the person to go there, and again and again where it counts as docked (our choice)."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 AT_PLACE = DockingPose(0.0, 0.0)
@@ -77,6 +80,8 @@ class Approach:
         self._slowing = False
         self.settled = settled
         """Whether a base that cannot move sideways is content with where it is."""
+        self._holds = settled
+        """Whether it was told to hold where it docked, and has been content since."""
         self._ticks_old, self._cost = 0, 0.0
         self._wavers = 0.0
         """How often it has changed its mind of late."""
@@ -275,7 +280,8 @@ class Approach:
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
         gap = math.hypot(ex, ey)
-        self.settled = gap <= (base.leaves_m if self.settled else base.settle_m)
+        self.settled = gap <= (self._leaves_at_m(base, goal) if self.settled else base.settle_m)
+        self._holds = self._holds and self.settled
         now, faster = math.dist(base.velocity, goal.velocity), SPEED_SHARE * a * dt
         slower = faster if base.turns_to_go else a * dt
         stopping = stopping_speed(gap, SPEED_SHARE * a, dt)
@@ -289,6 +295,16 @@ class Approach:
         if most < self.speed_m_s:  # who lets others pass does not go with the goal, nor with its noise
             return limit_speed(velocity, max(most, base.speed_m_s - slower))
         return velocity
+
+    def _leaves_at_m(self, base: Base, goal: MovingTarget) -> float:
+        """How far from its goal a base that was content there moves again."""
+        least_m, heading = base.leaves_m, base.pose.heading_rad
+        if not base.turns_to_go or math.hypot(*goal.velocity) >= base.follows_m_s:
+            return least_m
+        ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
+        along = abs(ex * math.cos(heading) + ey * math.sin(heading))
+        goes = along > (SIDEWAYS_COS * math.hypot(ex, ey) if self._holds else least_m)
+        return least_m if goes else max(least_m, STAYS_M)
 
 
 def _slower(base: Base) -> XY:
