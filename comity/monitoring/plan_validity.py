@@ -56,7 +56,7 @@ def verdict(
         )
     elif _left_out(rest) != _left_out(plan):
         text = (
-            "who is left out is decided anew, by ways and prices alone; "
+            "who is left out is decided again, by paths and prices alone; "
             f"the choices would cost {kept} cm now, others {plan.cost} cm"
         )
     else:

@@ -214,7 +214,7 @@ def told(capsys):
     return printed
 
 
-EVERY = "Every difference hangs on a parameter"
+EVERY = "Every difference depends on a parameter"
 TWO = "matrix: {people: [guest], profiles: [german_man, arab_woman], seeds: [0, 1]}\n"
 
 

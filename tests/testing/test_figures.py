@@ -211,7 +211,7 @@ def test_who_walks_up_to_the_robot_is_named_behind_how_near_they_were(write, jud
 def test_a_chosen_place_has_the_plan_by_which_it_was_chosen(reasons):
     asks = "changes: [{at_s: 2, person: host, says: {approach_direction: 80}}]\n"
     told = reasons("chosen_bearing of host between -10 and 10 deg", more=asks)
-    assert re.search(r"^anew      planned at t=2\.\d+ s: host asked for approach_direction 80", told, re.M)
+    assert re.search(r"^replanned at t=2\.\d+ s: host asked for approach_direction 80", told, re.M)
     assert "Reach_user(robot, host, left)" in told
     assert "Reach_user(robot, host, front)" not in told
 

@@ -412,8 +412,8 @@ def test_a_way_that_is_no_longer_ruled_out_is_told_though_nothing_else_differs(k
     (failure,) = judged(claim).failures
     told = {failure.finding.got, *failure.finding.also}
     assert told == {
-        "left of Reach_user(robot, guest): no longer ruled out (no free place there)",
-        "both, wave of Greet_person(robot, host): no longer ruled out (no free place there)",
+        "left of Reach_user(robot, guest): no longer excluded (no free place there)",
+        "both, wave of Greet_person(robot, host): no longer excluded (no free place there)",
     }
 
 
@@ -425,4 +425,4 @@ def test_choices_that_the_same_befell_are_told_together(kept):
     (failure,) = judged(claim).failures
     told = [line for line in failure.finding.also if "drowns a voice" in line and " of Greet_person" in line]
     assert len(told) <= 2
-    assert any("more of Greet_person(robot, guest): now ruled out (" in line for line in told)
+    assert any("more of Greet_person(robot, guest): now excluded (" in line for line in told)

@@ -59,7 +59,7 @@ def of_course(
         if since_s >= until_s:
             break
         if because:
-            yield f"anew      planned at t={since_s:.2f} s: {because}"
+            yield f"replanned at t={since_s:.2f} s: {because}"
         yield from (_planned(step, episode.prepared.values) for step in steps)
     yield from shaping(episode, person)
     yield from of_time(episode, person, until_s=until_s, moving=moving)

@@ -82,7 +82,7 @@ def _plan(before: Golden, now: Golden) -> Iterator[str]:
 
 
 def _choices(step: str, was: Mapping[str, str], now: Mapping[str, str]) -> Iterator[str]:
-    """Ways to do a step that are no longer ruled out, or are by now, or for another reason."""
+    """Choices for a step that are no longer excluded, or are now, or for another reason."""
     alike: dict[tuple[str | None, str | None], list[str]] = {}
     for choice in {**was, **now}:
         alike.setdefault((was.get(choice), now.get(choice)), []).append(choice)
@@ -97,10 +97,10 @@ def _listed(choices: Sequence[str]) -> str:
 
 
 def _openness(was: str | None, now: str | None) -> str:
-    """A choice that is not ruled out need not be open: the person may have excluded it."""
+    """A choice that is not excluded need not be open: the person may have asked for another."""
     if now is None:
-        return f"no longer ruled out ({was})"
-    return f"now ruled out ({now})" if was is None else f"ruled out, {was} -> {now}"
+        return f"no longer excluded ({was})"
+    return f"now excluded ({now})" if was is None else f"excluded, {was} -> {now}"
 
 
 def _others(before: Golden, now: Golden) -> Iterator[str]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 
+from comity.testing.trials.nodes import FORMER_NODES
 from comity_domain.problem.bound_parameters import ABOUT_VISITS
 from comity_executor.memory.visit_context import SAY_ACT
 from comity_sim2d.metrics import EPISODE, VISIT, by_short_name
@@ -44,7 +45,6 @@ _FORMER: Mapping[str, _Put] = {
     rf"^never ({'|'.join(_VERBS)}) twice": lambda found: (
         f"{_VERBS[found[1].lower()]} succeeds at most once per person"
     ),
-    r"\butter\b": "say",
     r"\bplans anew\b": "replans",
     r"\bbinds anew\b": "updates parameters",
     r"\bis ruled out\b": "is excluded",
@@ -91,14 +91,17 @@ def renamed(metric: str, text: str) -> str | None:
     return re.sub(rf"\b{metric}\b", now, text, count=1) if now else None
 
 
-def rewordings(text: str) -> Iterator[str]:
+def rewordings(sentence: str) -> Iterator[str]:
     """The sentence otherwise, which may be understood then: one thing put otherwise, or all that can be.
 
     Args:
-        text: The sentence.
+        sentence: As it was written.
     """
+    text = sentence
+    for former, now in FORMER_NODES.items():
+        text = re.sub(rf"\b{former}\b", now, text)
     single = [re.sub(found, put, text, flags=re.IGNORECASE) for found, put in _RULES.items()]
     every = text
     for found, put in _RULES.items():
         every = re.sub(found, put, every, flags=re.IGNORECASE)
-    yield from dict.fromkeys(other for other in chain(single, [every]) if other != text)
+    yield from dict.fromkeys(other for other in chain([text], single, [every]) if other != sentence)

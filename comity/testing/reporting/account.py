@@ -136,7 +136,7 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
         yield from contrasts(told.unexplained)
     else:
         which = "Every other" if told.asked_for or small else "Every"
-        yield f"  {which} difference hangs on a parameter that differs, and is in proportion to it."
+        yield f"  {which} difference depends on a parameter that differs, and is in proportion to it."
     if told.asked_for:
         yield "Somebody asked for\n"
         yield from contrasts(told.asked_for)

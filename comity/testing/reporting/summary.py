@@ -138,5 +138,5 @@ def served_table(lines: Iterable[ServedAnswer]) -> RenderableType:
         )
         for one in ordered
     ]
-    head = ("profile", "tests", "failed", "served", "time", "off by", "intrusion", "detour")
+    head = ("profile", "tests", "failed", "served", "time", "error", "intrusion", "detour")
     return table(rows, head=head)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.preparation import Prepared
     from comity_executor import Node, TraceEvent
+
+FORMER_NODES: Mapping[str, str] = {"utter": SAY_ACT}
+"""Nodes of the behaviour tree by the names that they had in earlier versions."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +71,9 @@ def _require_possible(episode: Episode, word: str) -> None:
     of_people = not named.about or any(part in scenario.people for part in named.about)
     of_a_goal = any(part in goals_of(scenario) for part in named.about)
     if not (of_people and named.action in elsewhere) and not (of_a_goal and named.action in here):
-        raise InputError(
-            expected="a node of the behaviour tree", got=repr(word), remedy=closest(word, here | elsewhere)
-        )
+        former = FORMER_NODES.get(named.action)
+        remedy = f"Write `{former}`." if former else closest(word, here | elsewhere)
+        raise InputError(expected="a node of the behaviour tree", got=repr(word), remedy=remedy)
 
 
 def _of_other_trees(prepared: Prepared) -> Iterator[str]:
