@@ -1,4 +1,4 @@
-"""Where everybody was at every control tick."""
+"""The positions of the robot and of all people at every control tick."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What kind of thing a field of a value or an argument of a function may be: whatever is none is refused."""
+"""Kinds of values that a field or an argument may have: every other value is refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong with a scene, and with whom or what in it."""
+"""The error of a scene: what is wrong, and which person or thing it concerns."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What the robot does whatever it is told: slow down, stop, step aside, let people pass."""
+"""Safety behaviours that override every command: slow down, stop, step aside, let people pass."""

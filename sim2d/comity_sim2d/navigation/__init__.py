@@ -1,1 +1,1 @@
-"""Where the robot may stand beside somebody, and by which route it gets there."""
+"""Where the robot may stand next to a person, and by which route it gets there."""

@@ -1,1 +1,1 @@
-"""Everybody on foot: the social forces between them, where they go, and what they do about the robot."""
+"""Pedestrians: the social forces between them, where they go, and how they react to the robot."""

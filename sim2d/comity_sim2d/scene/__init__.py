@@ -1,1 +1,1 @@
-"""A scene: the room, what and who stands in it; frozen, and checked when built."""
+"""A scene: a room with its things and people, and the robot at its start; frozen, and checked when built."""
