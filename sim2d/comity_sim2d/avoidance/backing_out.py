@@ -1,6 +1,6 @@
-"""Backing out: in a narrow place the robot goes back the way it came before who comes, and lets them by.
+"""Backing out: in a narrow place the robot retreats along its own path from an approaching person.
 
-It lets whoever walks go first. Where neither gets by the other, both would wait.
+The walking person goes first. Without this, both would wait where neither gets by the other.
 """
 
 from __future__ import annotations
@@ -19,35 +19,37 @@ from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 
 HELD_S, RESTS_M_S = 3.0, 0.02
-"""Who is slower than the second for the first is held up (our choice)."""
+"""A person slower than `RESTS_M_S` for `HELD_S` is blocked (our choice)."""
 ASKED_S = 6.0
-"""So long by one who has not come close: they may have been asked by then, and have had time to go."""
+"""The same time for a person who has not come close [s]: they may have been asked by then, and had time to
+go."""
 NEAR_M = 0.6
-"""So near a passer-by holds the robot up, between their bodies: they stop before it no farther away."""
+"""Gap between the bodies below which a passer-by blocks the robot [m]: they stop before it no farther
+away."""
 BESIDE_M = 0.05
-"""So much more than their bodies do two need to get by one another."""
+"""Space that two bodies need in addition to their widths to get by one another [m]."""
 AROUND = 48
-"""In so many places around the robot it is looked for whether somebody gets by."""
+"""Number of places around the robot that are tested for a person to get by."""
 BACK_M, BACK_M_S = 0.9, 0.3
-"""So far back it goes at least, and so fast: who comes out has room to turn aside (our choice)."""
+"""Minimum way back [m] and its speed [m/s]: a person who comes out has room to turn aside (our choice)."""
 LETS_BY_S = 5.0
-"""Where nothing has come of it for so long, it has its turn, whether or not they went by (our choice)."""
+"""Time without progress after which the robot goes on, whether or not they went by [s] (our choice)."""
 BY_S = 1.0
-"""Where nobody it knows has come for so long they are by, or have turned round (our choice)."""
+"""Time without an approaching known person after which they are by, or have turned round [s] (our choice)."""
 NEARER_M = 0.05
-"""Who has come nearer by so much comes still."""
+"""A person who has come nearer by this distance is still approaching [m]."""
 MARK_M, MARKS = 0.1, 100
-"""It remembers its way in marks so far apart, and so many of them."""
+"""Spacing [m] and maximum number of the marks by which the robot remembers its path."""
 SETTLES_S, THERE_M = 0.5, 0.03
-"""It comes to rest where it waits over the first, to within the second."""
+"""Time in which it comes to rest at the waiting place [s], and its tolerance there [m]."""
 
 
 class BackingOut:
-    """Gets one robot out of doorways and passages that others want through.
+    """Gets one robot out of doorways and passages that others want to use.
 
     Args:
         radius_m: Of the robot.
-        oncoming: Who of those it knows may hold it up.
+        oncoming: The known people who may block it.
     """
 
     def __init__(self, radius_m: float, oncoming: Oncoming) -> None:
@@ -57,39 +59,39 @@ class BackingOut:
         self._marks: deque[XY] = deque(maxlen=MARKS)
         self._held_s = 0.0
         self._is_barred = False
-        """Whether whoever holds it up does not get by it."""
+        """Whether the blocking person does not get by it."""
         self._by: OncomingPerson | None = None
-        """Who holds it up, where they were then, or did last."""
+        """The current or last blocking person, and where they were then."""
         self._held_at: XY | None = None
-        """Where it was held up by them, when it backs out for that."""
+        """Where they blocked it, when it backs out for that."""
         self._waits_at: XY | None = None
         """Where it waits until they are by, once it is out."""
         self._idle_s = self._alone_s = 0.0
-        """For how long nothing has come of it, and nobody it knows has come."""
+        """Time without progress, and time without an approaching known person [s]."""
         self._nearest_m = math.inf
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
-        """Know of people who are in nobody's plan: they may hold it up, too."""
+        """Know of passers-by, who are in no plan: they may block the robot, too."""
         self._passers_by = passers_by
 
     @property
     def before(self) -> str | None:
-        """Before whom it backs out, or waits there."""
+        """The person for whom it backs out or waits."""
         return self._by.name if self._by and self._held_at else None
 
     @property
     def held_up_by(self) -> str | None:
-        """Before whom it backs out in a moment, if they stay."""
+        """The person for whom it will back out if they stay."""
         expects = self._held_s and self._is_barred and self._by is not None and self._by.is_close
         return self._by.name if self._by and expects else None
 
     def velocity(self, base: Base, plan: FloorPlan, *, visited: str | None) -> XY | None:
-        """How it goes back now, (0, 0) where it waits; None where it does neither.
+        """The velocity of backing out, (0, 0) while it waits; None where it does neither.
 
         Args:
             base: How the robot's base moves now.
             plan: What stands still.
-            visited: Whom it goes to: they are not let by.
+            visited: The person it goes to: it does not back out for them.
         """
         if self._held_at is None or self._by is None:
             if not self._marks or math.dist(base.xy, self._marks[-1]) >= MARK_M:
@@ -110,14 +112,14 @@ class BackingOut:
     def note(
         self, base: Base, allowed: XY, plan: FloorPlan, *, to: str | None, stand: Collection[str] = ()
     ) -> None:
-        """Take note of what others leave of the way; where that is nothing for long, back out.
+        """Observe how far others let the robot go; back out if they block it for long.
 
         Args:
             base: How the robot's base moves now.
-            allowed: What is left of what is wanted.
+            allowed: The velocity command after all limits.
             plan: What stands still.
-            to: Whom or what it is under way to; None where it is not.
-            stand: Passers-by who stood in its way before it came to them: they are asked.
+            to: The person or place it is under way to; None where it is not.
+            stand: Passers-by who stood in its path before it came to them: it asks them to make way.
         """
         rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and self._held_at is None
         comer = self._holder(base.xy, to, stand, plan) if rests and to is not None else None
@@ -134,7 +136,7 @@ class BackingOut:
                 self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
 
     def _holder(self, xy: XY, visited: str, stand: Collection[str], plan: FloorPlan) -> OncomingPerson | None:
-        """The nearest who may hold it up, and does not come from behind; of passers-by, one whom it bars."""
+        """The nearest possible blocking person, not from behind; of passers-by, one that it blocks."""
         before = self._before(xy)
         known = [
             comer
@@ -165,7 +167,7 @@ class BackingOut:
         ]
 
     def _watch(self, base: Base, by: OncomingPerson, held_at: XY, visited: str | None) -> None:
-        """See what has come of it: the robot went back, or they came on."""
+        """Observe progress: the robot went back, or they came on."""
         self._idle_s += base.step_s
         self._alone_s += base.step_s
         while self._marks and math.dist(base.xy, self._marks[-1]) < MARK_M:
@@ -188,13 +190,13 @@ class BackingOut:
         return away_m >= BACK_M and not self._bars(xy, by, plan)
 
     def _place_to_wait(self, xy: XY, by: OncomingPerson, held_at: XY, plan: FloorPlan) -> XY:
-        """Beside the line of somebody it knows; passers-by choose their way, and others come to any place."""
+        """A place off the line of a known person; for passers-by, who choose their path, where it stands."""
         if self._oncoming.knows(by.name):
             return waiting_place(xy, held_at, self._radius_m, by.radius_m, plan)
         return xy
 
     def _is_by(self, held_at: XY) -> bool:
-        """Whether nobody is where it was held up, or comes from there."""
+        """Whether no person is where it was blocked, or comes from there."""
         return not self._strangers(held_at) and self._alone_s >= BY_S
 
     def _before(self, xy: XY) -> XY | None:
@@ -202,7 +204,7 @@ class BackingOut:
         return next((mark for mark in reversed(self._marks) if math.dist(mark, xy) >= BACK_M / 2), None)
 
     def _bars(self, xy: XY, who: OncomingPerson, plan: FloorPlan) -> bool:
-        """Whether nobody gets by the robot, on either side, from there to where it came from."""
+        """Whether the robot leaves no room to get by, on either side, from there to where it came from."""
         before = self._before(xy)
         if before is None:
             return False
@@ -216,7 +218,7 @@ class BackingOut:
 
 
 def _towards(xy: XY, goal: XY, *, stops: bool = True) -> XY:
-    """The velocity to a place; none where it is there and stops."""
+    """The velocity to a place; (0, 0) at the place if it stops there."""
     left_m = math.dist(xy, goal)
     if stops and left_m <= THERE_M:
         return (0.0, 0.0)

@@ -1,4 +1,4 @@
-"""Drawing back: a robot that has touched somebody gets away from them, straight, before anything else.
+"""Contact recovery: after a contact with a person the robot moves straight away from them before all else.
 
 It knows where they are, as it felt them: to move along a body, or to turn to its way with a step aside, would
 be to rub against it.
@@ -17,15 +17,15 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 
 BACK_M_S = 0.2
-"""Slow, for it does not look where it goes (our choice)."""
+"""Speed of the recovery [m/s]: slow, as it does not look where it goes (our choice)."""
 FACES_RAD = math.radians(3.0)
-"""A base that cannot move sideways faces them as closely before it goes back."""
+"""A base that cannot move sideways faces the person to within this angle before it goes back."""
 AHEAD_M = 0.05
-"""So much room behind it is enough for the next ticks."""
+"""Room behind it that is enough for the next ticks [m]."""
 
 
 class ContactRecovery:
-    """From whom one robot gets away.
+    """The contacts of one robot from which it recovers.
 
     Args:
         touches: All contacts so far, in order; they grow with the world.
@@ -36,12 +36,12 @@ class ContactRecovery:
         self._touches = touches
         self._radius_m = radius_m
         self._over = 0
-        """So many of the contacts are done with."""
+        """Number of contacts that are handled."""
 
     def look(
         self, base: Base, people: Sequence[Person], plan: FloorPlan
     ) -> tuple[str, VelocityCommand] | None:
-        """Whom it draws back from now, and how; None from nobody, or where there is no room to.
+        """The person it recovers from now, and the command; None without a contact, or without room.
 
         Args:
             base: How the robot's base moves now.

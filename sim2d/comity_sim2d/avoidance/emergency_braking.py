@@ -1,8 +1,8 @@
-"""The last moment to brake before what stands still or walks in, whatever brought the robot so near.
+"""Emergency braking before obstacles and passers-by, whatever brought the robot so near.
 
-Routes keep off walls and furniture, and a robot that is on its route never comes to this. But one that a law
-for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its route.
-And passers-by may stop in front of it, or come.
+Routes keep off walls and furniture, and a robot that is on its route never comes to this. But a robot that a
+rule for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its
+route. And passers-by may stop in front of it, or come.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 
 SPARE_M = 0.75
-"""Lines that so much is left to are kept at hand: they are looked for anew after so much of the way."""
+"""Radius of the cached lines [m]: they are looked up again after this path length."""
 NEARLY_M = 0.01
-"""So far from things the robot is to stand then: less than a way off its route takes it (our choice)."""
+"""Gap to things at which the robot is to stop [m]: less than a path off its route leaves (our choice)."""
 
 TURNS_S = 0.5
-"""So long after that a base that cannot move sideways turns to where it is to go, and goes no sooner: on its
-heading it would creep up to the same thing, a tick and a brake at a time (our choice)."""
+"""Time for which a base that cannot move sideways then only turns to its goal [s]: on its heading it would
+creep up to the same thing, a tick and a brake at a time (our choice)."""
 AWAY = 0.1
-"""And it goes past the thing, and so much of its speed away from it (our choice)."""
+"""Share of its speed away from the thing, while it goes past it (our choice)."""
 
 Numbers = NDArray[np.float64]
 Vectors = NDArray[np.complex128]
@@ -36,7 +36,7 @@ Line = tuple[float, float, float, float, float]
 
 
 class EmergencyBraking:
-    """Looks after one robot on its way between things.
+    """Emergency braking of one robot between things.
 
     Args:
         spec: The robot's body.
@@ -49,16 +49,16 @@ class EmergencyBraking:
         self._at: XY = (0.0, 0.0)
         self._within_m = 0.0
         self._lines: list[Line] = []
-        """Those of the plan within so much of the place."""
+        """Lines of the floor plan within `SPARE_M` of that place, and their distances."""
         self._clear_at: XY = (0.0, 0.0)
         self._clear_m = 0.0
-        """So far from that place there was nothing."""
+        """Radius around that place without a line [m]."""
         self._turns_s = 0.0
         self._towards: XY = (0.0, 0.0)
-        """What it braked before, as a unit vector from it."""
+        """Unit vector from the thing it braked before."""
 
     def has_come(self, base: Base, plan: FloorPlan) -> bool:
-        """Whether the robot has to brake as hard as it can now, lest it touch something a tick later.
+        """Whether the robot has to brake as hard as it can now, to avoid a contact a tick later.
 
         It brakes on a straight line. What it goes away from or along does not count, however near it is.
         """
@@ -79,7 +79,7 @@ class EmergencyBraking:
         return False
 
     def has_come_before(self, base: Base, people: Vectors, reach_m: Numbers) -> bool:
-        """The same before passers-by; of who is beside the way only that it leads nearer to them counts.
+        """The same before passers-by; one next to the path counts only if the path leads nearer to them.
 
         Args:
             base: Where the robot is, and how it moves.
@@ -100,9 +100,9 @@ class EmergencyBraking:
         return False
 
     def turned(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
-        """What is wanted of a base that has just braked before something: past it; at rest it turns first.
+        """The command for a base that has just braked before a thing: past it; at rest it turns first.
 
-        One that may go backwards goes: it leaves what is before it.
+        A command that may go backwards stays: it leads away from the thing.
         """
         if not self._turns_s or not base.turns_to_go or wanted.velocity == (0.0, 0.0):
             return wanted
@@ -112,7 +112,7 @@ class EmergencyBraking:
         return wanted._replace(velocity=(0.0, 0.0), heading_rad=direction_to((0.0, 0.0), wanted.velocity))
 
     def _past(self, velocity: XY) -> XY:
-        """Without what of it leads to the thing, and with a little away from it."""
+        """The velocity without its component towards the thing, and with a little away from it."""
         ux, uy = self._towards
         closing = velocity[0] * ux + velocity[1] * uy + AWAY * math.hypot(*velocity)
         if closing <= 0.0:
@@ -120,7 +120,7 @@ class EmergencyBraking:
         return velocity[0] - closing * ux, velocity[1] - closing * uy
 
     def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[tuple[float, Line]]:
-        """All lines within so much of a place, and some more, and how far away they are."""
+        """All lines within a distance of a place, and some more, with their distances."""
         if plan is not self._plan or math.dist(xy, self._at) + within_m > self._within_m:
             self._plan, self._at, self._within_m = plan, xy, within_m + SPARE_M
             self._lines = _lines_near(plan, xy, self._within_m)

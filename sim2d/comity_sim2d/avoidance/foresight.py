@@ -1,4 +1,4 @@
-"""What comes of each way that a robot can go out of somebody's line: where everybody will be, and how near.
+"""Prediction of each direction in which a robot can leave a person's line: all positions and gaps.
 
 Directions are tried out against people who walk on as they do, as the dynamic window does (Fox, Burgard and
 Thrun 1997, "The dynamic window approach to collision avoidance"), each with the time that the base takes to
@@ -21,24 +21,25 @@ from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.person import Person
 
 HORIZON_S, STEP_S = 3.0, 0.25
-"""People are taken to walk on straight for so long; it is looked at in steps."""
+"""Prediction horizon [s], for which people are assumed to walk straight on, and its time step [s]."""
 MOMENTS = np.arange(0.0, HORIZON_S + STEP_S / 2, STEP_S)
 IN_THE_WAY_M, OUT_M = 0.15, 0.25
-"""Whoever would come nearer than the first finds the robot in their way, until they would pass at the second
+"""The robot obstructs a person who would come nearer than `IN_THE_WAY_M`, until they would pass at `OUT_M`
 (our choice: a walk stops 0.10 m before it; a robot stands 0.30 m from people at least)."""
 PASSES_M = 0.1
-"""A way that ends nearer to their line leaves them no way."""
+"""A path that ends nearer to their line than this blocks them [m]."""
 FAR_M, MARK_M = 1.5, 0.1
-"""Ways aside are looked at so far, at marks so far apart."""
+"""Length of the paths that are tried [m], and spacing of the tested points on them [m]."""
 NEAR_WALL_M = 0.03
-"""A way ends where it comes nearer to a wall or furniture (our choice: it goes slowly there)."""
+"""A path ends where it comes nearer than this to a wall or furniture [m] (our choice: it goes slowly
+there)."""
 
 Numbers = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class ApproachingPerson:
-    """Somebody who comes at the robot, or has come and waits for it."""
+    """A person who approaches the robot, or has come and waits for it."""
 
     person: Person
     course: XY
@@ -59,15 +60,15 @@ class CandidateDirection:
     direction: XY
     """Of length one."""
     speed_m_s: float
-    """To go it with; 0 where there is no way."""
+    """Speed in that direction; 0 where there is no path."""
     score_m: float
-    """Metres gained."""
+    """Gained distance [m]."""
     gap_m: float
-    """The least to somebody."""
+    """The least gap to a person [m]."""
 
 
 class Foresight:
-    """Where everybody will be, and how near each way of the robot comes to them."""
+    """Predicted positions of all people, and the gaps of each path of the robot to them."""
 
     def __init__(
         self,
@@ -102,7 +103,7 @@ class Foresight:
         return bool(gaps.min() < within_m and gaps.argmin() > 0)
 
     def is_fine(self, velocity: XY) -> bool:
-        """Whether what is wanted keeps the robot out of everybody's way as well as it may."""
+        """Whether the velocity command already keeps the robot clear of all people as well as possible."""
         speed = math.hypot(*velocity)
         if speed < 1e-6:
             return not any(self.is_in_the_way(comer, IN_THE_WAY_M) for comer in self.comers)
@@ -119,13 +120,12 @@ class Foresight:
 
     def tried(self, ways: list[XY], in_way: frozenset[str]) -> Iterator[CandidateDirection]:
         """What each direction is worth."""
-        # Each direction is driven in thought with the base's own acceleration and time to turn, against
-        # people who walk on straight (dynamic window; Fox, Burgard and Thrun 1997). Directions and not
-        # velocities are sampled, since near people the speed is given by the limit there and by how far the
-        # way is free. The score adds the least gap, the mean gap and the distance from their line at the
-        # end, each at most the margin: past the margin more room is worth nothing, or the robot would flee
-        # across the room. A direction that ends on their line counts as no way at all: the person would
-        # have to stop.
+        # Each direction is simulated with the base's own acceleration and time to turn, against people who
+        # walk on straight (dynamic window; Fox, Burgard and Thrun 1997). Directions and not velocities are
+        # sampled, since near people the speed is given by the limit there and by how far the way is free. The
+        # score adds the least gap, the mean gap and the distance from their line at the end, each at most the
+        # margin: past the margin more room is worth nothing, or the robot would flee across the room. A
+        # direction that ends on their line counts as no way at all: the person would have to stop.
         free_m = self._free_m(ways)
         scores, least = self._scores(self._driven(ways, free_m, NEAR_PEOPLE_M_S), in_way)
         ends = np.array(self._start) + free_m[:, None] * np.array(ways)
@@ -136,7 +136,7 @@ class Foresight:
             yield CandidateDirection(way, speed, float(score), float(gap_m))
 
     def score_at_rest(self, in_way: frozenset[str]) -> float:
-        """How good it is to stay."""
+        """The score of staying."""
         return float(self._scores(np.broadcast_to(self._start, (1, len(MOMENTS), 2)), in_way)[0][0])
 
     def _scores(self, points: Numbers, in_way: frozenset[str]) -> tuple[Numbers, Numbers]:
@@ -152,12 +152,12 @@ class Foresight:
         return np.asarray(np.hypot(apart[..., 0], apart[..., 1]) - self._reach_m[:, None])
 
     def _off_lines(self, points: Numbers, in_way: frozenset[str]) -> Numbers:
-        """How far places (n, 2) are beside the nearest of their lines; (n,)."""
+        """Distance of places (n, 2) from the nearest of their lines; (n,)."""
         off = [self._off_line(points, comer) for comer in self.comers if comer.person.name in in_way]
         return np.asarray(np.min(off, axis=0))
 
     def _off_line(self, points: Numbers, comer: ApproachingPerson) -> Numbers:
-        """How far places (n, 2) are beside the line that somebody comes on; (n,)."""
+        """Distance of places (n, 2) from the line on which a person comes; (n,)."""
         apart = points - np.array(comer.person.xy)
         along = apart @ np.array(comer.course)
         across = np.abs(apart @ np.array((-comer.course[1], comer.course[0])))

@@ -1,7 +1,7 @@
-"""Looking first: a robot that does not see all round goes only where it saw a moment ago that nobody is.
+"""Look before moving: a robot without all-round view goes only where it saw free floor a moment ago.
 
-What it does not see may have people on it, whatever it goes there for: onto its pose, aside or back before
-somebody who comes. Where its way leads onto such floor it slows down, turns to see it, and goes on.
+Unseen floor may have people on it, whatever the motion: onto its pose, aside, or back from an approaching
+person. Where its path leads onto such floor it slows down, turns to see it, and goes on.
 """
 
 from __future__ import annotations
@@ -21,16 +21,17 @@ from comity_sim2d.senses.sensing import SensedPeople
 from comity_sim2d.senses.visibility_memory import CELL_M, Numbers
 
 SEEN_S = 10.0
-"""So long floor counts as free that was: longer than it takes to look to both sides (our choice)."""
+"""Time for which floor that was free counts as free [s]: longer than a look to both sides (our choice)."""
 SHIFT_M = 0.05
-"""So far from where it knew its way it moves without looking, as with its own noise (our choice)."""
+"""Distance from its last known free place that it moves without looking [m], as by its own noise (our
+choice)."""
 LOOKS_M_S = 0.1
-"""Rather than go on more slowly it stops to look (our choice)."""
+"""Below this speed it stops to look instead of going on [m/s] (our choice)."""
 SPARE_M = 0.1
-"""So far beyond where it could stop it wants to see."""
+"""Distance beyond its stopping point that it has to see [m]."""
 FINISHES_S = 3.0
-"""So long it goes on turning to a place that it began to look at, though it does not want to go there now:
-longer than half a turn takes (our choice). What it wants may hang on where it looks."""
+"""Minimum time to look at a place that it began to look at, even if its goal has changed [s]: longer than
+half a turn takes (our choice). Its goal may depend on where it looks."""
 
 
 class StraightPath(NamedTuple):
@@ -42,7 +43,7 @@ class StraightPath(NamedTuple):
 
 
 class LookBeforeMoving:
-    """Keeps one robot on floor that it has seen.
+    """Keeps one robot on floor that it has seen to be free.
 
     Args:
         spec: The robot's body; its sensor sees less than all round.
@@ -53,21 +54,21 @@ class LookBeforeMoving:
         self._reach_m = spec.radius_m + PERSON_RADIUS_M
         self._senses = senses
         self._knew: XY | None = None
-        """Where it last knew its way, or stood at the start."""
+        """Its last known free place, or where it stood at the start."""
         self._place: XY | None = None
-        """What it turns to see; left or right, it stays with that until it has seen it."""
+        """The place it turns to see; it keeps the side, left or right, until it has seen it."""
         self._idle_s = 0.0
-        """For how long it has not wanted to go where it would have to look."""
+        """Time since a command last led where it would have to look [s]."""
         self.looks = False
-        """Whether it does not go where it wants to before it has seen more."""
+        """Whether it waits for a look before it follows the command."""
 
     def allowed(self, base: Base, wanted: VelocityCommand, plan: FloorPlan) -> VelocityCommand:
-        """What is left of what is wanted, and where to look for more.
+        """The part of the velocity command that is allowed, and the heading for a look.
 
         Args:
             base: How the robot's base moves now.
-            wanted: By whoever steers it, within all other limits.
-            plan: What stands still, where nobody else can be.
+            wanted: The velocity command, within all other limits.
+            plan: What stands still, where no person can be.
         """
         self.looks = False
         self._knew = self._knew or base.xy
@@ -98,7 +99,7 @@ class LookBeforeMoving:
         return wanted._replace(velocity=limit_speed(wanted.velocity, most_m_s), heading_rad=heading)
 
     def _finishing(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
-        """Where it is to rest, it looks for a while yet at what it turns to."""
+        """The command at rest, which goes on with the look for a while."""
         self._idle_s += base.step_s
         heading = self._heading(base) if self._idle_s <= FINISHES_S else None
         if heading is None:
@@ -108,7 +109,7 @@ class LookBeforeMoving:
         return wanted._replace(heading_rad=heading)
 
     def _heading(self, base: Base) -> float | None:
-        """The direction of what it turns to see; None where it has looked there."""
+        """The direction of the place it turns to see; None where it has looked there."""
         if self._place is None:
             return None
         x, y = self._place[0] - base.xy[0], self._place[1] - base.xy[1]
@@ -117,7 +118,7 @@ class LookBeforeMoving:
         return math.atan2(y, x) if is_left else None
 
     def _met(self, way: StraightPath, places: Numbers, plan: FloorPlan) -> tuple[Numbers, Numbers]:
-        """Those of some places where it would touch whoever stands there, and after how much way [m]."""
+        """Places where it would touch a person standing there, and the path length to the contact [m]."""
         along = places @ np.array(way.direction)
         across = places @ np.array((-way.direction[1], way.direction[0]))
         near = (np.abs(across) < self._reach_m) & (along > 0.0)

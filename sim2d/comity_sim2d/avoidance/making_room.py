@@ -1,4 +1,4 @@
-"""Making room: a robot that cannot step aside goes back before whoever comes slowly, where there is space."""
+"""Making room: a robot that cannot step aside goes back from a slow approaching person."""
 
 from __future__ import annotations
 
@@ -11,21 +11,22 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 
 WITHIN_S = 1.0
-"""Who would be at the robot's body (but for `KEEP_OFF_M`) sooner than this is made room for (our choice)."""
+"""The robot makes room for a person who would reach its body (but for `KEEP_OFF_M`) sooner [s] (our
+choice)."""
 
 
 def make_room(
     xy: XY, velocity: XY, radius_m: float, walkers: Iterable[Walker], plan: FloorPlan, *, braking: float
 ) -> XY:
-    """The velocity with as much of going back as keeps whoever comes nearer at a distance.
+    """The velocity with as much retreat as keeps an approaching person at a distance.
 
-    Who is faster than the robot may be near people cannot be got away from: for them it stays where it is.
+    The robot cannot get away from a person who is faster than its limit near people: for them it stays.
 
     Args:
         xy: Where the robot's centre is.
-        velocity: What is wanted.
+        velocity: The velocity command.
         radius_m: Of the robot.
-        walkers: Who moves.
+        walkers: People who move.
         plan: What it must not go back into.
         braking: The deceleration to count on [m/s^2].
     """

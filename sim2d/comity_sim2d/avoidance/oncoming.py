@@ -1,6 +1,6 @@
-"""Who comes at the robot, or has come and stands before it: neither gets on until one of them goes back.
+"""People who approach the robot, or have come and stand before it: one of both has to go back.
 
-Who only stands there is somebody else: they may be asked to make way, and whoever comes would have to go back
+Bystanders are another case: the robot may ask them to make way. An approaching person would have to go back
 all of their way.
 """
 
@@ -17,21 +17,22 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.senses.sensing import SensedPeople
 
 HELD_UP_M = 0.95
-"""Who has come so near, between the bodies, and goes no farther is held up by the robot (our choice): people
-to whom it is another person stop 0.8 m before it in a passage, and those who only look at it 1.05 m."""
+"""The robot blocks a person who has come this near, between the bodies, and goes no farther [m] (our choice).
+People who take it for another person stop 0.8 m before it in a passage, and those who only look at it 1.05
+m."""
 COMES_COS = 0.5
-"""Whoever goes straight for the robot, to within 60 degrees, comes at it; close to it whoever goes anywhere:
-they try to get by (our choice)."""
+"""A person whose course is within 60 degrees of the robot approaches it. Close to it any course counts: they
+try to get by (our choice)."""
 COMES_S = 0.35
-"""Who has walked for less may only lean in, or step up (our choice)."""
+"""A person who has walked for less may only lean in, or step up [s] (our choice)."""
 MAKES_WAY_S = 5.0
-"""A person whom the robot asked to let it pass makes way for so long [s], and does not come (our choice)."""
+"""Time for which a person makes way after being asked, and does not count as approaching [s] (our choice)."""
 LATELY_S = 30.0
-"""Who came so lately and stands still may have stopped because of the robot (our choice)."""
+"""A standing person who came within this time may have stopped because of the robot [s] (our choice)."""
 
 
 class OncomingPerson(NamedTuple):
-    """Somebody who comes, or has come."""
+    """A person who approaches, or has come."""
 
     name: str
     xy: XY
@@ -39,12 +40,12 @@ class OncomingPerson(NamedTuple):
     gap_m: float
     """Between the bodies."""
     is_close: bool = True
-    """Whether they went on until they were so near the robot; else they wait, or it came up to them."""
+    """Whether they came as near as `HELD_UP_M` themselves; else they wait, or the robot came up to them."""
 
 
 @dataclass(slots=True)
 class _Way:
-    """How somebody has come."""
+    """The approach of a person."""
 
     since_s: float
     """When they set out."""
@@ -54,7 +55,7 @@ class _Way:
 
 
 class Oncoming:
-    """Keeps in mind who came at one robot.
+    """The people who have approached one robot.
 
     Args:
         radius_m: Of the robot.
@@ -66,7 +67,7 @@ class Oncoming:
         self._senses = senses
         self._now_s = 0.0
         self._ways: dict[str, _Way] = {}
-        """Of whoever walks or has come."""
+        """By name of people who walk or have come."""
         self._asked_s: dict[str, float] = {}
         """When each person was asked last to let the robot pass."""
 
@@ -75,7 +76,7 @@ class Oncoming:
         self._asked_s.update(dict.fromkeys(names, self._now_s))
 
     def look(self, base: Base) -> None:
-        """See who walks now, and whether at the robot; to be called in every tick."""
+        """Update who walks now, and whether towards the robot; to be called in every tick."""
         self._now_s += base.step_s
         walkers = self._senses.walkers
         if not walkers and not self._ways:
@@ -96,7 +97,7 @@ class Oncoming:
                 del self._ways[name]
 
     def comers(self, xy: XY, *, within_s: float = LATELY_S) -> list[OncomingPerson]:
-        """Those who stand close before a robot there, or came so lately.
+        """People who stand close before a robot there, or came within a given time.
 
         Args:
             xy: Where the robot is.
@@ -111,11 +112,11 @@ class Oncoming:
         return found
 
     def knows(self, name: str) -> bool:
-        """Whether somebody is one of those it knows, and not any passer-by."""
+        """Whether a person is known by name, and no passer-by."""
         return any(person.name == name for person in self._senses.people)
 
     def forget(self, name: str) -> None:
-        """Somebody only stands there, until they come anew."""
+        """Treat a person as a bystander until they approach again."""
         self._ways.pop(name, None)
 
     def _makes_way(self, name: str) -> bool:
@@ -126,6 +127,6 @@ class Oncoming:
 
 
 def _comes(person: Person, velocity: XY, base: Base) -> bool:
-    """Whether somebody goes for the robot."""
+    """Whether a person's course leads to the robot."""
     x, y = base.xy[0] - person.x_m, base.xy[1] - person.y_m
     return velocity[0] * x + velocity[1] * y > COMES_COS * math.hypot(*velocity) * math.hypot(x, y)

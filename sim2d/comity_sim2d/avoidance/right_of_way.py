@@ -1,4 +1,4 @@
-"""A robot that gives way to passers-by: it is slow near them, and stops before whoever is in its way."""
+"""Right of way of passers-by: the robot is slow near them, and stops before those in its path."""
 
 from __future__ import annotations
 
@@ -13,18 +13,19 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 SIDEWAYS_COS = 0.1
-"""Who is farther to the side than this (84 deg) is not in the way."""
+"""A person farther to the side than this (84 deg) is not in the path."""
 CLOSES_M_S = 0.015
-"""Going by them it comes nearer to them no faster [m/s]: less than what counts as coming (our choice)."""
+"""Maximum closing speed while passing them [m/s]: less than what counts as approaching (our choice)."""
 AWAY_COS = -0.3
 """A line at more than 107 degrees from the direction of a person gets away from them (our choice)."""
 GRAZES_M = 0.02
-"""Nor is who is inside the margin already, where the line leads nearer to them by no more, and not to where
-the robot keeps off anybody (our choice): who stands beside the robot would hold it up for good."""
+"""A person already inside the margin does not block a line that leads nearer to them by no more than this
+[m], and not below the minimum gap (our choice). Otherwise a person next to the robot would block it for
+good."""
 
 
 class PassersBySeen(Protocol):
-    """People in the robot's way who are in nobody's plan."""
+    """People around the robot who are in no plan."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -52,10 +53,10 @@ def yield_to(
     ahead_m: float,
     stands_beside: bool = False,
 ) -> XY:
-    """The wanted velocity, slowed down so that the robot can stop before people and is slow near them.
+    """The velocity command, slowed down so that the robot can stop before people and is slow near them.
 
     Args:
-        wanted: What the robot would do without them.
+        wanted: The velocity command without them.
         xy: Where its centre is.
         people: Where theirs are, x + iy, shape (n,).
         reach_m: Both radii together, shape (n,).
@@ -76,10 +77,10 @@ def yield_to(
     gaps = gap[matter].tolist()
     # Speed and separation monitoring (ISO/TS 15066): the speed is at most that from which the base, braking
     # at `braking`, still stops before the margin, v = sqrt(2 a d), after what it covers before the next
-    # command takes hold. Only the length of the velocity changes and never its direction: to evade is for
-    # the layers above, and two layers that steer would oscillate. Whoever is beside the line, or is grazed
-    # by it inside the margin, does not stop the robot: else a person who stands next to it would hold it
-    # there for good (the frozen robot; Trautman and Krause 2010).
+    # command takes hold. Only the length of the velocity changes and never its direction: to evade is for the
+    # layers above, and two layers that steer would oscillate. A person next to the line, or grazed by it
+    # inside the margin, does not stop the robot: else a person who stands next to it would block it there for
+    # good (the frozen robot; Trautman and Krause 2010).
     most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
     for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
         towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)
@@ -95,6 +96,6 @@ def yield_to(
 
 
 def _grazes(apart_m: float, gap_m: float, towards: float) -> bool:
-    """Whether somebody is inside the margin, and a line at an angle with this cosine leads by them."""
+    """Whether a person is inside the margin, and a line at an angle with this cosine leads by them."""
     nearer_m = apart_m * (1.0 - math.sqrt(max(0.0, 1.0 - towards * towards)))
     return gap_m < PERSON_MARGIN_M and nearer_m <= min(GRAZES_M, gap_m - KEEP_OFF_M)

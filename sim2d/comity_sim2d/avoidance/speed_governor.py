@@ -1,4 +1,4 @@
-"""What the robot does whatever it is told: be slow near people, not push on towards them, let them pass."""
+"""Speed governor over every command: slow near people, no push towards them, right of way for them."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import SensedPeople
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
-"""The robot brakes as hard as it can rather than come nearer to somebody than the first, faster than the
-second (our choice: a third of where it does not go by itself)."""
+"""The robot brakes as hard as it can rather than come nearer to a person than `TOUCHING_M`, faster than
+`DRIFT_M_S` (our choice: a third of the gap that it keeps by itself)."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 
@@ -56,13 +56,13 @@ class SpeedGovernor:
         self._reach_m = np.empty(0)
         """Between the robot's centre and theirs when the bodies touch."""
         self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
-        """Between the bodies when somebody comes into view, less what the robot keeps off them."""
+        """Gap between the bodies when a person comes into view, less the gap that the robot keeps."""
         self._emergency_braking = EmergencyBraking(spec)
         self._stepping_aside = SteppingAside(spec.radius_m)
         self._look_first = None if senses.sees_all_round else LookBeforeMoving(spec, senses)
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
-        """Mind people whom nobody plans for."""
+        """Take passers-by into account, who are in no plan."""
         self._passers_by = passers_by
         self._backing_out.let_pass(passers_by)
         self._reach_m = passers_by.radius_m + self._spec.radius_m
@@ -84,18 +84,18 @@ class SpeedGovernor:
         looks: bool = True,
         near_m_s: Mapping[str, float] = NO_LIMITS,
     ) -> tuple[VelocityCommand, float]:
-        """What is left of what is wanted, and the highest speed here [m/s].
+        """The allowed part of the velocity command, and the speed limit here [m/s].
 
         Args:
             base: How the robot's base moves now.
-            wanted: By whoever steers it.
+            wanted: The velocity command.
             plan: What stands still around it.
-            visited: Whom or what it is under way to; None where it is not.
-            approached: The same where there is a way.
-            movers: Those whom its route does not lead round, but for the one who is visited.
-            stand: Who stands in its way, and is to be asked to let it pass.
-            looks: Whether it looks first at where it goes, where it does not see all round.
-            near_m_s: How fast it may move near those it visits, by name, beyond what they asked for.
+            visited: The person or place it is under way to; None where it is not.
+            approached: The same where there is a route.
+            movers: People that its route does not lead round, except the visited person.
+            stand: People who block its path, and are to be asked to let it pass.
+            looks: Whether it looks before moving, where it does not see all round.
+            near_m_s: Speed limits near the people it visits, by name, in addition to what they asked for.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
         ahead_s = base.step_s + base.lag_s
@@ -141,24 +141,24 @@ class SpeedGovernor:
 
     @property
     def backs_out_before(self) -> str | None:
-        """For whom the robot goes back out of a narrow place, or waits there until they are by."""
+        """The person for whom the robot backs out of a narrow place, or waits until they are by."""
         return self._backing_out.before
 
     @property
     def held_up_by(self) -> str | None:
-        """For whom it does so in a moment, if they do not go elsewhere."""
+        """The person for whom it will do so, if they do not go elsewhere."""
         return self._backing_out.held_up_by
 
     @property
     def looks_first(self) -> bool:
-        """Whether the robot looks at where it wants to go before it goes there."""
+        """Whether the robot looks at its path before it goes there."""
         return self._look_first is not None and self._look_first.looks
 
     def is_late(self, base: Base, body: Base, plan: FloorPlan) -> bool:
-        """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing.
+        """Whether usual braking would touch a person in its path, or harder braking a thing.
 
         Args:
-            base: Where it comes to be of what it was told.
+            base: Where its commands will have brought it.
             body: Where it is, and how it moves: from there it brakes.
             plan: What stands still around it.
         """
@@ -180,7 +180,8 @@ class SpeedGovernor:
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             if closing <= DRIFT_M_S:
                 continue
-            # Where it stops is foreseen; who walks comes on until the body has caught up with its commands.
+            # Its stopping point is predicted; a walking person comes on until the body has caught up with its
+            # commands.
             walks = person.name in walking
             behind_s = base.step_s + (base.lag_s if walks else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
@@ -190,7 +191,7 @@ class SpeedGovernor:
         return False
 
     def _stops_beside(self, base: Base, person: Person, braking: float) -> bool:
-        """Whether the robot, braking on its line, leaves somebody to its side."""
+        """Whether the robot, braking on its line, passes a person at its side."""
         (x, y), (vx, vy), speed = base.xy, base.velocity, base.speed_m_s
         way_m = speed * (base.step_s + speed / (2.0 * braking))
         ahead_m = ((person.x_m - x) * vx + (person.y_m - y) * vy) / speed
@@ -206,7 +207,7 @@ class SpeedGovernor:
         visited: str | None,
         approached: str | None,
     ) -> VelocityCommand:
-        """Back out of a narrow place, step aside for whoever comes, or back off before them."""
+        """Back out of a narrow place, step aside for an approaching person, or back off from them."""
         back = self._backing_out.velocity(base, plan, visited=visited)
         if back is not None:
             wanted = wanted._replace(velocity=back, may_reverse=True)

@@ -1,4 +1,4 @@
-"""Stepping aside: a robot in the way of somebody who comes leaves their line, to the side that is free.
+"""Stepping aside: a robot in the path of an approaching person leaves their line, to the free side.
 
 Going back before them instead would take both of them to where the walk ends, and into a corner if it ends
 in one. Of the directions it can go it takes the one that `foresight.py` finds best: two wheels set out in
@@ -29,29 +29,33 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 
 LEAST_M = 0.02
-"""With less than this left it does not set out before somebody who comes: at rest it is no surprise."""
+"""With a smaller gap it does not set out before an approaching person [m]: at rest it is no surprise."""
 STANDS_M = 0.25
-"""Who came at the robot and stands nearer than this waits for it: it never stands so near by itself."""
+"""A person who approached and stands nearer than this waits for the robot [m]: it never stands so near by
+itself."""
 WAITS_S = 1.0
-"""Who waited goes on as soon as they can, a little at a time, and is waited for by the robot no sooner."""
+"""Time for which a person who stood still counts as waiting [s]: they go on as soon as they can, a little at
+a time."""
 AHEAD_M = 1.5
-"""So far ahead of somebody who waits their line is kept free."""
+"""Length of the line that is kept free ahead of a waiting person [m]."""
 COMES_S = 0.35
-"""Who has walked for less may only lean in, or step up (our choice)."""
+"""A person who has walked for less may only lean in, or step up [s] (our choice)."""
 DRIFTS_M_S = 0.3
-"""Who is approached and comes more slowly is followed, and not left (our choice)."""
+"""The robot follows a visited person who comes more slowly than this, and does not step aside [m/s] (our
+choice)."""
 MAY_COME, FORGETS_S = 10, 60.0
-"""So often within this time it steps aside for the same person, unless they wait for it (our choice)."""
+"""Maximum number of times `MAY_COME` within `FORGETS_S` that it steps aside for the same person, unless they
+wait for it (our choice)."""
 OFF_COURSE = np.radians([45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0])
-"""Directions to try on either side, off the course of whoever comes."""
+"""Directions to try on either side, relative to the course of the approaching person [rad]."""
 TOWARDS = 0.1
-"""Going against their course is worth so many metres less."""
+"""Penalty for going against their course [m]."""
 SAME_WAY = 0.05
-"""By so many metres another direction has to be better than the one it is going."""
+"""Margin by which another direction has to be better than the current one [m]."""
 
 
 class SteppingAside:
-    """Keeps one robot out of the lines of those who come.
+    """Keeps one robot off the lines of approaching people.
 
     Args:
         radius_m: Of the robot.
@@ -61,15 +65,15 @@ class SteppingAside:
         self._radius_m = radius_m
         self._now_s = 0.0
         self._courses: dict[str, XY] = {}
-        """On which those near the robot came."""
+        """Courses on which people near the robot came."""
         self._still_s: dict[str, float] = {}
-        """When those near the robot last stood."""
+        """When people near the robot last stood."""
         self._waited_s: dict[str, float] = {}
-        """When somebody last stood before the robot."""
+        """When a person last stood before the robot."""
         self._begun_s: dict[str, deque[float]] = {}
-        """When it last stepped aside for somebody."""
+        """When it last stepped aside for a person."""
         self._before: frozenset[str] = frozenset()
-        """For whom it steps aside."""
+        """The people for whom it steps aside."""
         self._direction: XY = (0.0, 0.0)
 
     def velocity(
@@ -82,15 +86,15 @@ class SteppingAside:
         *,
         approached: str | None,
     ) -> XY | None:
-        """How to go out of the way; None where what is wanted does.
+        """The velocity that steps aside; None where the velocity command is enough.
 
         Args:
             base: How the robot's base moves now.
-            wanted: By whoever steers it.
-            walkers: Those who are under way.
-            people: Everybody.
+            wanted: The velocity command.
+            walkers: People who walk.
+            people: All people.
             plan: What stands still.
-            approached: Whose pose the robot is under way to, if there is a way.
+            approached: The person whose pose the robot is under way to, if there is a route.
         """
         self._now_s += base.step_s
         moving = {walker.person.name: walker.velocity for walker in walkers}
@@ -132,7 +136,7 @@ class SteppingAside:
     def _comers(
         self, xy: XY, moving: Mapping[str, XY], people: Sequence[Person], approached: str | None
     ) -> Iterator[ApproachingPerson]:
-        """Who comes at the robot, and who has come and waits."""
+        """People who approach the robot, and people who have come and wait."""
         for person in people:
             velocity = moving.get(person.name, (0.0, 0.0))
             speed = math.hypot(*velocity)

@@ -1,4 +1,4 @@
-"""Where the robot waits that has gone back out of a narrow place: beside the line of who comes out."""
+"""Waiting place of a robot that backed out of a narrow place: off the line of the person who comes out."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 
 ASIDE_M = 0.5
-"""So much room it leaves them between the bodies: people do not like to go nearer to another (our choice)."""
+"""Gap that it leaves them between the bodies [m]: people do not like to go nearer to another (our choice)."""
 AWAY_M, STEP_M = (0.3, 0.5, 0.7, 0.9, 1.1), 0.1
-"""Places so far away are looked at, and the ways to them in steps."""
+"""Distances of the candidate places [m], and the step along the paths to them [m]."""
 AROUND = 32
-"""In so many directions."""
+"""Number of directions."""
 FARTHER = 0.2
-"""By so many metres per metre of way another place has to be farther beside their line (our choice)."""
+"""Metres that another place has to be farther off their line per metre of path (our choice)."""
 
 
 def waiting_place(xy: XY, held_at: XY, radius_m: float, other_m: float, plan: FloorPlan) -> XY:
@@ -24,7 +24,7 @@ def waiting_place(xy: XY, held_at: XY, radius_m: float, other_m: float, plan: Fl
 
     Args:
         xy: Where the robot is.
-        held_at: Where it was held up: from there they come.
+        held_at: Where it was blocked: from there they come.
         radius_m: Of the robot.
         other_m: Of theirs.
         plan: What stands still.
