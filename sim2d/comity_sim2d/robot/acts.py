@@ -1,4 +1,4 @@
-"""What the robot says and does towards people, which takes time and is put on record."""
+"""What the robot says and does towards people, which takes time and is recorded."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _NAME = "act "
 """What acts are called, with their place in the record: the first one is `act 1`."""
 
 SMALL, LARGE = 0.35, 0.65
-"""Of volume and amplitude: below the one and above the other a reader is told; our choice."""
+"""Volume and amplitude below `SMALL` or above `LARGE` are mentioned in words (our choice)."""
 
 
 @runtime_checkable
@@ -64,7 +64,7 @@ class ActManner(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Normal:
-    """The manner of somebody of whom nothing is known."""
+    """The manner towards a person without known facts."""
 
     volume: float = 0.5
     rate: float = 1.0
@@ -100,14 +100,14 @@ class ActEvent:
 
     t_start: float
     t_end: float
-    """When it ends, or was broken off."""
+    """When it ends, or was interrupted."""
     act: str
     """`say`, another act of speech such as `ask_to_pass`, a gesture's name, `pick_up` or `hand_over`."""
     person: str
-    """Towards whom; of `pick_up` where."""
+    """The person it is directed at; of `pick_up` the place."""
     text: str | None = None
     stopped: bool = False
-    """Whether it was broken off."""
+    """Whether it was interrupted."""
     volume: float | None = None
     """Of an utterance, in [0, 1]."""
     rate: float | None = None
@@ -119,7 +119,7 @@ class ActEvent:
     latin: str | None = None
     """The text in Latin letters, where it is written in others."""
     utterance: Spoken | None = None
-    """What the text is made of, for the program that told the robot to say it."""
+    """The wordings of the text, for the program that commanded it."""
 
     def __post_init__(self) -> None:
         require_text("act", "act", self.act)
@@ -178,7 +178,7 @@ class ActRequest(Protocol):
 
     @property
     def utterance(self) -> Spoken | None:
-        """What the text is made of; it is put on record as it is."""
+        """The wordings of the text; recorded as they are."""
         ...
 
 
@@ -242,7 +242,7 @@ class Acts:
         return ActProgress(f"{_NAME}{i + 1}", state)
 
     def ended(self, act: str, step_s: float) -> list[ActEvent]:
-        """Those of one kind that came to their end within the last tick of so long."""
+        """Acts of one kind that ended within the last tick of length `step_s`."""
         now_s = self._clock.now_s + 1e-9
         return [
             event
@@ -251,7 +251,7 @@ class Acts:
         ]
 
     def fall_silent(self) -> None:
-        """Break all speech off."""
+        """Interrupt all speech."""
         for i, event in enumerate(self._events):
             if is_spoken(event.act, event.text):
                 self._break_off(i)

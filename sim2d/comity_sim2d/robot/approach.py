@@ -15,33 +15,33 @@ from comity_sim2d.navigation.yielding import Walker, giving_way
 from comity_sim2d.pose import XY
 
 REPLAN_M, REPLAN_SHARE = 0.05, 0.05
-"""A goal that moved farther from the end of the route than the first, and than this share of what is left of
-the way, needs a new one: the way turns by 3 degrees at most (our choice)."""
+"""A goal needs a new route when it moved farther from the route's end than `REPLAN_M` and than `REPLAN_SHARE`
+of the remaining path: the path turns by 3 degrees at most (our choice)."""
 JOLT_M_S = 0.1
 """A new route that would change the velocity by more than this is taken only after slowing down."""
 LOOKAHEAD_M = 0.3
-"""The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
+"""Length of the route ahead that is searched for the robot's position [m]: a tick moves it 4 cm."""
 OFF_M = 0.1
-"""So far beside its route it takes a new one (our choice): in shipped episodes it kept within half of that in
-99.6 % of the ticks."""
+"""Distance from its route at which the robot takes a new one [m] (our choice): in shipped episodes it kept
+within half of that in 99.6 % of the ticks."""
 FOLLOWS_S = 0.2
-"""A goal that moves has a new route at most so often [s]."""
+"""Minimum time between new routes to a moving goal [s]."""
 SLOWING_S = 0.25
-"""Slowing down for another route, the robot looks at least so often for the best one [s]."""
+"""Maximum time between searches for the best route while the robot slows down for another one [s]."""
 WAVERS_S, MAY_WAVER, MOST_WAVERS = 10.0, 2.0, 7.0
-"""A change of mind is forgotten after the first. Beyond the second, each doubles by how much another route
-has to be better for the next, up to the third, 16 m: among people who walk to and fro a robot would turn to
-and fro with them (our choice)."""
+"""A reversal is forgotten after `WAVERS_S`. Beyond `MAY_WAVER` reversals, each doubles the advantage that
+another route needs, up to `MOST_WAVERS`, 16 m. Otherwise the robot would turn to and fro with people who walk
+to and fro (our choice)."""
 BACK_COS = 0.5
-"""A new route that leads elsewhere by more than this (60 deg) is a change of mind."""
+"""A new route whose direction differs by more than this (60 deg) is a reversal."""
 AIM_M = 0.02
-"""At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
+"""Minimum lookahead on the route [m]: a slow robot next to a body goes along its route, not towards it."""
 BESIDE, MOST_AIM_M = 3.0, 0.2
-"""Beside its route it aims so many times as far ahead, up to so far: where a body keeps it off the route it
-goes along, and does not push towards it (our choice)."""
+"""Off its route it multiplies the lookahead by `BESIDE`, up to `MOST_AIM_M`: where a body keeps it off the
+route it goes along, and does not push towards it (our choice)."""
 CUT_M = 0.02
-"""At most so far inside its route a base takes a bend that takes up commands slowly: less than half of what
-the route keeps off walls (our choice)."""
+"""Maximum cut of a bend by a base that takes up commands slowly [m]: less than half of the route's clearance
+from walls (our choice)."""
 REVERSE_M = 0.5
 STAYS_M, SIDEWAYS_COS = 0.1, 0.8
 """To the side it stays so far from a goal that stands, unless it is too near or too far off and not docked:
@@ -49,7 +49,7 @@ it would turn away from the person to go there, and again and again where it cou
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 AT_PLACE = DockingPose(0.0, 0.0)
-"""In the place of a pose beside a person, where the robot goes to a place."""
+"""Stands for the pose next to a person when the robot goes to a place."""
 
 
 class MovingTarget(NamedTuple):
@@ -69,9 +69,9 @@ class Approach:
         self.pose = pose
         self.speed_m_s = speed_m_s
         self.remaining_m = math.inf
-        """What is left of the way; infinite where there is no route."""
+        """The remaining path [m]; infinite where there is no route."""
         self.gives_way_to: str | None = None
-        """Whom it lets pass now."""
+        """The person it lets pass now."""
         self._route: Route | None = None
         self._way_m = 0.0
         self._map: RouteMap | None = None
@@ -79,12 +79,12 @@ class Approach:
         self._goal: XY | None = None
         self._slowing = False
         self.settled = settled
-        """Whether a base that cannot move sideways is content with where it is."""
+        """Whether a base that cannot move sideways accepts its position."""
         self._holds = settled
         """Whether it was told to hold where it docked, and has been content since."""
         self._ticks_old, self._cost = 0, 0.0
         self._wavers = 0.0
-        """How often it has changed its mind of late."""
+        """Number of recent reversals."""
         self._best_m, self._best_s = math.inf, since_s
         """The least that was left, not yet known where infinite; and since when."""
 
@@ -94,7 +94,7 @@ class Approach:
         Args:
             pose: The pose.
             speed_m_s: The speed.
-            since_s: Since when progress counts; None: as before, for new numbers free nobody who is held up.
+            since_s: Since when progress counts; None: as before, as new parameters free no blocked robot.
         """
         if pose == self.pose:
             self.speed_m_s = speed_m_s
@@ -109,7 +109,7 @@ class Approach:
     def steer(
         self, base: Base, goal: MovingTarget, route_map: RouteMap, walkers: Sequence[Walker] = ()
     ) -> XY:
-        """The wanted velocity for the next tick, before the limits that hold everywhere."""
+        """The velocity command for the next tick, before the limits that hold everywhere."""
         self._wavers = max(0.0, self._wavers - base.step_s / WAVERS_S)
         nearest_m = self._nearest_m(base)
         if self._is_stale(base, goal, route_map, nearest_m):
@@ -142,7 +142,7 @@ class Approach:
         return not route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m)
 
     def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
-        """The speed with which the robot, braking in time, lets those pass who come in its way."""
+        """The speed at which the robot can still brake for people who cross its path."""
         if not walkers:
             return self.speed_m_s
         way_m = min(self._way_m, max(0.0, route.length_m - self.remaining_m))
@@ -155,7 +155,7 @@ class Approach:
         )
 
     def stalled(self, now_s: float, left: float) -> bool:
-        """Whether what is left to do has not become less for `NO_PROGRESS_S`."""
+        """Whether the remaining path has not become shorter for `NO_PROGRESS_S`."""
         if math.isinf(self._best_m):
             self._best_m = left
         elif left < self._best_m - PROGRESS_M:
@@ -199,7 +199,7 @@ class Approach:
         return self._route is not None and math.dist(base.xy, self._route.at(nearest_m)) > OFF_M
 
     def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
-        """Whether people moved so that a route is barred or much worse now, or another one much better."""
+        """Whether people moved so that a route is blocked or much worse now, or another one much better."""
         if route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m):
             return True
         return route_map.has_better(route, self._gone_m, keep=self.keep, by_m=self._by_m)
@@ -216,7 +216,7 @@ class Approach:
 
     @property
     def keep(self) -> dict[str, float]:
-        """How far to stay from whom it approaches, for its routes [m]."""
+        """Distance that its routes keep from the visited person, by name [m]."""
         return {self.person: self.pose.distance_m}
 
     def _replan(self, base: Base, goal: MovingTarget, route_map: RouteMap) -> None:
@@ -274,8 +274,8 @@ class Approach:
     def _home_in(self, base: Base, goal: MovingTarget, most: float) -> XY:
         """Straight onto the goal, at rest relative to it on arrival.
 
-        Where it has to be slower than it is, it slows down on its way: as long as the robot moves, what is
-        wanted has a direction, for a base that cannot move sideways goes wherever it turns while it brakes.
+        Where it has to be slower than it is, it slows down along its path. As long as the robot moves, the
+        command has a direction: a base that cannot move sideways goes wherever it turns while it brakes.
         """
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
@@ -313,7 +313,7 @@ def _slower(base: Base) -> XY:
 
 
 def _jolt(base: Base, route: Route, goal: MovingTarget) -> float:
-    """How much of the velocity does not lead along a new route, over the ground or beside who is visited."""
+    """The part of the velocity off a new route [m/s], over the ground or relative to the visited person."""
     (vx, vy), (gx, gy) = base.velocity, goal.velocity
     direction = route.direction(0.0)
     return min(_across((vx, vy), direction), _across((vx - gx, vy - gy), direction))

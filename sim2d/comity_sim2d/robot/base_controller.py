@@ -1,4 +1,4 @@
-"""How the robot moves: where it is under way to, what it faces, and how that goes."""
+"""Base controller: the robot's motion goal, its heading, and its progress."""
 
 from __future__ import annotations
 
@@ -38,21 +38,21 @@ DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "differential": Differential,
 }
 HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
-"""A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
+"""A robot within these of its docking goal has docked: the executor's `docked?` says so."""
 
 WAITS_M = 0.05
-"""So near the place to wait at the robot stands, and looks at the person [m] (our choice)."""
+"""Distance from the waiting place at which the robot stands and looks at the person [m] (our choice)."""
 
 
 class BaseController:
-    """The base of one robot and what it was told to do: commands in, a velocity for every tick out.
+    """The base of one robot and its commands: goals in, a velocity for every tick out.
 
     Args:
         spec: The robot's body.
         physics: Where it is, in truth.
         senses: Where it believes people to be.
         clock: The ticks.
-        route_map: Its ways, as long as nobody moves.
+        route_map: Its routes, as long as no person moves.
         places: Where it stands to fetch things, by name.
         said: What people say to it, as they say it.
     """
@@ -76,7 +76,7 @@ class BaseController:
         self.standing = DetourMap(senses, clock, route_map)
         """Its routes around those who stand."""
         self.margins = Margins(spec, senses, clock, said)
-        """What it keeps from each person."""
+        """The margin that it keeps from each person."""
         self.motion = MotionProgress("stopped")
         """How the last command goes."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
@@ -93,7 +93,7 @@ class BaseController:
         self._faced: str | None = None
 
     def let_pass(self, passers_by: PassersByKnown) -> None:
-        """Mind people whom nobody plans for: those who walk go first, those who stand are gone round."""
+        """Take passers-by into account: walking ones go first, routes lead round standing ones."""
         self._governor.let_pass(passers_by)
         self.standing.let_pass(passers_by)
 
@@ -103,7 +103,7 @@ class BaseController:
         self._governor.note_asked(names)
 
     def find_way(self) -> tuple[XY, ...]:
-        """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
+        """The path that it would take if all but the visited person made way; empty where there is none."""
         goal = self.goal
         if goal is None or self._approach is None:
             return ()
@@ -126,14 +126,14 @@ class BaseController:
 
     @property
     def is_held_up_on_its_way(self) -> bool:
-        """Whether it is blocked by something else than that it has no route."""
+        """Whether it is blocked although it has a route."""
         has_route = self._approach is None or self._approach.has_route
         return self.motion.is_blocked and has_route
 
     def navigate(
         self, person: str, pose: PoseBeside, *, speed_m_s: float, near_m_s: float, detour_m: float
     ) -> None:
-        """Set out to a pose beside a person; arrived when little of the way is left."""
+        """Set out to a pose next to a person; arrived when the remaining path is short."""
         self._mind_people(person, detour_m)
         self._near_m_s = {person: near_m_s}
         self._set_out(person, pose, speed_m_s, docks=False)
@@ -169,21 +169,21 @@ class BaseController:
         self.motion = MotionProgress("running", f"turning to {person}")
 
     def _decline(self, person: str) -> None:
-        """Stand from now on: the person whom it was told to go to has declined."""
+        """Stand from now on: the visited person has declined."""
         self.stop()
         self.motion = MotionProgress("declined", self._walkers.declined[person])
 
     def stop(self) -> None:
-        """Forget what it was told, and stand."""
+        """Drop the goal, and stand."""
         self._approach, self._faced, self.motion = None, None, MotionProgress("stopped")
 
     def expire(self, lease_s: float) -> None:
-        """Forget what it was told, as that was not renewed for so long."""
+        """Drop the goal, as it was not renewed for the lease."""
         self.stop()
         self.motion = MotionProgress("aborted", f"it was not renewed for {lease_s:g} s")
 
     def look_for_another_way(self) -> None:
-        """Choose the way anew at the next tick: what it is to keep to is something else now."""
+        """Plan the route again at the next tick: its constraints have changed."""
         if self._approach is not None:
             self._approach.forget_route()
 
@@ -192,7 +192,7 @@ class BaseController:
         self.standing.use_plan(plan)
 
     def cut(self, why: str | None = None) -> Twist:
-        """The velocity where the motors are cut: none at once; with a reason, what it was told is over."""
+        """The velocity with the motors cut: (0, 0) at once; with a reason, the goal is over."""
         self._base.cut()
         if why is not None:
             self.stop()
@@ -200,13 +200,13 @@ class BaseController:
         return Twist()
 
     def brake(self) -> Twist:
-        """The velocity of an emergency: as little as the body may have; what it was told is over."""
+        """The velocity of an emergency stop: the lowest that the body can have; the goal is over."""
         self._foreseen()  # two wheels brake along the heading that they have by then
         self.stop()
         return self._base.brake()
 
     def stand_blind(self) -> Twist:
-        """The velocity while it sees nothing: it brakes as usual; what it was told goes on afterwards."""
+        """The velocity while it sees nothing: it brakes as usual; the goal goes on afterwards."""
         base = self._foreseen()
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
@@ -232,7 +232,7 @@ class BaseController:
         return self._command(base, VelocityCommand((0.0, 0.0), heading))
 
     def _get_away(self, touched: str, wanted: VelocityCommand, base: Base) -> Twist:
-        """The velocity away from somebody whom it has touched; what it was told goes on afterwards."""
+        """The velocity away from a touched person; the goal goes on afterwards."""
         self.standing.touched(touched)
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
@@ -241,7 +241,7 @@ class BaseController:
         return self._command(base, wanted, looks=False)
 
     def _search_command(self, base: Base) -> Twist | None:
-        """The velocity to see whom it approaches or faces; None where it goes on as it was told."""
+        """The velocity of a look for the approached or faced person; None where the goal goes on."""
         approach = self._approach
         sought = self._faced if approach is None else approach.person
         if sought is None or (approach is not None and approach.pose is AT_PLACE):
@@ -253,7 +253,7 @@ class BaseController:
         return self._command(base, VelocityCommand((0.0, 0.0), heading))
 
     def in_vain(self, person: str) -> str | None:
-        """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
+        """Since when a person is lost that it did not find at their last place, in words; else None."""
         return self._search.in_vain(person, self._physics.pose.xy)
 
     def _foreseen(self) -> Base:
@@ -261,7 +261,7 @@ class BaseController:
         return self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
 
     def _body(self, base: Base) -> Base:
-        """The same as its body moves, which is where it brakes where it takes up commands slowly."""
+        """The same by the motion of its body, which counts for braking if it takes up commands slowly."""
         if not base.lag_s:
             return base
         twist = self._physics.twist
@@ -269,7 +269,7 @@ class BaseController:
         return base._replace(pose=pose, velocity=twist.xy)
 
     def _mind_people(self, to: str, detour_m: float) -> None:
-        """Look for people in the way; whoever is told the same again, as after a bump, remembers them."""
+        """Look for obstructing people; the same goal again, as after a bump, keeps those known."""
         if (self._obstruction.to, self._obstruction.detour_m) != (to, detour_m):
             self._obstruction = PathObstruction(detour_m, to)
 
@@ -283,7 +283,7 @@ class BaseController:
             drives = self._physics.twist.speed_m_s > DRIVES_M_S
             self._approach = going.told(goal, speed, since_s=self._clock.now_s if drives else None)
             if self.motion.is_blocked:
-                return  # what held it up may hold it up still
+                return  # what blocked it may still block it
         else:
             holds = docks and self._is_docked(person, goal)
             self._approach = Approach(person, goal, speed, since_s=self._clock.now_s, settled=holds)
@@ -291,7 +291,7 @@ class BaseController:
         self.motion = MotionProgress("running", f"{'docking' if docks else 'going'} to {person}")
 
     def _is_docked(self, person: str, pose: DockingPose) -> bool:
-        """Whether it rests at a pose and looks at the person: then it was told to hold what it has."""
+        """Whether it rests at a pose and faces the person: then the goal is to hold that pose."""
         stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
         return (
             abs(stands.distance_m - pose.distance_m) <= HOLDS_M
@@ -336,7 +336,7 @@ class BaseController:
         return self._command(base, wanted, visited=approach.person)
 
     def _keeps_all(self, approach: Approach, here: XY) -> bool:
-        """Whether a route of any length keeps the full margin from everybody on the map."""
+        """Whether a route of any length keeps the full margin from all people on the map."""
         ways = self.standing.map
         people = tuple(replace(one, margin_m=PERSON_MARGIN_M) for one in ways.surroundings.people)
         return ways.with_people(people).reaches(here, self._goal_of(approach)[0].xy, keep=approach.keep)
@@ -411,7 +411,7 @@ class BaseController:
         return self._base.command(base, allowed, most_m_s)
 
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
-        """Say what it does before it goes on; that is no standstill."""
+        """Report a safety behaviour that delays its goal; that is no standstill."""
         if (before := self._governor.backs_out_before) is not None:
             self.motion = MotionProgress("running", f"backing out before {before}")
         elif (comer := self._governor.held_up_by) is not None:

@@ -1,4 +1,4 @@
-"""What the robot has in its hands: told from the record of its acts, so that the record tells it to all."""
+"""What the robot has in its hands, as derived from the record of its acts."""
 
 from __future__ import annotations
 

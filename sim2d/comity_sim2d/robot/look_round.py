@@ -1,6 +1,6 @@
-"""Looking round for somebody who is not where they were believed to be: one full turn on the spot.
+"""Looking round for a person who is not at their believed place: one full turn on the spot.
 
-A turn that was in vain is not made again at once: only from elsewhere, or after a while, as people move.
+After a turn in vain, the next one is made only from elsewhere, or after a while, as people move.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from comity_sim2d.pose import XY, wrap_angle
 from comity_sim2d.scene.robot_body import Sensor
 
 ELSEWHERE_M, AGAIN_S = 1.0, 10.0
-"""From so far away, or after so long, the robot looks round again (our choice)."""
+"""Distance [m] or time [s] after which the robot looks round again (our choice)."""
 VIEW_SHARE = 0.8
-"""From one measurement to the next it turns by so much of its field of view at most: it leaves out nobody."""
+"""Maximum turn between two measurements, as a share of the field of view: it misses no person."""
 
 Loss = tuple[str, float | None]
-"""Who is lost, and when they were seen last."""
+"""The lost person, and when they were seen last."""
 
 
 class LookRound:
-    """Whom the robot looks for by turning, and for whom it did so in vain.
+    """The person that the robot looks for by turning, and the turns in vain.
 
     Args:
         sensor: Its field of view; all round, there is nothing to turn for.
@@ -35,12 +35,12 @@ class LookRound:
         self._view_rad = math.radians(sensor.field_of_view_deg)
         rate = min(MAX_TURN_RAD_S, VIEW_SHARE * self._view_rad / clock.step_s)
         self._ahead_rad = rate**2 / (2.0 * SPEED_SHARE * MAX_TURN_RAD_S2)
-        """So far ahead of where it looks it aims: what it takes to stop from the rate."""
+        """Lookahead of the turn [rad]: the angle in which it stops from its rate."""
         self._turns_for: Loss | None = None
         self._left_rad = self._heading_rad = 0.0
         self._tick = 0
         self._in_vain: dict[str, tuple[Loss, XY, float]] = {}
-        """The last turn that found nobody, for each: for whom, where and when."""
+        """The last turn in vain: for which person, where and when."""
 
     def is_due(self, loss: Loss, xy: XY) -> bool:
         """Whether a turn may find them: none was in vain here a short while ago."""
@@ -64,7 +64,7 @@ class LookRound:
 
 
 def how_lost(loss: Loss) -> str:
-    """Since when somebody is lost who was not found by looking round, in words."""
+    """Since when a person is lost that looking round did not find, in words."""
     person, last_s = loss
     if last_s is None:
         return f"{person} is not where they were expected, and was not found by looking round"

@@ -1,4 +1,4 @@
-"""Where the robot looks on its way: ahead, at those it waits for, and at whom it visits once it is near."""
+"""Gaze of the robot on its path: ahead, at people it waits for, and near the goal at the visited person."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from comity_sim2d.robot.approach import Approach
 from comity_sim2d.senses.sensing import SensedPeople
 
 LOOK_M = 1.5
-"""On the last stretch of this length the robot looks at the person and not where it goes."""
+"""Length of the last stretch on which the robot looks at the person and not ahead [m]."""
 DRIVES_M_S = 0.05
-"""Slower, it is held up, or has not set out."""
+"""Below this speed it is blocked, or has not set out [m/s]."""
 
 
 def gaze_rad(
@@ -23,8 +23,8 @@ def gaze_rad(
     Args:
         approach: Its way.
         base: How its base moves now.
-        visited: Where whom or what it approaches is.
-        waits_for: Who stands in its way.
+        visited: Position of the person or place that it approaches.
+        waits_for: People who block its path.
         senses: Where it believes them to be.
     """
     stands = base.speed_m_s < DRIVES_M_S
@@ -40,7 +40,7 @@ def gaze_rad(
 
 
 def _watched(xy: XY, people: Collection[str], senses: SensedPeople) -> XY | None:
-    """Where the first of some is whom the robot has to face to see them go; None where it is nobody."""
+    """Position of the nearest listed person that the robot has to face to see them go; None without one."""
     name = next((name for name in people if senses.has_to_watch(name, xy)), None)
     return None if name is None else senses.person(name).xy
 

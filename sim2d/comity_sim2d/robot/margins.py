@@ -108,7 +108,7 @@ class Margins:
             robot: Where the robot's centre is.
             to: What it approaches.
             blocked_by: People before whom it waits.
-            keeps_all: Says whether a route of any length keeps the full margin from everybody.
+            keeps_all: Says whether a route of any length keeps the full margin from all people.
         """
         if self._spec.margin_m >= PERSON_MARGIN_M:
             return

@@ -29,7 +29,7 @@ class MotionProgress(NamedTuple):
     """`running`, `succeeded`, `declined` by the person, `aborted` after a bump, or `stopped`."""
     text: str = ""
     blocked_by: tuple[str, ...] = ()
-    """The people in the way."""
+    """The obstructing people."""
     is_blocked: bool = False
     """Whether it makes no progress, for the reason in the text."""
     goal: int | None = None
@@ -43,12 +43,12 @@ class MotionProgress(NamedTuple):
 
 
 def blocked(text: str, by: tuple[str, ...] = ()) -> MotionProgress:
-    """A motion that makes no progress, and people who are in its way."""
+    """A motion that makes no progress, and the obstructing people."""
     return MotionProgress("running", text, by, is_blocked=True)
 
 
 class BaseCapabilities(NamedTuple):
-    """How exactly, how late and how fast the base does what it is told."""
+    """Tolerance, latency and dynamics with which the base follows its commands."""
 
     tolerance_m: float = 0.0
     """How far from the commanded pose it may come to rest."""
@@ -84,10 +84,10 @@ class MotionRequest(Protocol):
 
     @property
     def near_m_s(self) -> float:
-        """The most within 1.5 m of the person's body, for `navigate`."""
+        """Maximum speed within 1.5 m of the person's body, for `navigate` [m/s]."""
         ...
 
     @property
     def detour_m(self) -> float:
-        """How much farther the way around people may be than without them."""
+        """Maximum additional length of the route around people [m]."""
         ...

@@ -1,4 +1,4 @@
-"""Who is in the way: people around whom there is no way, or only a much longer one."""
+"""Obstructing people: those without a route around them, or with a much longer one only."""
 
 from __future__ import annotations
 
@@ -18,31 +18,31 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.surroundings import Surroundings
 
 STEP_M = 0.05
-"""The way is looked along in steps of this length."""
+"""Step along the path in the search for obstructing people [m]."""
 ARRIVED_M = 0.05
-"""So near the place to wait at, the robot waits."""
+"""Distance from the waiting place at which the robot waits [m]."""
 NEARER_M = 0.1
-"""A wait that finds the robot so much nearer than the last one was worth going on after that (our choice)."""
+"""Progress between two waits that justifies going on [m] (our choice)."""
 MAY_FAIL = 3
-"""So often in a row it goes on at once all the same: short openings add up to a way past people (our
-choice)."""
+"""Number of times in a row that it goes on at once without progress: short openings add up to a path past
+people (our choice)."""
 HOLD_S, LONGEST_HOLD_S = 1.0, 4.0
-"""Then it waits for the first at least, and twice as long each time up to the second: in 4 s, as far as walks
-are foreseen, whoever walks to and fro in a room has turned round (our choice)."""
+"""After that it waits for `HOLD_S` at least, and twice as long each time, up to `LONGEST_HOLD_S`. In 4 s, the
+horizon of predicted walks, a person who walks to and fro in a room has turned round (our choice)."""
 Met = tuple[float, tuple[str, ...]]
-"""After so many metres of a way, these people are too near to it, or it leads between them."""
+"""Position along a path [m], and the people who are too near to it there, or between whom it leads."""
 
 
 @dataclass(frozen=True, slots=True)
 class ObstructingPeople:
-    """Those who would have to make way."""
+    """The people who would have to make way."""
 
     people: tuple[str, ...]
-    """Each of them alone does it; where nobody does, all of them together."""
+    """Each of them alone could open the path; where none could, all of them together."""
     wait_xy: XY
-    """Where to wait: on the way, as far from them as they like robots to be, and not among them."""
+    """Where to wait: on the path, at the distance that they like, and not among them."""
     left_m: float
-    """How long the way is if they make room."""
+    """Length of the path if they make room [m]."""
 
     @property
     def words(self) -> str:
@@ -53,18 +53,18 @@ class ObstructingPeople:
 def in_the_way(
     route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float, detour_m: float
 ) -> ObstructingPeople | None:
-    """The first who bar the shortest way, where one around people is too long; None where it is not.
+    """The nearest people who block the shortest path, if a route around people is too long; else None.
 
-    A group bars a way with the space between its members, too.
+    A group also blocks a path with the space between its members.
 
     Args:
         route_map: Routes around people.
         start: Where the robot is.
         goal: Where it is to go.
-        visited: Whom it visits: not to be driven over, and in the way themselves only where nothing else is,
-            such as somebody who walks off along a passage and is to be met from the front.
+        visited: The visited person: an obstacle, and obstructing themselves only where nothing else is, such
+            as a person who walks off along a passage and is to be met from the front.
         keep_m: How far from them its pose is.
-        detour_m: How much longer the way around may be.
+        detour_m: Maximum additional length of the route around people [m].
     """
     keep = {visited: keep_m}
     any_way_will_do = math.isinf(detour_m)
@@ -96,15 +96,15 @@ def in_the_way(
 
 
 class PathObstruction:
-    """Who is in the way of one approach, looked for when the map or the goal has changed.
+    """Obstructing people of one approach, searched for when the map or the goal has changed.
 
-    The robot waits at once, and goes on at once where a way opens. A way that closed again and again before
-    the robot had come nearer is mistrusted for longer each time, or it would go to and fro with those who
+    The robot waits at once, and goes on at once where a path opens. After a path has closed again and again
+    before the robot came nearer, it waits longer each time. Otherwise it would go to and fro with people who
     walk to and fro.
 
     Args:
         detour_m: How much longer the way around people may be.
-        to: Whom or what the robot approaches.
+        to: The person or place that the robot approaches.
     """
 
     def __init__(self, detour_m: float, to: str = "") -> None:
@@ -112,20 +112,20 @@ class PathObstruction:
         self.to = to
         self.now: ObstructingPeople | None = None
         self._found: ObstructingPeople | None = None
-        """By the last look: `now` may outlast them."""
+        """Result of the last look: `now` may outlast it."""
         self._map: RouteMap | None = None
         self._goal: XY | None = None
         self._looked_s = -math.inf
         self._waits_s, self._least_m = -math.inf, math.inf
         """Since when it waits; and how near it was when it had to, at best."""
         self._in_vain = 0
-        """How often in a row it went on and came no nearer."""
+        """Number of times in a row that it went on and came no nearer."""
         self._hold_s = 0.0
-        """So long it waits at least, after what came of the last time."""
+        """Minimum wait, by the result of the last one [s]."""
 
     @property
     def people(self) -> tuple[str, ...]:
-        """Whom it waits for; nobody where it goes on."""
+        """The people it waits for; empty where it goes on."""
         return self.now.people if self.now else ()
 
     def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
@@ -161,7 +161,8 @@ class PathObstruction:
         if short and approach.leads_to(goal, route_map):
             return None  # and so no other route has to be found
         visited, keep_m = approach.person, approach.pose.distance_m
-        # Who waits goes on for a way that is shorter by a margin: noise would have it go on and wait in turn.
+        # A waiting robot goes on only for a path that is shorter by a margin: noise would have it go on and
+        # wait in turn.
         detour_m = self.detour_m - (min(WORTH_M, self.detour_m / 2) if self.now else 0.0)
         return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=detour_m)
 
@@ -172,7 +173,7 @@ class PathObstruction:
 
 
 def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> ObstructingPeople | None:
-    """Who is visited, where there would be a way to before them if they were not there."""
+    """The visited person, if they alone block the path to the place before them."""
     direct = without_people(route_map.surroundings).route(start, goal)
     if direct is None:
         return None
@@ -189,7 +190,7 @@ def _waiting(direct: Route, met: Met, route_map: RouteMap, start: XY) -> Obstruc
 def _first(
     met: Iterable[Met], place: Surroundings, visited: str, bars: Callable[[Collection[str]], bool]
 ) -> Met | None:
-    """The first who bar the way with those beside them; where only all bar it together, the first of all."""
+    """The nearest blocking people, with those next to them; if only all block it, the nearest of all."""
     first: Met | None = None
     for way_m, names in met:
         first = first or (way_m, names)
@@ -200,7 +201,7 @@ def _first(
 
 
 def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Person]) -> Iterator[Met]:
-    """Whom of some the way leads too near to, or between whom, and where: each time it is others."""
+    """People that the path leads too near to, or between, and where: one entry for each set of people."""
     place = route_map.surroundings
     spaces = route_map.groups(start, direct.goal)
     before: set[str] = set()
@@ -215,7 +216,7 @@ def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Perso
 
 
 def _wait(direct: Route, way_m: float, people: Collection[str], route_map: RouteMap, start: XY) -> XY:
-    """The last place before some where they are not crowded and that can be reached, or the start."""
+    """The last reachable place before some people that keeps their distance, or the start."""
     place = route_map.surroundings
     crowded = [(p, max(COMFORT_M, p.personal_distance_m or 0.0)) for p in place.people if p.name in people]
     spaces = route_map.groups(start, direct.goal)

@@ -1,4 +1,4 @@
-"""How an approach goes: whether the robot is there, is held up or comes nearer, in a word and in words."""
+"""Progress of an approach: arrived, blocked or coming nearer, as a state and in words."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import SensedPeople
 
 CLOSE_M = 1.2
-"""Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
-approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
+"""Remaining path at which navigation has arrived [m]; docking does the rest, at the person's own approach
+speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
 DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
 """Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
 LEFT_M = 0.02
-"""A docked robot counts as moving again when its pose got so far away."""
+"""Distance of its pose at which a docked robot counts as moving again [m]."""
 BESIDE_M = 0.05
-"""What is so near to a robot that comes no nearer to its goal is named."""
+"""A thing nearer than this to a robot without progress is named [m]."""
 
 
 class ApproachProgress:
@@ -52,15 +52,15 @@ class ApproachProgress:
         was: MotionProgress,
         plan: FloorPlan,
     ) -> MotionProgress:
-        """How it goes with an approach, whose watch begins anew where it is held up or is there.
+        """The progress of an approach, whose watch starts again where it is blocked or arrived.
 
         Args:
             approach: It.
             goal: Where it leads.
-            turn_rad: What is left to turn.
-            held_up_by: Who is in the way.
+            turn_rad: The remaining turn.
+            held_up_by: The obstructing people.
             docks: Whether it leads onto the pose, or only near it.
-            was: How it went a tick ago.
+            was: The progress a tick ago.
             plan: What stands still around the robot.
         """
         now_s, left_m = self._clock.now_s, approach.remaining_m
@@ -81,13 +81,13 @@ class ApproachProgress:
         return MotionProgress("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
 
     def of_facing(self, person: str, turn_rad: float, base: Base, was: MotionProgress) -> MotionProgress:
-        """How it goes with turning to somebody; as before, until it faces them."""
+        """The progress of turning to a person; as before, until it faces them."""
         if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
             return MotionProgress("succeeded", f"facing {person}")
         return was
 
     def _walks(self, approach: Approach) -> bool:
-        """Whether it leads to a person who walks: where there is no route now, they may go on."""
+        """Whether the approached person walks: where there is no route now, they may go on."""
         return approach.pose is not AT_PLACE and self._senses.walks(approach.person)
 
     def _without_route(self, approach: Approach) -> str:
@@ -97,7 +97,7 @@ class ApproachProgress:
         return f"no route to {pose.distance_m:.2f} m from {whom} at {pose.bearing_deg:.0f} deg"
 
     def _whom(self, approach: Approach) -> str:
-        """What it approaches, in words: who is out of view may be elsewhere."""
+        """The goal in words: a person out of view may be elsewhere."""
         if approach.pose is AT_PLACE or self._senses.sees(approach.person):
             return approach.person
         reach_m, apart_m = self._spec.sensor.range_m, approach.pose.distance_m + self._spec.radius_m
@@ -107,7 +107,7 @@ class ApproachProgress:
         return f"where {approach.person} was last known to be{blind}"
 
     def _held_up(self, by: ObstructingPeople, to: str, *, waits: bool) -> MotionProgress:
-        """How it goes with people in the way; who is visited and walks may turn round, unasked."""
+        """The progress with obstructing people; a walking visited person may turn round without a request."""
         if to not in by.people:
             text = f"{by.words} in the way to {to}"
             return blocked(text, by.people) if waits else MotionProgress("running", text)
@@ -115,7 +115,7 @@ class ApproachProgress:
         return blocked(text) if waits and not self._senses.walks(to) else MotionProgress("running", text)
 
     def _beside(self, plan: FloorPlan) -> str:
-        """What stands right beside the robot, as the end of a sentence; empty where nothing does."""
+        """What stands right next to the robot, as the end of a sentence; empty where nothing does."""
         thing = plan.blocker(self._physics.pose.xy, self._spec.radius_m + BESIDE_M)
         return "" if thing is None else f", {100 * (thing.gap_m + BESIDE_M):.0f} cm from {thing.name}"
 

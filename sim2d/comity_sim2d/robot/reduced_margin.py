@@ -21,8 +21,8 @@ BODY_MARGIN_M = 0.15
 ADULT_YEARS = 18.0
 """Minimum declared age [years]: the Convention on the Rights of the Child (1989), Article 1."""
 FACING_DEG, BEHIND_DEG = 60.0, 90.0
-"""A robot within the first bearing of the person's heading is faced; beyond the second it comes from behind
-(our choice)."""
+"""Within `FACING_DEG` of the person's heading the person faces the robot; beyond `BEHIND_DEG` it comes from
+behind (our choice)."""
 CONTROL_HZ = 20
 """Rate of commands where no world is made yet [Hz]."""
 

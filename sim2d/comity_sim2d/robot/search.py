@@ -1,8 +1,9 @@
-"""Looking for whom the robot approaches or faces, and does not see.
+"""Search for an unseen person that the robot approaches or faces.
 
-Whoever is lost is looked for by turning round, where the robot notices it and once more where they were seen
-last; then it has done what it can. And two wheels, which look where they go, look once on their way onto a
-pose at whoever is out of view: they might come beside somebody who has moved without ever seeing them.
+The robot searches for a lost person by turning round, where it notices the loss and once more where they were
+seen last; then the search ends. A robot on two wheels, which looks where it goes, looks once at a person out
+of view on its way onto a pose. Otherwise it might come next to a person who has moved without ever seeing
+them.
 """
 
 from __future__ import annotations
@@ -19,22 +20,23 @@ from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.sensing import SensedPeople
 
 THERE_M = 0.1
-"""So near the pose the robot is where somebody was seen last, and nobody to be seen (our choice)."""
+"""Distance from the pose at which the robot is where the person was seen last [m] (our choice)."""
 FACES_RAD = math.radians(0.5)
-"""So closely it turns to where somebody should be."""
+"""Tolerance of the turn to where the person should be [rad]."""
 GLANCE_S = 0.5
-"""So long it looks at where somebody should be: longer than it takes to believe that they are not."""
+"""Duration of the look at where the person should be [s]: longer than it takes to believe that they are
+gone."""
 
 Turn = tuple[float, MotionProgress]
-"""Where to turn to on the spot for the coming tick, and how that goes, in words."""
+"""Heading for the coming tick on the spot [rad], and the progress, in words."""
 
 
 class Search:
-    """What one robot does to see somebody.
+    """The search of one robot for a person out of view.
 
     Args:
         sensor: Its field of view and delay.
-        senses: Whom it sees, and whom it has lost.
+        senses: People it sees, and people it has lost.
         clock: The ticks.
     """
 
@@ -44,18 +46,18 @@ class Search:
         self._clock = clock
         self._look_round = LookRound(sensor, clock)
         self._looked_on: Approach | None = None
-        """On the way of which it has looked round, before it goes on to where somebody was seen last."""
+        """The approach on which it has looked round, before it goes on to where the person was seen last."""
         self._given_up: Loss | None = None
         self._glanced_on: Approach | None = None
-        """On the way of which it has looked at whom it approaches and did not see."""
+        """The approach on which it has looked at the unseen person."""
         self._glances = False
         self._faces_s = 0.0
 
     def turn(self, person: str, approach: Approach | None, base: Base, *, docks: bool) -> Turn | None:
-        """What to do on the spot to see somebody; None where the robot goes on as it was told.
+        """The turn on the spot to see a person; None where the robot's goal goes on.
 
         Args:
-            person: Whom it approaches or faces.
+            person: The person that it approaches or faces.
             approach: Its way to them; None where it faces them.
             base: How its base moves now.
             docks: Whether the way leads onto a pose.

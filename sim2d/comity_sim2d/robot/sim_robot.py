@@ -73,13 +73,13 @@ class SimRobot:
         self._faults = faults or ActiveFaults()
         self._acts = Acts(clock)
         self._goals = 0
-        """So many motion goals it has been given."""
+        """Number of motion goals so far."""
         self._lease = Lease(clock)
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._controller = controller
         self._distances_m: dict[str, float] = {}
-        """How far from each person it was told to stand last, between the surfaces [m]."""
+        """The last commanded distance from each person, between the surfaces [m]."""
 
     @property
     def name(self) -> str:
@@ -98,37 +98,37 @@ class SimRobot:
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """Everybody where it believes them to be."""
+        """All people at their believed positions."""
         return self._senses.people
 
     @property
     def missing(self) -> frozenset[str]:
-        """Who is known not to be where they were believed to be, whether or not it has looked for them."""
+        """People known not to be at their believed place, whether or not it has looked for them."""
         return self._senses.lost
 
     @property
     def walking(self) -> frozenset[str]:
-        """Who is believed to be going somewhere."""
+        """People believed to be walking."""
         return frozenset(person.name for person in self.people if self._senses.walks(person.name))
 
     def lost(self) -> dict[str, str]:
-        """Of the missing, those whom it looked for where they were seen last, in vain, and since when.
+        """Missing people that it searched in vain where they were seen last, with since when.
 
-        From elsewhere, or after a while, it is worth while to look again: then they are not among them.
+        From elsewhere, or after a while, another search is worthwhile: then they are not included.
         """
         return {name: why for name in sorted(self.missing) if (why := self._controller.in_vain(name))}
 
     def would_see(self, person: str) -> bool:
-        """Whether it need only turn to see if somebody whom it does not see stands where it believes them."""
+        """Whether a turn is enough to check the believed place of an unseen person."""
         return self._senses.would_see(person, self._physics.pose.xy)
 
     def has_to_watch(self, person: str) -> bool:
-        """Whether it has to face somebody to notice that they go, as it does not see all round."""
+        """Whether it has to face a person to notice that they go, as it does not see all round."""
         return self._senses.has_to_watch(person, self._physics.pose.xy)
 
     @property
     def capabilities(self) -> BaseCapabilities:
-        """It does at once what it is told, stops where it is to, and brakes as its body can."""
+        """It follows commands at once, stops exactly, and brakes as its body can."""
         return BaseCapabilities(
             braking_m_s2=self._spec.max_acceleration_m_s2,
             feedback_hz=1.0 / self._clock.step_s,
@@ -142,8 +142,8 @@ class SimRobot:
     def read(self, person: str) -> PersonEstimate | None:
         """What the robot knows about a person; None while its sensors do not see them.
 
-        Where they are too short for the pose that it was told to take beside the person, that is how it
-        stands to where the person was last seen, unless it knows that they are not there.
+        If their range is too short for the commanded pose next to the person, the reading is relative to
+        where the person was last seen, unless it knows that they are not there.
 
         Raises:
             ValueError: Where there is no such person.
@@ -165,7 +165,7 @@ class SimRobot:
         )
 
     def _presumes(self, person: str) -> bool:
-        """Whether it takes a person whom it does not see to be where they were last seen."""
+        """Whether it assumes an unseen person to be where they were last seen."""
         distance_m = self._distances_m.get(person)
         if distance_m is None or self._senses.has_lost(person):
             return False
@@ -190,11 +190,11 @@ class SimRobot:
         distance_desirability: Curve,
         direction_desirability: Curve,
     ) -> DockingPose | None:
-        """The wanted pose if free and reachable, else the most desirable one that is, or None.
+        """The target pose if free and reachable, else the most desirable one that is, or None.
 
-        Before a person who walks, one that would be if they were not in the way themselves will do, and the
-        wanted one in the end: where their front is turned to a wall now, they turn round. Beside a person who
-        agreed that the robot goes along, it is at their side.
+        For a walking person, a pose that only they themselves obstruct is accepted, and in the end the target
+        pose: if they face a wall now, they will turn round. For a person who agreed that the robot goes
+        along, it is at their side.
 
         Raises:
             ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
@@ -280,7 +280,7 @@ class SimRobot:
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> int:
         """Go onto the pose, and hold it wherever the person moves, until another goal; the goal's number.
 
-        The speed is the most within 1.5 m of the person's body as well, beside them where they walk.
+        The speed is the maximum within 1.5 m of the person's body as well, relative to them where they walk.
         """
         self._require(person)
         _require_command(speed_m_s)
@@ -299,7 +299,7 @@ class SimRobot:
         Args:
             person: Who.
             distance_m: At which it passes them, between the surfaces [m], in [0, 10].
-            speed_m_s: The most within 1.5 m of their body [m/s], as they asked; None: they did not.
+            speed_m_s: Maximum within 1.5 m of their body [m/s], as they asked; None: they did not.
 
         Raises:
             SceneError: Where it is no such distance or speed.
@@ -333,7 +333,7 @@ class SimRobot:
         return self._next_goal()
 
     def stop(self, goal: int | str | None = None) -> None:
-        """Break off an act or the newest motion goal, or brake whatever the goal is; then stand."""
+        """Stop an act or the newest motion goal, or brake whatever the goal is; then stand."""
         require_kinds("robot", goal=(goal, int | str | None))
         if isinstance(goal, str):
             self._acts.stop(goal)
@@ -369,7 +369,7 @@ class SimRobot:
         return self.emergency_stop.reason or False
 
     def perform(self, act: ActRequest) -> str:
-        """Begin to speak, gesture or handle something; passers-by are asked to pass, and nothing else.
+        """Begin to speak, gesture or handle something; towards passers-by only requests for passage.
 
         Returns:
             What the act is called.
@@ -388,7 +388,7 @@ class SimRobot:
         return begun
 
     def performance(self, act: int | str) -> ActProgress:
-        """How an act goes: running, succeeded, or stopped where it was broken off.
+        """The progress of an act: running, succeeded, or stopped where it was interrupted.
 
         Raises:
             ValueError: Where there is no such act.
@@ -397,7 +397,7 @@ class SimRobot:
 
     @property
     def asked_now(self) -> tuple[str, ...]:
-        """Whom it has asked to let it pass in this tick: the question has come to its end."""
+        """The people it has asked to let it pass in this tick: the question has ended."""
         return tuple(event.person for event in self._acts.ended(ASK_TO_PASS, self._clock.step_s))
 
     @property
@@ -406,7 +406,7 @@ class SimRobot:
         return tuple(self._controller.margins.decisions)
 
     def find_way(self) -> tuple[XY, ...]:
-        """The way that it wants to go if everybody makes way; empty where it goes nowhere."""
+        """The path that it would take if all people made way; empty where it has no goal."""
         return self._controller.find_way()
 
     def use_plan(self, plan: FloorPlan) -> None:
@@ -456,7 +456,7 @@ class SimRobot:
 
 
 def _require_command(speed_m_s: float, detour_m: float = math.inf, near_m_s: float = math.inf) -> None:
-    """Refuse speeds and a detour that are none, before anything is forgotten for them."""
+    """Refuse invalid speeds and detours, before the current goal is dropped for them."""
     if not (is_number(speed_m_s) and 0.0 < speed_m_s < math.inf):
         raise WrongValueError(expected="speed_m_s above 0", got=shown(speed_m_s), remedy="Give it in m/s.")
     if not (is_number(near_m_s) and near_m_s > 0.0):

@@ -1,7 +1,7 @@
-"""Who stands: the routes lead round them. Who moves is left to the robot's reactions, tick by tick.
+"""Standing people: routes lead round them. The robot reacts to moving people tick by tick.
 
 A route is planned among things that stay where they are, as the global planner of a navigation stack does.
-The map of routes therefore holds those who stand, and changes only when they do.
+The map of routes therefore holds standing people, and changes only when they do.
 """
 
 from __future__ import annotations
@@ -24,22 +24,22 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.senses.sensing import SensedPeople
 
 STANDS_S = 1.0
-"""A person who has not walked for so long stands [s] (our choice)."""
+"""Time without walking after which a person stands [s] (our choice)."""
 STANDS_M = 0.1
-"""A passer-by who stays within so much of one place for `STANDS_S` stands [m] (our choice)."""
+"""A passer-by who stays within this distance of one place for `STANDS_S` stands [m] (our choice)."""
 ROCKS_S, ROCKS_M = 3.0, 0.7
-"""A person who has stayed within the second of one place for the first stands, walking to and fro there (our
+"""A person who has stayed within `ROCKS_M` of one place for `ROCKS_S` stands, walking to and fro there (our
 choice)."""
 HELD_UP_S = 2.0
-"""A person whom the robot has waited for so long counts as standing [s] (our choice)."""
+"""Time of the robot's waiting after which a person counts as standing [s] (our choice)."""
 LONGEST_HELD_S, FORGETS = 4.0, 0.2
-"""At most so much waiting counts [s], and so much of it is forgotten in a second in which there is none."""
+"""Maximum counted waiting time [s], and how much of it fades in a second without waiting [s]."""
 EVERY_TICKS = 5
-"""Passers-by are looked at for that so often [control ticks]."""
+"""Interval of that check for passers-by [control ticks]."""
 RENEWS_S = 0.5
-"""The map changes at most so often [s]."""
+"""Minimum time between changes of the map [s]."""
 FOLLOWS_S = 0.2
-"""Where the person that the robot goes to walks, it follows them so often [s]."""
+"""Interval of the map's updates for a visited person who walks [s]."""
 MOVED_M = 0.02
 """A person who stands and has moved by more is mapped again [m]; noise of the sensor comes on top."""
 
@@ -54,7 +54,7 @@ class PassersByKnown(PassersBySeen, Protocol):
 
 
 class DetourMap:
-    """A map of routes round those who stand.
+    """A map of routes round standing people.
 
     Args:
         senses: Where the robot believes people to be.
@@ -71,7 +71,7 @@ class DetourMap:
         self._place: dict[str, tuple[XY, float]] = {}
         """Where each person who walks was, and since when they have been near there."""
         self._held_s: dict[str, float] = {}
-        """For how long each person has held the robot up of late."""
+        """How long each person has recently blocked the robot [s]."""
         self._counted: set[str] = set()
         self._loiterers: Loiterers | None = None
 
@@ -89,8 +89,8 @@ class DetourMap:
 
         Args:
             visited: The person that the robot goes to, who is on the map even while walking.
-            waits_for: Those that the robot waits for in this tick. After a while they count as standing, too:
-                a person who walks to and fro in the only doorway can be asked to make way.
+            waits_for: People that the robot waits for in this tick. After a while they count as standing,
+                too: a person who walks to and fro in the only doorway can be asked to make way.
             lets_by: The person before whom the robot is about to go back: if a passer-by, not on the map.
             waits: Whether the robot waits for the way to become free.
         """
@@ -114,7 +114,7 @@ class DetourMap:
             self._walked_s[person.name] = now_s
 
     def touched(self, person: str) -> None:
-        """Count a person whom the robot touched as standing for a while."""
+        """Count a touched person as standing for a while."""
         self._held_s[person] = LONGEST_HELD_S
         self._counted.add(person)
 
@@ -131,7 +131,7 @@ class DetourMap:
                 self._counted.add(name)
 
     def movers(self, visited: str) -> list[Walker]:
-        """Those of the scene who are not on the map, or walked a moment ago; not the one who is visited."""
+        """People of the scene who are not on the map, or walked a moment ago, without the visited person."""
         mapped = {person.name for person in self.map.surroundings.people}
         walking = {walker.person.name: walker for walker in self._senses.walkers}
         mapped -= {*walking, *(name for name in self._walked_s if self._has_just_walked(name))}
@@ -142,7 +142,7 @@ class DetourMap:
         ]
 
     def everybody(self) -> RouteMap:
-        """The map with all whose places are known, wherever they are just now."""
+        """The map with all people of known position, wherever they are just now."""
         people = (*self._senses.present, *(self._loiterers.look() if self._loiterers else ()))
         if not differ(people, self.map.surroundings.people, 0.0):
             return self.map

@@ -1,4 +1,4 @@
-"""Meeting a person who walks: the robot waits ahead of them, in view and beside their path, and asks once.
+"""Meeting a walking person: the robot waits ahead of them, in view and next to their path, and asks once.
 
 A person who stops is approached like any other. One who passes by, turns away or speeds up has declined. The
 robot goes along only with a person who agreed to that, and never at their back. That robots are to come into
@@ -32,30 +32,31 @@ OFFER_M = 1.5
 """A robot so near before a walker offers to talk, and stands [m]: within the close phase of social distance
 (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
 FAR_M = 3.6
-"""At a greater distance the robot is at nobody's back [m]: the end of social distance (Hall 1966)."""
+"""Beyond this distance the robot does not count as behind a person [m]: the end of social distance (Hall
+1966)."""
 LEAVES_M = 0.5
-"""A walker who gets so much farther away than that again has turned away [m] (our choice)."""
+"""Additional distance at which a walker has turned away [m] (our choice)."""
 IN_VIEW_DEG, BEHIND_DEG, LOST_DEG = 60.0, 90.0, 120.0
-"""Bearings from where a walker faces: up to the first they see the robot; beyond the second it is no longer
-ahead of them; beyond the third a robot that goes along has fallen behind (our choice)."""
+"""Bearings from a walker's facing: up to `IN_VIEW_DEG` they see the robot; beyond `BEHIND_DEG` it is no
+longer ahead of them; beyond `LOST_DEG` an accompanying robot has fallen behind (our choice)."""
 SETTLES_S, FASTER, FASTER_M_S = 1.0, 1.5, 0.3
-"""A walker speeds up who walks faster by that factor and that speed, on the mean of so long, than in the
-first such time (our choice)."""
+"""A walker speeds up if their mean speed over `SETTLES_S` exceeds that of their first such time by the factor
+`FASTER` and by `FASTER_M_S` (our choice)."""
 TURNED_COS = math.cos(math.radians(45.0))
 """A walker who faces elsewhere by more has turned (our choice)."""
 ALONG_M_S, SIDE_DEG = 0.5, 90.0
-"""The robot goes along with nobody who walks faster [m/s], and at their side, at so great a bearing."""
+"""Maximum speed of a person that the robot accompanies [m/s], and its bearing at their side [deg]."""
 AHEAD_S, LONGEST_M, STEP_M = 10.0, 8.0, 0.5
-"""Places beside a path are looked at so far ahead in time and way, at such steps (our choice)."""
+"""Candidate places next to a path: horizon in time [s] and path length [m], and step [m] (our choice)."""
 EARLY_S, SLOWED = 1.0, 1.3
-"""The robot is there so much before the walker sees it; its way takes so many times the straight line's time
-at full speed (our choice)."""
+"""The robot arrives `EARLY_S` before the walker sees it; its path is assumed to take `SLOWED` times the
+straight line's time at full speed (our choice)."""
 RENEWS_S = 0.5
-"""So often a place to wait at is chosen [s]."""
+"""Interval at which a waiting place is chosen [s]."""
 MOST_TRIED = 4
-"""So many places are asked for a route at most."""
+"""Maximum number of places that are tested for a route."""
 OFF_M = 0.25
-"""A place is kept while the walker's path stays beside it to within so much [m] (our choice)."""
+"""A place is kept while its distance from the walker's path changes by less [m] (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +73,7 @@ class _Offer:
 
 
 class WalkersMet:
-    """What one robot does about a person who walks, to whom it was told to go.
+    """Behaviour of one robot towards a walking person that it visits.
 
     Args:
         spec: The robot's body.
@@ -164,9 +165,9 @@ class WalkersMet:
         self.declined[person.name] = f"declined: {how}"
 
     def _choose(self, walker: Walker, aside_m: float, xy: XY, ways: RouteMap) -> XY | None:
-        """The place to wait at that the robot is at first; None where there is none.
+        """The waiting place that the robot reaches earliest; None where there is none.
 
-        It is beside the walker's path ahead of them, where the robot is in time. Else it is beside the line
+        It is next to the walker's path ahead of them, where the robot is in time. Else it is next to the line
         on which they walk, at a distance: a person who walks to and fro comes by there.
         """
         ahead_m, spots = self._beside(walker, aside_m, ways.surroundings)
