@@ -10,7 +10,7 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.surroundings import Surroundings
 
 MOST_TRIED = 8
-"""People of one barrier of whom it is found out who bars; of more those who are met first (our choice)."""
+"""Maximum number of people of one barrier that are tested, the nearest ones (our choice)."""
 
 Bars = Callable[[Collection[str]], bool]
 """Whether these people would leave no way, were they alone there."""
@@ -18,7 +18,7 @@ Bars = Callable[[Collection[str]], bool]
 
 @dataclass(frozen=True, slots=True)
 class _Disc:
-    """Where the robot's centre is not to be, and because of whom."""
+    """A region closed to the robot's centre, and the person who causes it."""
 
     xy: XY
     radius_m: float
@@ -29,14 +29,14 @@ class _Disc:
 
 
 def barrier(place: Surroundings, first: Collection[str], visited: str) -> tuple[str, ...]:
-    """Everybody whom the robot cannot pass between, from those on who are met first.
+    """All people that the robot cannot pass between, starting from those met first.
 
-    A way is barred from wall to wall by discs that overlap, so that whoever bars it is among them.
+    Overlapping discs block a path from wall to wall, so that the blocking people are among them.
 
     Args:
-        place: With everybody in it.
-        first: Who is met first.
-        visited: Whom the robot visits: not in the way.
+        place: The place with all people.
+        first: The people met first.
+        visited: The visited person: not obstructing.
     """
     discs = list(_discs(place, visited))
     found, last = set[str](), set(first)

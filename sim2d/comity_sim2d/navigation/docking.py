@@ -1,4 +1,4 @@
-"""Places beside a person: where a distance and a bearing put the robot, and what is in the way there."""
+"""Places next to a person: where a distance and a bearing put the robot, and what obstructs it there."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class DockingPose:
     bearing_deg: float
     """From where the person faces to where the robot stands; positive to the left, in (-180, 180]."""
     pose_free: bool = True
-    """Whether it is the wanted pose."""
+    """Whether it is the target pose."""
     deviation_reason: str | None = None
     """Why not, where it is not."""
     unverified: str | None = None

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 BESIDE_M = 0.05
-"""So much farther from a piece of furniture than the robot must stay (our choice)."""
+"""Distance from a piece of furniture in addition to the robot's margin [m] (our choice)."""
 STEP_M = 0.25
 """Places around a piece of furniture are looked at this far apart."""
 

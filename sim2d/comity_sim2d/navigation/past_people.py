@@ -1,4 +1,4 @@
-"""Routes that count on people: whoever stands in the only way can be asked to let the robot pass."""
+"""Routes that count on people to make way: the robot can ask those who block the only path."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from comity_sim2d.scene.surroundings import Surroundings
 
 
 def without_people(surroundings: Surroundings, but: Collection[str] = ()) -> RouteMap:
-    """The routes that there would be if everybody made way.
+    """The routes that there would be if all people made way.
 
     Args:
         surroundings: The place.
-        but: Who stays where they are, and among them the space of those who stand together.
+        but: People who stay where they are, and the space between those of them who stand together.
     """
     staying = tuple(person for person in surroundings.people if person.name in but)
     return RouteMap(surroundings.with_people(staying))
 
 
 class PastPeople(RouteMap):
-    """Routes around people where there are any, else those that there would be if everybody made way.
+    """Routes around people where there are any, else the routes that there would be if all people made way.
 
     Args:
         scene: The place.
-        but: Who stays where they are: who is visited, or was asked in vain.
-        walkers: Who goes somewhere anyway.
+        but: People who stay where they are: the visited person, and people asked in vain.
+        walkers: People who leave anyway.
     """
 
     def __init__(
@@ -43,13 +43,13 @@ class PastPeople(RouteMap):
         self._bare = without_people(self.surroundings, but)
 
     def to(self, person: str) -> RouteMap:
-        """The routes on which somebody is visited: they stay where they are, unless they walk."""
+        """The routes of a visit to a person: they stay where they are, unless they walk."""
         if person in self._walkers or person in self._but:
             return self
         return PastPeople(self.surroundings, (*self._but, person), walkers=self._walkers)
 
     def with_people(self, people: tuple[Person, ...]) -> PastPeople:
-        """Routes of the same kind with people elsewhere, or of other tastes."""
+        """Routes of the same kind with other positions or preferences of people."""
         return PastPeople(self.surroundings.with_people(people), self._but, walkers=self._walkers)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:

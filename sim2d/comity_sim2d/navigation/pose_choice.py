@@ -1,4 +1,4 @@
-"""The choice of a pose beside a person: the wanted one where it is free, else the most desirable that is."""
+"""The choice of a pose next to a person: the target pose if it is free, else the most desirable free one."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from comity_sim2d.scene_error import is_near, require_finite, require_points, re
 
 DISTANCE_STEP_M = 0.05
 WIDEST_DEG = 90.0
-"""Never behind the shoulders of a person."""
+"""Largest bearing of a pose [deg]: never behind a person's shoulders."""
 FRONT_DEG = 22.5
 """Bearings up to here are called the front."""
 WISHES_KEPT = 64
-"""Wishes of which the candidates are kept: the same are asked for again whenever a pose is looked for."""
+"""Number of wishes whose candidates are cached: the same ones come again in every search for a pose."""
 
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """The pose that is wanted, and how desirable others are."""
+    """The target pose, and how desirable others are."""
 
     person: str
     distance_m: float
@@ -79,9 +79,9 @@ class Wish:
 
     @lru_cache(maxsize=WISHES_KEPT)  # noqa: B019 - it keeps so many small values
     def candidates(self) -> tuple[tuple[float, float], ...]:
-        """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted.
+        """Distances and bearings to try: the most desirable first, among equals the nearest to the target.
 
-        Distances that do not suit at all come last, the nearest to the wanted one first.
+        Distances that do not suit at all come last, the nearest to the target first.
 
         The less desirable of the two decides, and among equals the other one, so that no place is taken while
         a free one is better in one and no worse in the other (leximin: Dubois, Fargier, Prade,
@@ -115,12 +115,13 @@ class Wish:
         first = math.ceil(low / DISTANCE_STEP_M - 1e-9)
         last = math.floor(high / DISTANCE_STEP_M + 1e-9)
         steps = [round(k * DISTANCE_STEP_M, 9) for k in range(first, last + 1)]
-        # A distance that does not suit stays in, last: whom the robot can serve must not depend on taste.
+        # A distance that does not suit stays in, last: which people the robot can serve must not depend on
+        # taste.
         return [self.distance_m, low, *steps]
 
 
 def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | None:
-    """The wanted pose if it is free and reachable, else the free and reachable one of highest desirability.
+    """The target pose if it is free and reachable, else the free and reachable one of highest desirability.
 
     Returns:
         None where no pose within 90 degrees of the person's front, or within the limits of the wish, is free
@@ -153,7 +154,7 @@ def side_name(bearing_deg: float) -> str:
 
 
 def _obstacle(route_map: RouteMap, start: XY, wish: Wish) -> str | None:
-    """Why the wanted pose is not to be had, as the rest of a sentence."""
+    """Why the target pose is not available, as the rest of a sentence."""
     place = route_map.surroundings
     blocker = pose_blocker(place, wish.person, wish.distance_m, wish.bearing_deg)
     if blocker is not None:
@@ -163,7 +164,7 @@ def _obstacle(route_map: RouteMap, start: XY, wish: Wish) -> str | None:
 
 
 def _deviation(wish: Wish, obstacle: str, distance_m: float, bearing_deg: float) -> str:
-    """What stood in the way of the wanted pose, and how the chosen one differs from it."""
+    """What blocked the target pose, and how the chosen one differs from it."""
     wanted = f"{side_name(wish.bearing_deg)} ({_angle(wish.bearing_deg)}) at {wish.distance_m:.3f} m"
     turned = round(bearing_deg - wish.bearing_deg, 6)
     side = "left" if turned > 0.0 else "right"

@@ -1,9 +1,9 @@
-"""Routes in a scene: the shortest that leaves everybody the space they like, or else the cheapest.
+"""Routes in a scene: the shortest that leaves all people the space they like, or else the cheapest.
 
-Obstacles grow by the robot's radius and a margin, and the robot becomes a point. A route keeps out of all of
-everybody's personal space where a way does so without a long detour: it is the shortest of these, found over
-a visibility graph. Where there is none, what is left to each person is weighed against the way (`cost_grid`).
-Nothing leads through the space that a group keeps open between its members, or within the floor of anybody.
+Obstacles grow by the robot's radius and a margin, and the robot becomes a point. A route keeps out of all
+personal space if that takes no long detour: it is the shortest of these, found over a visibility graph.
+Otherwise the loss of each person is weighed against the path length (`cost_grid`). No route leads through the
+space that a group keeps open between its members, or within the minimum gap of a person.
 """
 
 from __future__ import annotations
@@ -31,23 +31,23 @@ from comity_sim2d.scene.surroundings import Surroundings
 COMFORT_M = 0.45
 """The distance of people whose own is not known: the smallest of Bruno et al. 2017."""
 DETOUR, DETOUR_M = 1.25, 1.0
-"""A way around everybody that is no longer than so many times the shortest and so many metres is taken
-without weighing: our choice."""
+"""A path around all people is taken without weighing if it is no longer than `DETOUR` times the shortest and
+`DETOUR_M` (our choice)."""
 SLACK_M = 0.005
 """Routes may be nearer to walls than places to stand by this much, so that all free places are on the map;
-and they stay away from people by so much more."""
+they stay away from people by the same distance more."""
 CHORD_M = 0.001
-"""Arcs are made of short straight pieces, which run inside by so much at most."""
+"""Arcs are made of short straight pieces, which run inside by this distance at most [m]."""
 
 MOST_SEARCHES = 8
-"""So often a way is found around those whom the last one crossed; then around everybody: in a crowd of
-hundreds each way would cross others, for minutes (our choice)."""
+"""Number of searches around the people that the last path crossed; then one around all people: in a crowd of
+hundreds each path would cross others, for minutes (our choice)."""
 
 AHEAD_M, AHEAD_STEP_M = 4.0, 0.1
-"""So far ahead a route is held against people who moved, at points so far apart."""
+"""Length ahead on a route that is checked against people who moved [m], and the step [m]."""
 WORTH_M = 0.5
-"""A route that costs more than before by less is kept, and so is one that is open still where another one
-costs less by less: between two that cost about the same nobody goes to and fro (our choice)."""
+"""A route is kept if it has become more expensive by less than this, or another one is cheaper by less [m]:
+between two routes of about the same cost the robot does not go to and fro (our choice)."""
 
 Kept = PersonalSpace | OSpace
 
@@ -115,15 +115,15 @@ class RouteMap:
         return min(found, key=lambda route: way_cost(route.points, spaces))
 
     def polite(self, start: XY, goal: XY) -> Route | None:
-        """The shortest route that keeps everybody's own distance, however long; None where there is none."""
+        """The shortest route that keeps all own distances, however long; None where there is none."""
         return self._shortest(start, goal, self.spaces(start, goal), self.groups(start, goal))
 
     def to(self, person: str) -> RouteMap:
-        """The routes on which somebody is visited."""
+        """The routes of a visit to a person."""
         return self
 
     def with_people(self, people: tuple[Person, ...]) -> RouteMap:
-        """Routes of the same kind with people elsewhere, or of other tastes."""
+        """Routes of the same kind with other positions or preferences of people."""
         return RouteMap(self.surroundings.with_people(people))
 
     def without(self, names: Collection[str]) -> RouteMap:
@@ -140,7 +140,7 @@ class RouteMap:
         return self._around((*floors, *self.groups(start, goal))).joins(start, goal)
 
     def may_reach(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
-        """Whether there would be routes if nobody were about: to many goals at once; shape (n,)."""
+        """Whether there would be routes without people, to many goals at once; shape (n,)."""
         return self._around(()).joins_any(start, goals)
 
     def is_worse(
@@ -152,7 +152,7 @@ class RouteMap:
         keep: Mapping[str, float] | None = None,
         by_m: float = WORTH_M,
     ) -> bool:
-        """Whether people moved so that the rest of a route is barred now, or costs much more than before.
+        """Whether people moved so that the rest of a route is blocked now, or costs much more than before.
 
         Args:
             route: One that the robot follows.
@@ -200,7 +200,7 @@ class RouteMap:
     def spaces(
         self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None
     ) -> tuple[PersonalSpace, ...]:
-        """Everybody's personal space, which gives way where the route has to start or end inside it."""
+        """All personal spaces, which give way where the route has to start or end inside them."""
         people = zip(self.surroundings.people, self._spaces, strict=True)
         spaces = (
             self._space(person, keep[person.name]) if keep and person.name in keep else space
@@ -238,10 +238,10 @@ class RouteMap:
     def _shortest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], groups: tuple[OSpace, ...]
     ) -> Route | None:
-        """The shortest way, with only those people on the map whom a shorter one would disturb.
+        """The shortest path, with only those people on the map that a shorter one would disturb.
 
-        More obstacles never make a shortest way shorter: one that keeps out of everybody, found around
-        some of them, is the shortest around all of them.
+        More obstacles never make a shortest way shorter: one that keeps out of all spaces, found around some
+        of them, is the shortest around all of them.
         """
         everybody: tuple[Kept, ...] = (*spaces, *groups)
         mapped: tuple[Kept, ...] = ()
@@ -300,7 +300,7 @@ class RouteMap:
 
 def _giving_way(spaces: Iterable[PersonalSpace], start: XY, goal: XY) -> tuple[PersonalSpace, ...]:
     """Spaces that leave out where a way has to start and end."""
-    # A goal may be inside somebody's own distance, never inside the margin; a start is where it is.
+    # A goal may be inside a person's own distance, never inside the margin; a start is where it is.
     to_goal = (each.leaving_out(goal, SLACK_M / 2, least_m=each.floor_m - 2 * SLACK_M) for each in spaces)
     return tuple(each.leaving_out(start, SLACK_M / 2, least_m=each.contact_m) for each in to_goal)
 

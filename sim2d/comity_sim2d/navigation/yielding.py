@@ -1,4 +1,4 @@
-"""Giving way: how far the robot may go on before somebody who walks comes across or towards it."""
+"""Giving way: how far the robot may go on before a walking person crosses its path or comes towards it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WALKS_M_S = 0.15
 """Slower is standing, and a noisy sensor."""
 HORIZON_S = 4.0
 MOMENTS = np.linspace(0.0, HORIZON_S, 17)
-"""People are taken to walk on straight for so long."""
+"""Horizon for which people are assumed to walk straight on [s]."""
 SLOWEST_M_S = 0.3
 """A robot that waits is taken to set out again at this speed."""
 MARGIN_M = PERSON_MARGIN_M + 0.05
@@ -35,7 +35,7 @@ class Walker:
 
 
 def is_walking(velocity: XY) -> bool:
-    """Whether somebody with this velocity is on the way somewhere."""
+    """Whether a person with this velocity walks."""
     return math.hypot(*velocity) > WALKS_M_S
 
 
@@ -50,13 +50,13 @@ class GivingWay:
 def giving_way(
     route: Route, way_m: float, speed_m_s: float, walkers: Sequence[Walker], robot_radius_m: float
 ) -> GivingWay | None:
-    """The nearest conflict ahead; None where nobody comes in the way.
+    """The nearest conflict ahead; None where no person crosses the path.
 
     Args:
         route: The robot's.
         way_m: How far along it the robot is.
         speed_m_s: Its speed.
-        walkers: Those who move, or stand where the route does not expect them; not the one who is visited.
+        walkers: People who move, or stand where the route does not expect them; not the visited person.
         robot_radius_m: Its radius.
     """
     speed_m_s = max(speed_m_s, SLOWEST_M_S)
@@ -84,7 +84,7 @@ def _may_meet(robot: XY, speed_m_s: float, walker: Walker) -> bool:
 
 
 def _free_m(route: Route, way_m: float, ahead_m: float, path: Points, reach_m: float) -> float:
-    """How far the robot can go and still be beside the walker's path."""
+    """How far the robot can go and still be off the walker's path [m]."""
     steps = np.arange(0.0, ahead_m + STEP_M, STEP_M)
     apart = _points(route, way_m + steps)[:, None] - path[None]
     blocked = np.flatnonzero(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) < reach_m)
