@@ -23,7 +23,7 @@ class Area:
 
 @dataclass(frozen=True, slots=True)
 class Location:
-    """A point with a name, where somebody can stand."""
+    """A named point where a person can stand."""
 
     name: str
     x_m: float

@@ -1,4 +1,4 @@
-"""What somebody in the world likes, and how they let it be known: hidden from the robot."""
+"""A person's preferred distances, and their signals of discomfort: hidden from the robot."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ NEAREST_M, FARTHEST_M = (0.0, 10.0), 20.0
 NARROWEST_M = 0.05
 """No interval is narrower: it would be left by the noise of standing (our choice)."""
 SEATED: tuple[Signal, ...] = ("ask_farther", "turn_away", "ask_closer")
-"""Who sits does not step."""
+"""Signals of a seated person, who does not step."""
 
 
 @dataclass(frozen=True, slots=True)

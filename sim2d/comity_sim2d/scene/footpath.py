@@ -19,7 +19,7 @@ EASE_M = (0.20, NEAR_THINGS_M, 0.0)
 """How far people like to stay clear of things where there is room, tried in this order (our choice)."""
 
 BESIDE_M = 0.3
-"""Who stands so little too near to things finds a way all the same (our choice)."""
+"""A person who stands too near to things by less than this still finds a path [m] (our choice)."""
 
 Disc = tuple[float, float, float]
 """Centre and radius [m]."""
@@ -56,14 +56,14 @@ class Footpaths:
         return self.past(None, start, goal)
 
     def _from_beside(self, start: XY, goal: XY) -> list[XY] | None:
-        """The way around everybody of who starts or ends too near to them, over the nearest free places."""
+        """The path around all people if it starts or ends too near to them, over the nearest free places."""
         parts = self._parts(NEAR_THINGS_M)
         first, last = _beside(parts, start), _beside(parts, goal)
         way = None if first is None or last is None else _way(parts, first, last)
         return way and [*([start] if first != start else []), *way, *([goal] if last != goal else [])]
 
     def past(self, thing: Disc | None, start: XY, goal: XY) -> list[XY] | None:
-        """The same for somebody close to walls, and to one more thing; None where there is no way."""
+        """The same for a person close to walls, and to one more thing; None where there is no path."""
         parts = self._parts(0.0) if thing is None else self._build(0.0, thing)
         beside = _beside(parts, start)
         return None if beside is None else _way(parts, beside, goal)
@@ -74,7 +74,7 @@ class Footpaths:
 
 
 def clear_pieces(plan: FloorPlan, clearance_m: float, around: tuple[Disc, ...] = ()) -> list[Polygon]:
-    """The floor so far from what stands still, and from more, in pieces that hang together.
+    """The floor at a distance from what stands still, and from more, in connected pieces.
 
     Args:
         plan: What stands still.
@@ -105,7 +105,7 @@ def _way(parts: Parts, start: XY, goal: XY) -> list[XY] | None:
 
 
 def _beside(parts: Parts, place: XY) -> XY | None:
-    """The nearest free place, for somebody who touches a thing: polygons lie around round corners."""
+    """The nearest free place, for a person who touches a thing: polygons lie around round corners."""
     from shapely import Point, shortest_line
 
     here = Point(place)

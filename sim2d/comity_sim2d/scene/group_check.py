@@ -19,7 +19,7 @@ def check_groups(scene: Scene) -> None:
     """Refuse groups with a wall or a shut door between two of their members.
 
     Raises:
-        SceneError: about the first group that is none.
+        SceneError: For the first invalid group.
     """
     plan = floor_plan(scene)
     for group in scene.groups:

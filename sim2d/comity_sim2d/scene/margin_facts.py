@@ -12,7 +12,7 @@ OLDEST_YEARS = 150.0
 
 @dataclass(frozen=True, slots=True)
 class MarginFacts:
-    """What a person declared; the defaults, for a person of whom nothing is known, refuse."""
+    """What a person declared; the defaults, for a person without known facts, refuse."""
 
     age_years: float | None = None
     """The least where a range was declared; None: not disclosed."""

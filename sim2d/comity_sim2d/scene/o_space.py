@@ -1,4 +1,4 @@
-"""The space that a group of people who talk keep open between them, and that nobody walks through."""
+"""The o-space: the space that people in conversation keep open between them, and that no one crosses."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ side by side have 1, two who look to the corner between them 0.7, people in a ci
 
 
 LEFT_M = 0.5
-"""Who is farther than this from where they stood in a group has left it (our choice: a step)."""
+"""Distance from their place at which a member has left the group [m] (our choice: a step)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +33,7 @@ class OSpace:
     radius_m: float
     members: tuple[str, ...] = ()
     is_closed: bool = False
-    """Whether nobody can stand before a member without standing among them."""
+    """Whether there is no place before a member that is not among them."""
 
     @property
     def words(self) -> str:
@@ -51,7 +51,7 @@ class OSpace:
         return replace(self, radius_m=self.radius_m + by_m)
 
     def leaving_out(self, xy: XY, slack_m: float) -> OSpace:
-        """The same disc, shrunk so far that a place is outside of it by the slack."""
+        """The same disc, shrunk until a place is outside of it by the slack."""
         return replace(self, radius_m=min(self.radius_m, max(0.0, math.dist(self.xy, xy) - slack_m)))
 
     def is_beyond(self, box: Box) -> bool:
@@ -107,19 +107,19 @@ def o_space(members: Sequence[Person]) -> OSpace:
 
 
 def those_left(members: Sequence[Person], people: Iterable[Person]) -> list[Person]:
-    """Who of a group has not left it, each as they stood together; see `o_space_of_those_left`."""
+    """The members who have not left a group, each as they stood together; see `o_space_of_those_left`."""
     at = {person.name: person.xy for person in people}
     return [one for one in members if one.name in at and math.dist(one.xy, at[one.name]) <= LEFT_M]
 
 
 def o_space_of_those_left(members: Sequence[Person], people: Iterable[Person]) -> OSpace | None:
-    """What is left of the o-space of a group when some may have gone; None: nobody, or one alone, is left.
+    """The o-space of the members who have not left a group; None with fewer than two of them.
 
-    A small step or a turn of the head leaves it where it is; who comes back belongs to it again.
+    A small step or a turn of the head leaves it where it is; a member who comes back belongs to it again.
 
     Args:
         members: As they stood together.
-        people: Everybody where they are now; who is not there has left.
+        people: All people where they are now; a missing member has left.
     """
     left = those_left(members, people)
     return o_space(left) if len(left) > 1 else None

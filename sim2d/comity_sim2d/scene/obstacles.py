@@ -24,12 +24,13 @@ WALL_MARGIN_M = 0.05
 PERSON_MARGIN_M = 0.30
 """The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
 FREE_FROM_M = PERSON_MARGIN_M + 0.005
-"""A place so far from a bystander is free: the way to it, round the same person, comes millimetres nearer."""
+"""Gap to a bystander at which a place is free [m]: the path to it, round the same person, comes millimetres
+nearer."""
 KEPT = 256
 """Places and lines of which it is remembered what is in the way: the same poses are asked for again."""
 ROOM = "the room's outer wall"
 FEW_LINES = 3
-"""So many are made faster one by one (as measured)."""
+"""Number up to which one by one is faster (as measured)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,7 +185,7 @@ class FloorPlan:
         return seen
 
     def view_blockers(self) -> NDArray[np.float64]:
-        """The lines that nobody sees across, shape (n, 2, 2): inner walls; a hollow outline."""
+        """The lines that block the view, shape (n, 2, 2): inner walls; a hollow outline."""
         lines = [_with_ends(wall) for wall in self._walls]
         if self.room.convex_hull.area > self.room.area + 1e-9:
             for ring in (self.room.exterior, *self.room.interiors):
@@ -192,7 +193,7 @@ class FloorPlan:
         return np.array(lines).reshape(-1, 2, 2)
 
     def clear_space(self, clearance_m: float, *, at_least: bool = True) -> BaseGeometry:
-        """The points so far from everything that stands still: polygons, round corners included.
+        """The points at a distance from everything that stands still: polygons, round corners included.
 
         Args:
             clearance_m: How far.
@@ -210,7 +211,7 @@ class FloorPlan:
         return difference(offset(self.room, -clearance_m, at_least=at_least), union_all(solids))
 
     def leave_clear(self, lines: Sequence[NDArray[np.float64]], clearance_m: float) -> NDArray[np.bool_]:
-        """Whether lines through points are inside the room and so far from all that stands still.
+        """Whether lines through points are inside the room and at a distance from all that stands still.
 
         Args:
             lines: Each of shape (n, 2), two points at least.

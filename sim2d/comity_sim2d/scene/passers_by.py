@@ -1,4 +1,4 @@
-"""People whom nobody planned for: they come and go, anonymous, where chance puts them."""
+"""Passers-by: anonymous people who come and go, in no plan and placed at random."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SLOWEST_M_S, FASTEST_M_S = 0.6, 2.0
 
 @dataclass(frozen=True, slots=True)
 class PassersBy:
-    """So many people who walk about as long as the world runs; in frames and metrics, in nobody's plan."""
+    """A number of people who walk about as long as the world runs; in frames and metrics, but in no plan."""
 
     count: int
     between: tuple[XY, ...] = ()

@@ -22,7 +22,7 @@ from comity_sim2d.scene_error import (
 
 POSTURES = ("standing", "seated")
 PERSON_RADIUS_M = 0.20
-"""Of the disc, unless somebody says otherwise: a grown-up's shoulders."""
+"""Default radius of the disc [m]: an adult's shoulders."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class Person:
     walk: Walk | None = None
     """Where the person walks; None: they stay where they are."""
     reacts: RobotReaction | None = None
-    """What the person does about the robot as such; None: who walks takes it for another person."""
+    """The person's reaction to the robot; None: a walking person takes it for another person."""
     steps_aside: bool = False
     """Whether the person steps out of the way of a robot that asks to pass."""
     lets_pass: bool = False

@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 APART_M = 0.10
 """Between the bodies of people at the start, at least; three times as much to the robot."""
 DESTINATIONS = 4
-"""Through so many places a passer-by walks before coming back to the first, where nothing else is said."""
+"""Default number of places that a passer-by walks through before coming back to the start."""
 SPREAD_M = 1.0
-"""So far from a given point do passers-by go, so that not all want to stand on it."""
+"""Maximum distance of passers-by's destinations from a given point [m], so that not all stand on it."""
 TRIES = 400
 ROUNDS = 100
-"""So often places are drawn anew where none was free: of a narrow lane across a large place few are."""
+"""Number of further draws where no place was free: few are on a narrow lane across a large place."""
 
 Places = NDArray[np.complex128]
 """In the plane, x + iy [m]."""
@@ -44,7 +44,7 @@ class Placed:
 
 
 def place(scene: Scene, seed: int) -> tuple[Placed, ...]:
-    """Put the passers-by of a scene into it, clear of everything and everybody.
+    """Put the passers-by of a scene into it, clear of all things and people.
 
     Raises:
         SceneError: Where there is no room for them, or a point to walk to that cannot be walked to.
@@ -71,7 +71,7 @@ class _Floor:
         for point in who.between:
             self._check(point, plan.blocker(point, radius_m))
         free = _outside_groups(plan.clear_space(round(radius_m + APART_M, 6)), scene, radius_m + APART_M)
-        # Behind a shut door nobody starts who could not get to where they all go.
+        # No one starts behind a shut door without a path to where they all go.
         self._free = self._joined(free, complex(*who.between[0])) if who.between else free
         self._radius_m, self._rng = radius_m, rng
         people, robot = scene.people, scene.robot
@@ -105,7 +105,7 @@ class _Floor:
         return tuple(self._near(complex(*between[i])) for i in self._rng.permutation(len(between)))
 
     def _check(self, point: XY, blocker: Blocker | None) -> None:
-        """Refuse a point to walk to on which nobody could stand, or to which no way leads from the first."""
+        """Refuse a destination without room to stand, or without a path from the start."""
         first = self._between[0]
         if blocker is None and self._piece(complex(*point)) is self._piece(complex(*first)):
             return
@@ -153,7 +153,7 @@ class _Floor:
 
 
 def _outside_groups(free: BaseGeometry, scene: Scene, clear_m: float) -> BaseGeometry:
-    """What of the free floor is so far from the space that groups keep open: nobody stands or goes there."""
+    """The free floor at a distance from the space that groups keep open, where no one stands or goes."""
     from shapely import Polygon, difference, union_all
 
     spaces = [Polygon(space.grown(clear_m).outline()) for space in scene.o_spaces]

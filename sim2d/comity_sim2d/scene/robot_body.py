@@ -18,9 +18,9 @@ from comity_sim2d.scene_error import (
 
 DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M = 0.25
-"""Of the disc, unless somebody says otherwise: a robot like Pepper, 0.48 m across."""
+"""Default radius of the disc [m]: a robot like Pepper, 0.48 m across."""
 SIGHT_M = 0.50
-"""So far from its body a robot sees at least: where people talk with it (our choice)."""
+"""Minimum range of sight from its body [m]: where people talk with it (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +61,7 @@ class RobotBody:
     max_jerk_m_s3: float = 20.0
     """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default.
 
-    Below `max_acceleration_m_s2` a second, the robot accelerates less than it may, by so much in a second.
+    Below `max_acceleration_m_s2` a second, the robot accelerates less than its limit, by this jerk times 1 s.
     """
     emergency_deceleration_m_s2: float = 2.0
     """How hard it brakes while its emergency stop is pressed, whatever the jerk.

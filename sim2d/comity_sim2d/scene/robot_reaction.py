@@ -22,17 +22,17 @@ REACTIONS: tuple[RobotReaction, ...] = get_args(RobotReaction)
 SEEN_M = {"curious": 10.0, "surprised": 4.0, "scared": 3.0, "threatening": 4.0}
 """How near the robot is when they react; the trees know no distance for surprise, where it is our choice."""
 SEEN_RAD = math.pi / 2 + 0.17
-"""They see it up to so far off the way they face."""
+"""Bearing from their facing up to which they see it [rad]."""
 LASTS_S = 40.0
-"""After so long in all they are used to it, and go on as with another person."""
+"""Total time after which they are used to it, and go on as with another person [s]."""
 CURIOUS_STOP_M, CURIOUS_M_S = 1.5, 1.8
-"""They stop so near; their speed falls with the distance, from this at 10 m."""
+"""Distance at which they stop [m], and their speed at 10 m, which falls with the distance [m/s]."""
 SCARED_M_S2, SCARED_REACH_M = 20.0, 0.2
-"""The extra force is the first times the second over the distance."""
+"""The additional force is `SCARED_M_S2` times `SCARED_REACH_M` over the distance."""
 THREATENING_AHEAD_M, THREATENING_M_S = 1.4, 2.0
-"""They make for the place so far before it, at most so fast."""
+"""Distance of the place before the robot that they make for [m], and their maximum speed [m/s]."""
 ADDRESSED_M, ADDRESSED_RAD = 2.0, math.radians(45.0)
-"""A robot so near and turned to a walker has come up to them (our choice)."""
+"""Distance [m] and bearing [rad] within which a robot has come up to a walker (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,13 +47,13 @@ class RobotSeen:
 
 @dataclass(frozen=True, slots=True)
 class Intent:
-    """What somebody does for the moment instead of going on with their walk."""
+    """A person's momentary reaction instead of their walk."""
 
     goal: complex | None = None
     """Where to go; None: stand."""
     speed_m_s: float = 0.0
     push: complex = 0j
-    """An acceleration besides [m/s^2]."""
+    """An additional acceleration [m/s^2]."""
     keeps_walking: bool = False
     """Whether the walk goes on all the same."""
 
@@ -68,24 +68,24 @@ def require_reaction(entity: str, reaction: str) -> None:
 
 
 def is_seen(robot: RobotSeen, at: complex, heading_rad: float, distance_m: float) -> bool:
-    """Whether somebody faces a robot that is so near; walls do not count here."""
+    """Whether a person faces a robot within a distance; walls do not count here."""
     return abs(robot.at - at) <= distance_m and abs(off_rad(robot, at, heading_rad)) <= SEEN_RAD
 
 
 def off_rad(robot: RobotSeen, at: complex, heading_rad: float) -> float:
-    """How far the robot is off the way somebody faces, positive to the left."""
+    """Bearing of the robot from a person's facing, positive to the left."""
     return cmath.phase((robot.at - at) * cmath.rect(1.0, -heading_rad))
 
 
 def comes_up(robot: RobotSeen, at: complex) -> bool:
-    """Whether the robot is near somebody and turned to them."""
+    """Whether the robot is near a person and turned to them."""
     apart = at - robot.at
     bearing = cmath.phase(apart * cmath.rect(1.0, -robot.heading_rad))
     return abs(apart) <= ADDRESSED_M and abs(bearing) <= ADDRESSED_RAD
 
 
 def intent(reaction: RobotReaction, robot: RobotSeen, at: complex, radius_m: float) -> Intent:
-    """What somebody does who sees the robot and is not used to it yet."""
+    """The reaction of a person who sees the robot and is not used to it yet."""
     apart = robot.at - at
     distance = abs(apart)
     if reaction == "curious":

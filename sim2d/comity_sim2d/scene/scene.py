@@ -36,9 +36,9 @@ class Scene:
     walls: tuple[Wall, ...] = ()
     furniture: tuple[Furniture, ...] = ()
     groups: tuple[Group, ...] = ()
-    """Who stands together."""
+    """People who stand together."""
     passers_by: PassersBy | None = None
-    """Who walks about besides."""
+    """The passers-by."""
     keep_to: Side = "right"
     """The side on which people who walk evade one another where both are as good."""
     doors: tuple[Door, ...] = ()
@@ -66,7 +66,7 @@ class Scene:
         check_scene(self)
 
     def without(self, names: Container[str]) -> Scene:
-        """The same with some people gone: their groups shrink, and one of whom nobody or one is left ends."""
+        """The same without some people: groups shrink, and one with fewer than two people ends."""
         groups = (group.without(names) for group in self.groups)
         return replace(
             self,

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 MAX_OBSTACLES = 1000
 """Walls, doors and furniture together (our choice: for routes, see `ways.MOST_CORNERS`)."""
 MAX_PEOPLE = 1000
-"""Who is in the scene, passers-by aside, who have a limit of their own (our choice)."""
+"""Maximum number of people in a scene, without passers-by, who have a limit of their own (our choice)."""
 
 PLACES_KEPT = 64
 """Places of which it is remembered that they can be: planning again builds the same with people elsewhere."""
@@ -45,7 +45,7 @@ class Filled(Floor, Protocol):
 
     @property
     def passers_by(self) -> PassersBy | None:
-        """Who walks about besides."""
+        """The passers-by."""
         ...
 
 

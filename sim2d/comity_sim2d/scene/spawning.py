@@ -1,4 +1,4 @@
-"""Random places to stand: drawn evenly over what is free, so that nobody is in anything or anybody.
+"""Random places to stand: drawn evenly over the free floor, clear of things and people.
 
 Drawn points that are not free are rejected and drawn again, at most `MOST_DRAWS` times.
 """
@@ -37,7 +37,7 @@ def random_spot(
 
     Args:
         plan: What stands still.
-        bodies: Who is there already.
+        bodies: People who are there already.
         radius_m: Of the disc.
         rng: What is drawn with.
         within: The room that the place is to be in; None: anywhere.

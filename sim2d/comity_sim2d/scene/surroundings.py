@@ -26,7 +26,7 @@ class Surroundings:
     o_spaces: tuple[OSpace, ...] = ()
     """Between people who stand together: nothing goes through."""
     groups: tuple[tuple[Person, ...], ...] = ()
-    """Who stands together, each where they stood at the start."""
+    """People who stand together, each where they stood at the start."""
 
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
@@ -44,7 +44,7 @@ class Surroundings:
         return find_person(self.people, name)
 
     def blocker(self, xy: XY, visited: str | None = None) -> str | None:
-        """What keeps the robot, margins included, from standing somewhere; whom it visits does not count."""
+        """What keeps the robot, with margins, from standing somewhere; the visited person does not count."""
         found = self.plan.blocker(xy, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
         if found is not None:
             return found.name
@@ -55,7 +55,7 @@ class Surroundings:
         return self._group_around(xy)
 
     def are_free(self, points: Sequence[XY], *, visited: str) -> NDArray[np.bool_]:
-        """Which places beside somebody are free and in their view; shape (n,). One alone: `pose_blocker`."""
+        """Which places next to a person are free and in their view; shape (n,). One alone: `pose_blocker`."""
         at = np.array(points, dtype=float).reshape(-1, 2)
         free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
         for person in self.people:
@@ -71,7 +71,7 @@ class Surroundings:
         return free
 
     def _group_around(self, xy: XY) -> str | None:
-        """Among whom the robot would stand; before those who stand open to others it may."""
+        """The group among which the robot would stand; before an open group it may stand."""
         for space in self.o_spaces:
             if space.is_closed and math.dist(space.xy, xy) < space.radius_m + self.robot_radius_m - 1e-9:
                 return space.words

@@ -1,7 +1,7 @@
 """Whether people can walk where a scene has them walk, as its doors stand when they set out.
 
-It is no part of what a scene can be: where a door has shut since, somebody's walk leads through it, and the
-scene of that moment is still one to plan in and to draw.
+This is no check of the scene itself: after a door has shut, a person's walk leads through it, and the scene
+of that moment can still be planned in and drawn.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def check_walks(scene: Scene) -> None:
     """Refuse walks that lead into things, through walls or through shut doors.
 
     Raises:
-        SceneError: about the first point that cannot be walked to.
+        SceneError: For the first point that cannot be walked to.
     """
     plan = floor_plan(scene)
     walkers = [(person, person.walk) for person in scene.people if person.walk is not None]
