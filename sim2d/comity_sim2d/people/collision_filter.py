@@ -10,7 +10,7 @@ from comity_sim2d.pose import XY
 
 
 class Stride(NamedTuple):
-    """A body on its way, a straight line from one choice to the next; who stands stays at one place."""
+    """A body's straight line from one choice to the next; a standing person stays at one place."""
 
     start: XY
     end: XY

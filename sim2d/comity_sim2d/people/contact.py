@@ -1,7 +1,7 @@
-"""Bodies that do not pass through one another: velocities cut so that nobody gets where a person is.
+"""Bodies that do not pass through one another: velocities cut so that no body enters another.
 
-Each pair of bodies shares the gap between them: a mover may take up half of it, or all of it where the
-other does not move. Who keeps within all his shares overlaps nobody at the end of the step, nor on the way.
+Each pair of bodies shares the gap between them: a mover may take up half of it, or all of it where the other
+does not move. A body within all its shares overlaps no other at the end of the step, nor on the way.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ from comity_sim2d.people.neighbours import Indices
 from comity_sim2d.people.social_force import Numbers, Vectors
 
 ROUNDING_M_S = 1e-7
-"""So much too fast is rounding, and no reason to stop."""
+"""An excess speed below this is rounding, and no reason to stop."""
 
 
 def within_shares(velocity: Vectors, who: Indices, towards: Vectors, share_m_s: Numbers) -> Vectors:
     """The velocities, first turned along what is in the way, then shortened as far as needed.
 
     Args:
-        velocity: Of everybody, shape (n,).
-        who: Whom a share is of, shape (k,).
+        velocity: Of all bodies, shape (n,).
+        who: The body of each share, shape (k,).
         towards: Unit vectors to what is in the way, shape (k,).
         share_m_s: How fast they may come nearer to it, at least 0; shape (k,).
     """

@@ -1,7 +1,7 @@
-"""Everybody who may move, in arrays: forces, velocities that touch nobody, steps.
+"""All people who may move, in arrays: forces, velocities without contact, steps.
 
-Places and velocities are complex numbers, x + iy. The robot is the last body; people mind it, and it is not
-moved here.
+Places and velocities are complex numbers, x + iy. The robot is the last body; people take it into account,
+and it is not moved here.
 """
 
 from __future__ import annotations
@@ -22,24 +22,26 @@ from comity_sim2d.people.yielding import Yielding
 from comity_sim2d.scene.robot_reaction import RobotSeen
 
 PEOPLE_M, PEOPLE_SKIN_M = 5.0, 1.0
-"""Who is farther away is not minded: a tenth of the strength is left there, head on at full speed."""
+"""Distance beyond which people are ignored [m], and the skin of the list [m]: a tenth of the force is left
+there, head on at full speed."""
 WALLS_M, WALLS_SKIN_M = 1.0, 1.0
 """Things farther away push with less than a thousandth of what they do at contact."""
 TIGHT_M = 0.3
-"""What two people who go towards one another do not cover is looked at up to so much farther."""
+"""Additional distance that is examined beyond what two people who go towards one another cover [m]."""
 ROBOT_GAP_M = 0.05
 """People keep this far from the robot's body, which moves on between two decisions (our choice)."""
 AROUND_RAD = 0.2
-"""A robot that is a thing to a person pushes so much aside, or they would stand before it (our choice)."""
+"""Sideways push of a robot that a person takes for a thing, or they would stand before it [rad] (our
+choice)."""
 TURN = 2 * np.pi
 TURN_RAD_S = np.pi
 """How fast people turn, as in HuNavSim's `agent_manager.cpp`."""
 STILL_M_S = 0.1
-"""Who goes slower keeps facing where they face."""
+"""Below this speed people keep their facing [m/s]."""
 SIDEWAYS_M_S = (0.3, 0.6)
-"""Who is pushed aside more slowly than the first steps sideways and faces where they want to go, as in the
-headed social force model (Farina et al. 2017, PLoS ONE 12(1): e0169734); who goes faster than the second
-faces where they go. The speeds are our choice."""
+"""A person who is pushed aside more slowly than the lower speed steps sideways and faces where they want to
+go, as in the headed social force model (Farina et al. 2017, PLoS ONE 12(1): e0169734). Above the higher speed
+people face where they go. The speeds are our choice."""
 SLACK_M = 1e-6
 
 
@@ -57,8 +59,8 @@ class Crowd:
     """The people of one world in motion.
 
     Args:
-        bodies: Everybody at the start, the robot last.
-        strollers: Who of them may move.
+        bodies: All bodies at the start, the robot last.
+        strollers: Those of them who may move.
         strolling: Where they go.
         outlines: What stands still.
         step_s: A tick; a person who is led is moved once in each.
@@ -83,9 +85,9 @@ class Crowd:
         self.at, self.heading, self.radius_m = bodies.at, bodies.heading.copy(), bodies.radius_m
         """Headings may leave (-pi, pi] between two decisions."""
         self.velocity = np.zeros(count, dtype=complex)
-        """How everybody goes by themselves, and the robot."""
+        """Own velocities of all people and the robot."""
         self._led: dict[int, complex] = {}
-        """Who does nothing by themselves, and how they were moved in this tick [m]."""
+        """People who are led, and their displacement in this tick [m]."""
         self._turn = np.zeros(count)
         self._strolling, self._side = strolling, side
         self._step_s, self._decision_s = step_s, decision_s
@@ -106,7 +108,7 @@ class Crowd:
 
     @property
     def movers(self) -> Indices:
-        """Who may move."""
+        """The people who may move."""
         return self._movers
 
     def is_walking(self, index: int) -> bool:
@@ -143,14 +145,14 @@ class Crowd:
         self._walls = WallList(outlines, self._movers, self.radius_m, WALLS_M, WALLS_SKIN_M)
 
     def advance(self) -> None:
-        """Let everybody go on as they do, for one tick."""
+        """Let all people go on with their velocities, for one tick."""
         self.at[:-1] += self.velocity[:-1] * self._step_s
         self.heading += self._turn * self._step_s
         for index in self._led:
             self._led[index] = 0j
 
     def decide(self, robot: RobotSeen) -> None:
-        """Let everybody choose again how to go on."""
+        """Let all people choose their velocities again."""
         self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
         wanted = self._strolling.decide(self.at, self.heading, robot, self.o_spaces)
         walks = self._strolling.walks
@@ -165,7 +167,7 @@ class Crowd:
         self._turn = self._turning(robot, wanted)
 
     def _near(self) -> Near:
-        """Who and what is near whom now."""
+        """The people and things near each person now."""
         pairs, walls = self._neighbours, self._walls
         if pairs.update(self.at):
             self._width = self.radius_m[pairs.one] + self.radius_m[pairs.other]
@@ -179,7 +181,7 @@ class Crowd:
 
     @property
     def _seen(self) -> Vectors:
-        """How everybody goes as others see it, who are led as they are moved."""
+        """The velocities that others see; of led people, as they are moved."""
         if not self._led:
             return self.velocity
         seen = self.velocity.copy()
@@ -188,7 +190,7 @@ class Crowd:
 
     @property
     def _facing(self) -> Vectors:
-        """Where everybody faces who is on their way, or led; 0 of those who stand."""
+        """Facing of the people who walk or are led; 0 of those who stand."""
         on_their_way = self._strolling.walks | (self._seen != 0.0) if self._led else self._strolling.walks
         return np.asarray(np.exp(1j * self.heading) * on_their_way)
 
@@ -246,7 +248,7 @@ class Crowd:
         return np.asarray(np.maximum(share, 0.0))
 
     def _turning(self, robot: RobotSeen, wanted: Vectors) -> Numbers:
-        """How fast everybody turns, to where they go or to the robot that they look at [rad/s]."""
+        """Turning rates, to where people go or to the robot that they look at [rad/s]."""
         looks, speed = self._strolling.looks, np.abs(self.velocity)
         ahead: Vectors = _ahead(self.velocity, speed, wanted)
         turns = (speed >= STILL_M_S) & (ahead != 0.0)

@@ -2,7 +2,7 @@
 
 The time gap is that of the collision-free speed model (Tordeux, Chraibi and Seyfried 2016, "Collision-free
 speed model for pedestrian dynamics", Traffic and Granular Flow '15, 225-232). The social force alone lets a
-stream of people go at full speed at densities at which nobody walks so fast (Weidmann 1993,
+stream of people go at full speed at densities at which real people walk more slowly (Weidmann 1993,
 "Transporttechnik der Fussgaenger").
 """
 
@@ -15,19 +15,19 @@ from comity_sim2d.people.social_force import Vectors
 
 TIME_GAP_S = 0.6
 """The gap ahead is covered in no less time. Fitted to Weidmann's diagram with bodies of 0.4 m, by
-`tests/crowd_study.py`; Tordeux et al. take 1 s for bodies of 0.3 m, which no force pushes besides."""
+`tests/crowd_study.py`; Tordeux et al. take 1 s for bodies of 0.3 m, which no other force pushes."""
 
 
 def within_headway(wanted: Vectors, facing: Vectors, near: Near) -> Vectors:
     """The velocities that people want, slowed down behind those who go the same way.
 
-    A person is ahead whose body reaches into the strip that one's own body is about to cover. Those who come
-    the other way or stand are none: people evade them.
+    A person is ahead whose body reaches into the strip that one's own body is about to cover. People who come
+    the other way or stand do not count: people evade them.
 
     Args:
-        wanted: Of everybody, shape (n,); 0 of those who do not walk.
-        facing: Unit vectors where everybody faces, shape (n,); 0 of those who stand.
-        near: Who is near whom.
+        wanted: Of all bodies, shape (n,); 0 of those who do not walk.
+        facing: Unit vectors of the facings, shape (n,); 0 of those who stand.
+        near: The pairs of near bodies.
     """
     pace = np.abs(wanted)
     direction = wanted / np.maximum(pace, 1e-9)

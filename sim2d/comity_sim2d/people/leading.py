@@ -1,4 +1,4 @@
-"""Who is sent somewhere by something outside of them: of several that send one person, the last leads them.
+"""People who are led by changes or faults: of several that lead one person, the latest one counts.
 
 People who are led neither walk nor step back by themselves: two that move one person at a time would tear
 them to and fro.
@@ -29,10 +29,10 @@ class Lead:
 
 
 class Leads:
-    """Who is led now.
+    """The people who are led now.
 
     Args:
-        traffic: Who walks by themselves while nothing leads them.
+        traffic: People who walk by themselves while nothing leads them.
     """
 
     def __init__(self, traffic: Pedestrians | None) -> None:

@@ -1,4 +1,4 @@
-"""Who is near whom: lists of pairs that are kept until a person has moved far enough (Verlet 1967)."""
+"""Neighbour lists: pairs of near people, kept until a person has moved far enough (Verlet 1967)."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from comity_sim2d.people.social_force import Vectors
 
 Indices = NDArray[np.intp]
 VERY_FEW = 14
-"""Of so many people all pairs are listed for good (measured)."""
+"""Number of people up to which all pairs are listed for good (measured)."""
 FEW = 50
-"""Up to so many people all pairs are looked at, above a k-d tree finds those that are near."""
+"""Number of people up to which all pairs are examined; above, a k-d tree finds the near ones."""
 
 
 @lru_cache(maxsize=8)
@@ -40,9 +40,9 @@ class NeighbourList:
     """The pairs that matter, found again only when a person has moved by half the skin.
 
     Args:
-        distance_m: Nobody farther apart matters.
-        skin_m: Pairs are listed that are farther apart by so much at most, so that the list lasts.
-        moves: Who moves at all; pairs of two who do not are left out. Shape (n,).
+        distance_m: Pairs farther apart do not matter.
+        skin_m: Additional distance up to which pairs are listed, so that the list lasts.
+        moves: Whether each body moves at all; pairs of two that do not are left out. Shape (n,).
     """
 
     def __init__(self, distance_m: float, skin_m: float, moves: NDArray[np.bool_]) -> None:

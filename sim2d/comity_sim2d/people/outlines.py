@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 BLOCK = 4096
 """Lines that are compared with people at a time, so that large maps stay small in memory."""
 FEW_PAIRS = 250
-"""Up to so many pairs of a person and a line all are listed for good (measured)."""
+"""Number of pairs of a person and a line up to which all are listed for good (measured)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,10 +95,10 @@ class WallList:
 
     Args:
         outlines: What stands still.
-        walkers: Who minds it, by their index among the bodies.
+        walkers: People who take it into account, by their index among the bodies.
         radius_m: Of all bodies, shape (n,).
         distance_m: Lines farther from a body's centre do not matter.
-        skin_m: Lines are listed that are farther by so much at most, so that the list lasts.
+        skin_m: Additional distance up to which lines are listed, so that the list lasts.
     """
 
     def __init__(

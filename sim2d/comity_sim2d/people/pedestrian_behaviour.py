@@ -1,4 +1,4 @@
-"""Where everybody wants to go just now: on with their walk, nowhere in a pause, or as the robot has them."""
+"""Momentary goals of pedestrians: on with their walk, at rest in a pause, or as they react to the robot."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from comity_sim2d.scene.robot_reaction import (
 )
 
 BEND_M, STOP_M = 0.4, 0.1
-"""Who is so near a bend takes the next leg; who is so near the place of a pause is there."""
+"""Distance from a bend at which the next leg begins, and from a pause at which it is reached [m]."""
 WATCH_S = 1.0
 NEARER_M = 0.05
-"""Who in so much time has not come nearer by so much is held up."""
+"""A person who has come nearer by less since the last check is blocked [m]."""
 PATIENCE = 3
-"""Held up so many times, one looks for another way, or makes do with being near."""
+"""Number of times a person is blocked before they look for another path, or accept being near."""
 NEAR_M = 1.0
 PAST_M = 0.08
-"""Who is held up close to the robot goes round it at least so far from its body (our choice)."""
+"""Gap to the robot's body at which a person blocked by it goes round it [m] (our choice)."""
 FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
-"""Who has turned to the robot turns again when it is so far off (our choice)."""
+"""Tolerance of a turn to the robot, and the bearing at which people turn again [rad] (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,10 +51,10 @@ class Stroller:
 
 
 class PedestrianBehaviour:
-    """The goals of everybody who may move; arrays are over all bodies.
+    """The goals of all people who may move; arrays are over all bodies.
 
     Args:
-        strollers: Who may move.
+        strollers: People who may move.
         at: Where all bodies start, shape (n,).
         plan: What hides the robot from people.
         step_s: From one decision to the next.
@@ -69,7 +69,7 @@ class PedestrianBehaviour:
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
         self.has_watchers = bool(self._watchers)
-        """Whether anybody may look at the robot."""
+        """Whether any person may look at the robot."""
         self._plan = plan
         self._step_s, self._decisions = step_s, 0
         self._legs: dict[int, Leg] = {}
@@ -80,11 +80,11 @@ class PedestrianBehaviour:
         self._best_m, self._held_up = np.full(count, np.inf), np.zeros(count, dtype=np.intp)
         self._cut = np.zeros(count, dtype=bool)
         self.walks = np.zeros(count, dtype=bool)
-        """Who moves at all at this moment."""
+        """Whether each body moves at all at this moment."""
         self.push = np.zeros(count, dtype=complex)
-        """What moves them besides [m/s^2]."""
+        """Additional acceleration [m/s^2]."""
         self.looks = np.zeros(count, dtype=bool)
-        """Who looks at the robot."""
+        """Whether each body looks at the robot."""
         for stroller in strollers:
             if not stroller.is_home:
                 self._set_out(stroller, at)
@@ -133,16 +133,16 @@ class PedestrianBehaviour:
 
     @property
     def speed_m_s(self) -> Numbers:
-        """How fast everybody wants to go; shape (n,)."""
+        """Target speeds; shape (n,)."""
         return self._speed
 
     def decide(
         self, at: Vectors, heading: Numbers, robot: RobotSeen, kept_open: tuple[Vectors, Numbers]
     ) -> Vectors:
-        """The velocity that everybody wants now; of who does not walk it is 0.
+        """The target velocities now; 0 of people who do not walk.
 
         Args:
-            at: Where everybody is.
+            at: Positions of all bodies.
             heading: Where they face [rad].
             robot: As people see it.
             kept_open: Middles and radii of what groups keep open.
@@ -287,7 +287,7 @@ class PedestrianBehaviour:
         self._faced.discard(index)
 
     def _flee(self, index: int, at: Vectors) -> None:
-        """Who stood moves as the robot pushes, and has nowhere else to go."""
+        """Let a standing person move as the robot pushes, without another goal."""
         if index not in self._legs:
             self._goal[index], self._speed[index] = at[index], self._strollers[index].speed_m_s
             self._pauses[index], self._nears[index] = True, -1.0

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 DECISIONS_HZ = 10
 """How often people choose again how to go on; the step of the social force models that are in use."""
 WALKS_OFF_M_S = 1.0
-"""Who stands and goes because of the robot goes at this pace where the reaction knows none (our choice)."""
+"""Pace of a standing person who leaves because of the robot, if the reaction has none [m/s] (our choice)."""
 
 
 class Pedestrians:
@@ -99,7 +99,7 @@ class Pedestrians:
         return self._crowd.is_walking(self._index[name])
 
     def strides_but(self, name: str) -> list[Stride]:
-        """How everybody but one of the scene goes on until the next decision; the robot is not among them."""
+        """Strides of all people but one until the next decision, without the robot."""
         crowd = self._crowd
         ahead = crowd.velocity[:-1] * (-self._clock.tick % self._ticks * self._clock.step_s)
         ends = crowd.at[:-1] + ahead
@@ -159,7 +159,7 @@ class Pedestrians:
         return (self._clock.tick - 1) % self._ticks == 0
 
     def decide(self, robot: Pose, twist: Twist) -> None:
-        """Let everybody choose how to go on, with the robot there and moving so."""
+        """Let all people choose their velocities, with the robot there and moving so."""
         seen = RobotSeen(complex(*robot.xy), complex(*twist.xy), robot.heading_rad, self._robot_radius_m)
         self._crowd.decide(seen)
 
@@ -224,7 +224,7 @@ def _radii(scene: Scene) -> set[float]:
 
 
 def _bodies(scene: Scene, placed: tuple[Placed, ...]) -> Bodies:
-    """Places, headings and radii of everybody, the robot last."""
+    """Places, headings and radii of all bodies, the robot last."""
     robot, passers_by = scene.robot, scene.passers_by
     at = [complex(*person.xy) for person in scene.people] + [one.at for one in placed]
     heading = [person.heading_rad for person in scene.people]

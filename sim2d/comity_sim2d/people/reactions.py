@@ -28,12 +28,12 @@ EDGE_M = 0.03
 """How much the ends of one person's comfort interval differ from time to time, as in
 `comity_fis.learning.comfort`."""
 ADDRESSED_M, ADDRESSED_DEG = 2.0, 15.0
-"""A person who stands so near and faces a person addresses them."""
+"""Distance [m] and facing error [deg] within which the robot addresses a person."""
 REST_M_S = 0.02
 HESITATION_S = 0.7
 """From the robot's coming to rest to the reaction."""
 LEFT_M = 1.0
-"""A robot that withdrew by so much and comes again makes another approach."""
+"""Withdrawal of the robot after which coming again is another approach [m]."""
 STEP_BACK_M, LEAN_IN_M, STEP_M_S = 0.20, 0.12, 0.4
 TURN_AWAY_RAD, TURN_RAD_S = math.radians(60.0), 2.0
 
@@ -105,7 +105,7 @@ class Reactions:
         """Let a tick pass.
 
         Args:
-            people: Everybody where they stand.
+            people: All people where they stand.
             robot: Where the robot stands.
             speed_m_s: How fast it goes.
             move: Told who goes elsewhere; says whether they could. Who could not stays where they are then.

@@ -18,7 +18,7 @@ Numbers = NDArray[np.float64]
 RELAXATION_S = 0.54
 """In this time people take up the velocity that they want (Moussaid et al. 2009)."""
 FASTEST = 1.3
-"""Nobody walks faster than so many times the speed that they want (Helbing and Molnar 1995)."""
+"""Maximum speed as a multiple of a person's target speed (Helbing and Molnar 1995)."""
 STRENGTH_M_S2, IMPORTANCE, REACH_M = 4.5, 2.0, 0.35
 """A, lambda and gamma of Moussaid et al. 2009: how strong, how much the velocities count, how far.
 Lambda, gamma, n and n' are also those that libpedsim (`ped_agent.cpp`) takes from that paper, and those of
@@ -27,13 +27,13 @@ TURNING, SLOWING = 2.0, 3.0
 """n and n': how narrow the field is in which people turn aside and slow down (Moussaid et al. 2009)."""
 NARROWNESS = np.array([[SLOWING**2], [TURNING**2]])
 BIAS = 0.005
-"""epsilon: by so much people prefer one side where both are as good. That there is a preference is what
-Moussaid et al. 2009 measured; the number is our choice: enough to decide where both are equal."""
+"""epsilon: preference for one side where both are equally good. That there is a preference is what Moussaid
+et al. 2009 measured; the number is our choice: enough to decide where both are equal."""
 WALL_M_S2, WALL_REACH_M = 3.0, 0.1
 """How strong walls push, and how far: our choice; lightsfm takes 10 and 0.2 m (`sfm.hpp`)."""
 SHOULDERS_M = 0.40
 """The interaction was measured between centres. Bodies that are together wider than two people of 0.20 m meet
-so much earlier: our choice."""
+earlier by the difference: our choice."""
 
 
 def between(towards: Vectors, gap_m: Numbers, closing: Vectors, side: float = 1.0) -> Vectors:

@@ -16,17 +16,18 @@ from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
 from comity_sim2d.scene.robot_reaction import RobotReaction, RobotSeen
 
 STAYS: frozenset[RobotReaction] = frozenset({"impassive", "threatening"})
-"""Who does not: nobody makes way for a thing, nor a person who means to stand in its way (our choice)."""
+"""Reactions of people who do not make way: they take it for a thing, or mean to block it (our choice)."""
 HEARD_M = 3.0
-"""So near the robot, between the centres, they hear it (our choice: across a room, over other noise)."""
+"""Distance within which they hear the robot, between the centres [m] (our choice: across a room, over other
+noise)."""
 SPARE_M = 0.1
-"""So much farther beside its way than it keeps from people they go (our choice)."""
+"""Distance from its path in addition to its margin from people [m] (our choice)."""
 THINGS_M, PAST_M = 0.05, 0.08
-"""So far they keep from things, and from the robot when they go past it."""
+"""Gaps that they keep from things, and from the robot when they go past it [m]."""
 FARTHEST_M, STEP_M, AROUND = 4.0, 0.2, 32
-"""Places up to so far away are looked at, in rings so far apart and in so many directions."""
+"""Candidate places: maximum distance [m], spacing of the rings [m], and number of directions."""
 MOST_WAYS = 8
-"""To so many of the nearest a way on foot is looked for; the shortest is taken."""
+"""Number of nearest places for which a path on foot is searched; the shortest is taken."""
 WAITS_S = 20.0
 """They wait for the robot no longer (our choice)."""
 ASIDE_M, FINE_M = 1.0, 0.02
@@ -36,14 +37,14 @@ ALONG_M = 0.1
 LEAST_ASIDE_M = 0.1
 """Farther from the robot's way by less is no step aside [m] (our choice)."""
 BEND_M = 0.3
-"""Who is so near a bend of the way takes the next."""
+"""Distance from a bend at which the next leg begins [m]."""
 REACHES_M, GONE_M = 0.9, 1.5
-"""The robot has gone past where they stood when it was nearer than the first and is beyond the second."""
+"""The robot has gone past their place when it was nearer than `REACHES_M` and is beyond `GONE_M`."""
 
 
 @dataclass(slots=True)
 class SteppingOut:
-    """A person on the way to a place beside the robot's way, or there."""
+    """A person on the way to a place off the robot's path, or there."""
 
     stood: complex
     """Where they were asked."""
@@ -152,7 +153,7 @@ def _are_free(places: Numbers, radius_m: float, others: Iterable[Disc], plan: Fl
 
 
 def _beside(places: Numbers, way: Sequence[XY], least_m: float) -> list[XY]:
-    """Those of some places that are so far from a way."""
+    """The places at a minimum distance from a path."""
     from shapely import LineString, distance, points
 
     line = LineString(way if len(way) > 1 else [*way, *way])

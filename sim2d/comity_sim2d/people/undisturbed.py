@@ -16,7 +16,7 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
 
 AWAY = Pose(-1e4, -1e4, 0.0)
-"""Place of the robot that nobody meets [m]."""
+"""Place of the robot far from all people [m]."""
 
 
 def undisturbed_walks(
@@ -32,7 +32,7 @@ def undisturbed_walks(
         turns: Doors that were opened or shut in the world; they are here too, at the same times.
 
     Returns:
-        Times [s], x and y [m] by name, each of shape (ticks + 1, 3); empty where nobody may move.
+        Times [s], x and y [m] by name, each of shape (ticks + 1, 3); empty where no person may move.
     """
     movers = [person.name for person in scene.people if person.may_move]
     if not movers and scene.passers_by is None:

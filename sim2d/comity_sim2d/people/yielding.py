@@ -1,6 +1,6 @@
 """Yielding: where two people block each other before a door, one of them steps back and lets the other go.
 
-Discs that share a gap equally form arches in which nobody moves again (Helbing, Farkas and Vicsek 2000,
+Discs that share a gap equally form arches in which no one moves again (Helbing, Farkas and Vicsek 2000,
 Nature 407, 487-490). People give way. A rank that is drawn once decides who does, so that of two people the
 same one always goes first and no two step back for each other in turn.
 """
@@ -21,7 +21,7 @@ BACK_M_S, BACK_S = 0.5, 1.0
 
 
 class Yielding:
-    """Who is blocked for how long, and who steps back.
+    """How long each person is blocked, and who steps back.
 
     Args:
         count: Of bodies.
@@ -39,9 +39,9 @@ class Yielding:
         """The velocities that people want: backwards for those who yield.
 
         Args:
-            wanted: Of everybody, shape (n,); 0 of those who do not walk.
-            velocity: How everybody goes now, shape (n,).
-            near: Who is near whom.
+            wanted: Of all bodies, shape (n,); 0 of those who do not walk.
+            velocity: Current velocities, shape (n,).
+            near: The pairs of near bodies.
         """
         walks = wanted != 0.0
         slow = walks & (np.abs(velocity) < BLOCKED_M_S)
