@@ -1,7 +1,7 @@
-"""The cheapest way where people cannot all be left the space they like: a search over a grid of costs.
+"""The cheapest path where not all people can keep the space they like: a search over a grid of costs.
 
-A metre costs a metre, and `WEIGHT` times what it costs each person (`personal_space`): so people lose about
-the same share of their own distances, and the robot comes nearer to somebody who minds less.
+A metre costs a metre, and in addition `WEIGHT` times the cost to each person (`personal_space`). So people
+lose about the same share of their own distances, and the robot comes nearer to a person with a smaller one.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from shapely import Polygon
 
 WEIGHT = 25.0
-"""Metres of detour that a metre of somebody's own distance is worth, if all of it is taken: our choice. Who
-likes 0.8 m is worth 5 m of detour where a straight way takes half of that."""
+"""Metres of detour that a metre of a person's own distance is worth, if all of it is taken (our choice). A
+person who likes 0.8 m is worth 5 m of detour where a straight path takes half of that."""
 CELL_M = 0.10
 MOST_CELLS = 1_000_000
 """A hectare at that size; larger places have larger cells (our choice)."""
@@ -32,17 +32,18 @@ NEIGHBOURS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
 PULL_CELLS = 3
 """The way is pulled taut between every third of its cells,"""
 LONGEST_PULL = 40
-"""over at most so many of those at a time."""
+"""Maximum number of those at a time."""
 CORNER_M = 0.02
 """What a corner costs, so that a way has as few as its cost allows."""
 SAMPLES = np.linspace(0.02, 0.98, 25)
 """Where along a line its cost is taken."""
 POLISH_M, POLISH_ROUNDS = (0.04, 0.02, 0.01), 3
-"""The corners of a way are moved off the grid by such steps, each at most so often, while it gets cheaper."""
+"""Steps by which corners move off the grid while the path gets cheaper [m], and the maximum rounds of
+each."""
 APART_M = 0.4
 """Corners that are added for this are no nearer to others."""
 POLISH_STEP_M = 0.08
-"""So far apart its cost is taken meanwhile."""
+"""Spacing of the cost samples meanwhile [m]."""
 AROUND = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]])
 """Where a corner may go: nowhere, or a step in one of eight directions."""
 
@@ -63,7 +64,7 @@ def way_cost(points: Sequence[XY], spaces: Sequence[PersonalSpace]) -> float:
 
 
 class CostGrid:
-    """The grid over a free polygon: its cells and steps are the same whoever is passed.
+    """The grid over a free polygon: its cells and steps are the same for all people.
 
     Args:
         free: Where the robot's centre may be.
@@ -240,7 +241,7 @@ def _polished(free: Polygon, corners: Sequence[XY], spaces: Sequence[PersonalSpa
 
 
 def _with_corners_beside(at: Points, spaces: Sequence[PersonalSpace]) -> Points:
-    """A way with a corner beside everybody whose space a long line of it crosses: there it can make room."""
+    """A path with a corner, to make room, next to each person whose space a long line of it crosses."""
     found = [at[0]]
     for start, end in itertools.pairwise(at):
         length = math.dist(start, end)

@@ -5,10 +5,10 @@ ellipse to the front and a circle to the rear, longer ahead as in Kirby's person
 Navigation", PhD thesis, Carnegie Mellon University, 2010, CMU-RI-TR-10-13). As every distance here it is
 measured between the nearest points of the two bodies.
 
-The cost is our own. To be passed at a gap is to lose a share of one's own distance, 1 - gap / own, and a
-straight way past a person costs own * share ** 2. Between two people the sum is least where both lose the
-same share, so that whoever wants more room keeps more. A bell-shaped cost does the opposite in narrow
-passages: deep inside a large space it is flat, and the way gives in to the smaller one.
+The cost is our own. A person who is passed at a gap loses the share 1 - gap / own of their own distance, and
+a straight path past them costs own * share ** 2. Between two people the sum is least where both lose the same
+share, so that the person with the larger own distance keeps more. A bell-shaped cost does the opposite in
+narrow passages: deep inside a large space it is flat, and the path gives in to the smaller one.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ class PersonalSpace:
         dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
         square = dx * dx + dy * dy
         near = np.flatnonzero(square < (self.contact_m + self._longest_m) ** 2)
-        if self.own_m > 0.0 and len(near):  # as most points are near nobody
+        if self.own_m > 0.0 and len(near):  # as most points are near no person
             distance = np.sqrt(np.maximum(square[near], self.contact_m**2))  # overlaps cost what contacts do
             ahead = math.cos(self.heading_rad) * dx[near] + math.sin(self.heading_rad) * dy[near]
             reach = self.contact_m + self._own(ahead / distance)
@@ -115,10 +115,10 @@ class PersonalSpace:
         return np.asarray(np.array(self.xy) + unit * edge[:, None])
 
     def leaving_out(self, xy: XY, slack_m: float, *, least_m: float) -> PersonalSpace:
-        """The same space, shrunk so far that a place is outside of it by the slack, but to no lower floor."""
+        """The same space, shrunk until a place is outside of it by the slack, but to no lower floor."""
         distance = math.dist(self.xy, xy)
         if distance - slack_m >= self._reach_m:
-            return self  # as nearly everybody is
+            return self  # as nearly all people are
         own = self._own_towards(xy)
         if max(self.contact_m + own, self.floor_m) <= distance - slack_m:
             return self

@@ -27,7 +27,7 @@ Points = NDArray[np.float64]
 TOUCH_M = 1e-6
 """A line may graze an obstacle's outline by this much: it runs along outlines all the time."""
 DRAWN = 256
-"""From so many corners lines are drawn at once: all from all would take memory by the square."""
+"""Number of corners from which lines are drawn at once: all from all would take memory by the square."""
 
 
 class VisibilityGraph:

@@ -1,9 +1,8 @@
 """People lost to the robot: their place lies in plain view and is empty, which is evidence like any other.
 
-Who is merely out of view is believed to be where they were seen last. Once the robot looks there and sees
-nobody, several times in a row, it believes that no more: then it does not know where they are. A place at the
-edge of the view, at the end of the range or partly behind a wall proves nothing, nor does a look without
-sight.
+The robot believes a person who is merely out of view to be where they were seen last. After several empty
+looks there in a row it drops that belief: then it does not know where they are. A place at the edge of the
+view, at the end of the range or partly behind a wall proves nothing, nor does a look without sight.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.senses.sight import Sight
 
 LOOKS = 5
-"""So many empty looks in a row are no accident: a quarter of a second at 20 Hz (our choice)."""
+"""Number of empty looks in a row that are no accident: a quarter of a second at 20 Hz (our choice)."""
 
 
 class MissingTrack(Protocol):
@@ -29,13 +28,13 @@ class MissingTrack(Protocol):
         ...
 
     def ahead(self, time_s: float, /) -> Person:
-        """Where they are so much later."""
+        """Where they are after a time."""
         ...
 
 
 @dataclass(slots=True)
 class Unseen:
-    """A person whom the newest measurement does not show."""
+    """A person who is not in the newest measurement."""
 
     last_s: float | None
     """When they were seen last; None: never."""
@@ -55,15 +54,15 @@ class Missing:
         self._sight = sight
         self._noise_m = noise_m
         self.unseen: dict[str, Unseen] = {}
-        """People whom the newest measurement does not show."""
+        """People who are not in the newest measurement."""
         self.lost: dict[str, float | None] = {}
         """When those who are lost were seen last; None: never."""
 
     def take_in(self, tracks: Mapping[str, MissingTrack], eye: Pose | None, before_s: float | None) -> bool:
-        """Take in whom a measurement shows; says whether a person was lost or found.
+        """Take in the people of a measurement; returns whether a person was lost or found.
 
         Args:
-            tracks: Of everybody, with the measurement.
+            tracks: Of all people, with the measurement.
             eye: From where it was made; None where the robot saw nothing.
             before_s: When the measurement before it was made.
         """

@@ -13,15 +13,15 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 
 ROUNDS = 50
-"""So often they are moved, each time off whatever they overlap then: in a corner once is not enough."""
+"""Number of rounds, each moving people off what they overlap then: in a corner once is not enough."""
 NEAR_M = 1.0
 """Nobody is moved onto a person farther away (our choice: it is centimetres that they are moved by)."""
 SPARE_M = 1e-6
-"""So far they are apart then, more than numbers are rounded by."""
+"""Resulting gap [m], more than numbers are rounded by."""
 
 
 def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> tuple[Person, ...]:
-    """The same people, moved by little, so that nobody is in another, in the robot or in a thing.
+    """The same people, moved a little, so that none overlaps another, the robot or a thing.
 
     Two people move by half of what they overlap each. Where there is no room for all, some still overlap.
 
@@ -36,11 +36,11 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
         for (i, one), (j, other) in combinations(enumerate(people), 2)
         if math.dist(one.xy, other.xy) < NEAR_M + (reach_m := one.radius_m + other.radius_m)
     ]
-    # Overlap resolution by projection, one constraint after the other, until none moves anybody
-    # (Gauss-Seidel over positions, as in position based dynamics; Mueller et al. 2007). Walls, furniture
-    # and the robot come first in each round and do not yield, as their places are known; two people share
-    # what they overlap, as both are believed with the same noise. Only people near each other as first
-    # believed are paired, since they move by centimetres: the rest of a crowd costs nothing.
+    # Overlap resolution by projection, one constraint after the other, until none moves a person
+    # (Gauss-Seidel over positions, as in position based dynamics; Mueller et al. 2007). Walls, furniture and
+    # the robot come first in each round and do not yield, as their places are known; two people share what
+    # they overlap, as both are believed with the same noise. Only people near each other as first believed
+    # are paired, since they move by centimetres: the rest of a crowd costs nothing.
     for _ in range(ROUNDS):
         before = list(at)
         for i, person in enumerate(people):
@@ -83,7 +83,7 @@ def _off_one_another(one: XY, other: XY, reach_m: float) -> tuple[XY, XY]:
 
 
 def _beside(centre: XY, xy: XY, away_m: float) -> XY:
-    """So far from a centre, in the direction of a place; along x where that is the centre."""
+    """The point at a distance from a centre towards a place; along x where that is the centre."""
     x, y = xy[0] - centre[0], xy[1] - centre[1]
     length_m = math.hypot(x, y)
     x, y = (x / length_m, y / length_m) if length_m else (1.0, 0.0)

@@ -22,7 +22,7 @@ from comity_sim2d.senses.tracking import Track
 from comity_sim2d.senses.visibility_memory import Numbers, VisibilityMemory, WalkedOut
 
 DRIFTS_M_S = 0.05
-"""Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
+"""A person who seems to go more slowly may stand [m/s]: noise, or a shuffle of the feet (our choice)."""
 
 
 class SensedPeople:
@@ -62,7 +62,7 @@ class SensedPeople:
         self._told: dict[str, dict[str, float | None]] = {}
         """What people said of how the robot should move near them, in place of what the map has."""
         self._margin_m: dict[str, float] = {}
-        """Of the people from whom less than the full margin is kept."""
+        """Margins of the people with less than the full margin [m]."""
         self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
@@ -83,9 +83,9 @@ class SensedPeople:
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """Everybody where the robot believes them to be now; before the first measurement, as mapped.
+        """All people at their believed positions now; before the first measurement, as mapped.
 
-        Who is lost stands where they were seen last.
+        A lost person stands where they were seen last.
         """
         return self._believed
 
@@ -100,7 +100,7 @@ class SensedPeople:
         return self._walkers
 
     def observe(self, robot: Pose, felt: Collection[str] = ()) -> None:
-        """Measure everybody who is seen from there, or was just touched; take in what arrives now."""
+        """Measure all people in view from there, or just touched; take in what arrives now."""
         people = tuple(self._people.values())
         eye = None if self._faults.of(SENSORS) else robot
         seen = zip(people, self._sight.sees(robot, people), strict=True)
@@ -134,7 +134,7 @@ class SensedPeople:
                     floor.doubt(out, self._clock.now_s)
 
     def _believe(self) -> None:
-        """Where everybody is now, after what the tracks have taken in."""
+        """The positions of all people now, after what the tracks have taken in."""
         ahead_s, lost = self._lag * self._clock.step_s, self._missing.lost
         self._believed = tuple(self._as_told(track.ahead(ahead_s)) for track in self._tracks.values())
         moving = zip(self._believed, self._tracks.values(), strict=True)
@@ -168,7 +168,7 @@ class SensedPeople:
             ValueError: Where there is no such person.
         """
         told = {"personal_distance_m": distance_m, "approach_speed_m_s": speed_m_s}
-        _as(self.person(name), told)  # refuses what is none
+        _as(self.person(name), told)  # refuses invalid values
         self._told[name] = told
         self._believe()
 
@@ -185,7 +185,7 @@ class SensedPeople:
         return self._stamp_s is not None and self._tracks[name].is_seen
 
     def too_short_for(self, apart_m: float) -> str | None:
-        """Why its sensor would not surely show a person so far away; None where it would.
+        """Why its sensor would not surely show a person at a distance; None where it would.
 
         Args:
             apart_m: From the robot's centre to the surface of the person's body [m].
@@ -193,7 +193,7 @@ class SensedPeople:
         return too_short_for(self._sensor, apart_m)
 
     def would_see(self, name: str, robot: XY) -> bool:
-        """Whether a look from there would show if a person whom it does not see is where it believes."""
+        """Whether a look from there would check the believed place of an unseen person."""
         if self.sees(name) or self.has_lost(name):
             return False
         person = self.person(name)
@@ -210,7 +210,7 @@ class SensedPeople:
 
     @property
     def lost(self) -> frozenset[str]:
-        """Who is known not to be where they were believed to be."""
+        """People known not to be at their believed place."""
         return frozenset(self._missing.lost)
 
     def has_lost(self, name: str) -> bool:
@@ -222,7 +222,7 @@ class SensedPeople:
         return self._missing.lost[name]
 
     def unseen_floor(self, xy: XY, for_s: float, within_m: float) -> Numbers:
-        """The places around one that for so long were not in view, as far as is known; shape (n, 2) [m]."""
+        """The places around one that were not in view for a time, as far as is known; shape (n, 2) [m]."""
         since_s = self._clock.now_s - self._lag * self._clock.step_s - for_s
         return self._floor.unseen(xy, since_s, within_m)
 
@@ -248,13 +248,13 @@ class SensedPeople:
         return math.hypot(*self._tracks[name].velocity) >= DRIFTS_M_S
 
     def velocity_beside(self, name: str, spot: XY) -> XY:
-        """How a place beside a person moves as they walk and turn [m/s]."""
+        """Velocity of a place next to a person as they walk and turn [m/s]."""
         x, y = self.person(name).xy
         (vx, vy), turn = self.velocity(name)
         return (vx - turn * (spot[1] - y), vy + turn * (spot[0] - x))
 
     def speed_beside(self, name: str, robot: Pose, velocity: XY) -> float:
-        """How fast the robot moves [m/s]: over the ground or beside a person who walks, whichever is less."""
+        """Speed of the robot [m/s]: over the ground or relative to a walking person, whichever is less."""
         speed = math.hypot(*velocity)
         if not self.walks(name):
             return speed

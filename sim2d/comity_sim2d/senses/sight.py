@@ -14,17 +14,17 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import Sensor
 
 PLAIN_M = 0.1
-"""Plain view is so much inside the view, and the noise more: people shift their feet (our choice)."""
+"""Distance of plain view inside the view [m], with the noise on top: people shift their feet (our choice)."""
 PLAIN_SIGMAS = 3.0
 PLAIN_SHARE = 0.5
-"""The middle of the field of view, so much of it, is plain view however near a person is (our choice)."""
+"""Share of the field of view, its middle, that is plain view however near a person is (our choice)."""
 
 SPARE_M = 0.05
-"""So much more than plain view takes: the robot stops a little beside its mark (our choice)."""
+"""Reserve on plain view [m]: the robot stops a little off its mark (our choice)."""
 
 
 def too_short_for(sensor: Sensor, apart_m: float) -> str | None:
-    """Why a sensor would not surely show a person so far away; None where it would.
+    """Why a sensor would not surely show a person at a distance; None where it would.
 
     Args:
         sensor: Its range and noise.

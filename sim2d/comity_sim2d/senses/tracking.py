@@ -27,9 +27,9 @@ CHANGE_M_S = 1.0
 SURPRISE_KEPT = 0.7
 """Of the mean of what measurements were off, per tick: about three ticks of memory (our choice)."""
 NOTICED_TICKS = 3
-"""So long ago a person changed their mind who is found out now (our choice: the memory of that mean)."""
+"""Delay of the detection that a person changed direction [ticks] (our choice: the memory of that mean)."""
 SURPRISE = 5.0
-"""So many of its standard deviations that mean is not off by chance: once in 270,000 looks (our choice)."""
+"""Standard deviations beyond which that mean is no accident: once in 270,000 looks (our choice)."""
 SURPRISE_SQUARE = SURPRISE**2 * (1.0 - SURPRISE_KEPT) / (1.0 + SURPRISE_KEPT)
 """Compared with the square of the mean, of which each part has this variance but for the first factor."""
 
@@ -90,13 +90,13 @@ class Gains:
         self._off = 0j
 
     def restart(self) -> None:
-        """Take a person for one who stands."""
+        """Assume that the person stands."""
         self._off = 0j
         if self._covariance is not None:
             self._covariance.restart()
 
     def after(self, dx: float, dy: float) -> tuple[float, float]:
-        """For the place and for the velocity [1/s]; the measurement was so far off what was expected."""
+        """Gains for the place and for the velocity [1/s], by a measurement's error from the prediction."""
         covariance = self._covariance
         if covariance is None:
             return self._exact
@@ -141,7 +141,7 @@ class Track:
         return self._seen is not None
 
     def update(self, seen: Person | None) -> bool:
-        """Take in a measurement, or that there is none; says whether the estimate changed."""
+        """Take in a measurement, or that there is none; returns whether the estimate changed."""
         last, self._seen = self._seen, seen
         if seen is None:
             moved = not self._rests
@@ -170,7 +170,7 @@ class Track:
         return self.velocity == (0.0, 0.0) and self.turn_rad_s == 0.0
 
     def ahead(self, time_s: float) -> Person:
-        """The person so much later, at constant velocity."""
+        """The person after a time, at constant velocity."""
         if time_s == 0.0 or self._rests:
             return self._person
         person, (vx, vy) = self._person, self.velocity

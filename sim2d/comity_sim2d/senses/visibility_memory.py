@@ -18,7 +18,7 @@ from comity_sim2d.scene.robot_body import Sensor
 
 CELL_M = 0.1
 AROUND = 30
-"""So many cells to every side are kept in mind: 3 m, more than any body here takes to stop (our choice)."""
+"""Number of remembered cells to every side: 3 m, more than any body here takes to stop (our choice)."""
 SIDE = 2 * AROUND + 1
 ASIDE_COS = 0.5
 """A person out of view goes on within 60 deg of their direction, as far as is minded (our choice). In 95
@@ -68,7 +68,7 @@ class VisibilityMemory:
         self._seen_s[is_ahead & (self._seen_s < came_s) & (came_s <= now_s)] = -math.inf
 
     def unseen(self, xy: XY, since_s: float, within_m: float) -> Numbers:
-        """The places so near that were not in view since then, relative to a place; shape (n, 2) [m]."""
+        """Places within a distance, not in view since then, relative to a place; shape (n, 2) [m]."""
         dx, dy = self._around(xy)
         chosen = (self._seen_s < since_s) & (dx * dx + dy * dy <= within_m * within_m)
         return np.column_stack([dx[chosen], dy[chosen]])
@@ -90,7 +90,7 @@ class VisibilityMemory:
 
 
 def _shifted(rows: Numbers, by: int) -> Numbers:
-    """Rows moved up by so many; what comes in was never seen."""
+    """Rows shifted up; new rows were never seen."""
     moved = np.full_like(rows, -math.inf)
     if 0 <= by < SIDE:
         moved[: SIDE - by] = rows[by:]
