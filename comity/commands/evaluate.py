@@ -25,7 +25,7 @@ def evaluate(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Hold a rulebook against measured (culture, parameter) tuples, study by study.
+    """Evaluate a rulebook against measured (culture, parameter) tuples, study by study.
 
     Each row's error, each study's mean error, bias and rank correlation, beside a constant and a straight
     line that know the study's other rows; for distances, both as between surfaces and as between centres.

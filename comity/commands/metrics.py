@@ -19,7 +19,7 @@ def metrics(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Show the figures of runs: ways, speeds, gaps to people, stops against what was wanted.
+    """Show the metrics of runs: paths, speeds, gaps to people, stops against their targets.
 
     For example: comity metrics runs/johanna-1 runs/johanna-2 --out figures.csv
     """

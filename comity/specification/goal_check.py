@@ -65,7 +65,7 @@ class GoalCheck:
             where = self.where("goals", greeted_[name], "after")
             if before not in greeted_:
                 raise InputError(
-                    expected="somebody whom another goal greets",
+                    expected="a person whom another goal greets",
                     got=repr(before),
                     remedy=closest(before, greeted_),
                     where=where,

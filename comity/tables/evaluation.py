@@ -105,7 +105,7 @@ class Evaluation:
 
 
 def evaluate(rulebook: Rulebook, measurements: Measurements, radii: Radii = Radii()) -> Evaluation:
-    """Hold a rulebook against measured tuples.
+    """Evaluate a rulebook against measured tuples.
 
     Args:
         rulebook: The rules.

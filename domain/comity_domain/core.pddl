@@ -1,4 +1,4 @@
-; The heart of a visit: go to a person, and greet them. Read this first; visit.pddl, which is planned with, adds
+; The heart of a visit: go to a person, and greet them. Read this first; visit.pddl, which states all that is planned, adds
 ; agendas, groups, priorities and full hands. A plan for this domain is one for that, at the same cost.
 (define (domain core-domain)
   (:requirements :strips :typing :negative-preconditions :action-costs)

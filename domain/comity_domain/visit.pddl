@@ -1,6 +1,7 @@
 ; Visiting people, each in their own way: greeting them, telling and bringing them things, taking leave.
 ;
-; This file is the domain that is planned with, and tests hold the code to its words.
+; For people and for tools that read PDDL: a test finds the same types, fluents, actions, preconditions and
+; effects in the unified-planning problem (classical/visit_domain.py) that engines plan.
 ; Costs are whole centimetres of walking, or what is worth as much: a disliked option costs
 ; 100 * weight * -ln(desirability), with the weight in metres and the desirability in [0, 1].
 

@@ -282,14 +282,14 @@ STEPS = (
 
 @pytest.mark.parametrize("skip", [1.0, 4.0, 5.9])
 def test_a_skipped_visit_has_its_price_and_what_serving_would_have_cost(comity, written, skip):
-    """The way to the far corner is 6 m, reckoned alike for everybody: any price below leaves them out."""
+    """The path to the far corner is 6 m for everyone: any price below leaves them out."""
     text = shipped("scenario")["skipped-guest"].read_text().replace("skip: 4", f"skip: {skip}")
     name = written(text=text)
     for profile in ("arab_woman", "german_man"):
         said = comity("plan", name, "--why", "Skip_visit", "--as", f"far={profile}", "--json").json["why"]
         assert said["skipping"] == {"price": round(100 * skip), "serving": 600, "reason": None}
     text = " ".join(comity("plan", name, "--why", "Skip_visit").out.split())
-    assert f"would cost 600 cm on the ways, {600 - round(100 * skip)} more than the price" in text
+    assert f"would cost 600 cm of path, {600 - round(100 * skip)} more than the price" in text
 
 
 def test_whoever_is_skipped_because_no_plan_serves_them_says_what_keeps_them(comity, written):

@@ -45,6 +45,6 @@ def skipping_text(skipping: SkippingAnswer) -> Iterator[str]:
         return
     more = skipping.serving - skipping.price
     yield (
-        f"to serve them would cost {skipping.serving} cm on the ways, {more} more than the price; for this "
-        "the ways are reckoned alike for everybody, so that culture has no say in who is served"
+        f"to serve them would cost {skipping.serving} cm of path, {more} more than the price; for this "
+        "paths count the same for everyone, so that culture has no say in who is served"
     )
