@@ -1,4 +1,4 @@
-"""What an episode happens in: the simulated world, or a real one around a robot."""
+"""The environment of an episode: the simulated world, or a real one around a robot."""
 
 from __future__ import annotations
 

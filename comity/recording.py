@@ -1,4 +1,4 @@
-"""A run on disk: what is written when, and what the run's own account of itself says."""
+"""A run on disk: what is written when, and the run's own summary."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens to an episode while it runs, whatever the robot does: the seam for changes, and for faults.
+"""Scheduled events of an episode, whatever the robot does: changes and faults.
 
 A happening has a time and says what happens from then on, one tick after the other. The schedule lets all
 that is due happen before the tree is ticked.

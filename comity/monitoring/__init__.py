@@ -1,1 +1,1 @@
-"""A plan while it is carried out: what is news, what is left, whether it stands, a new one, the figures."""
+"""Monitoring of a plan's execution: world changes, remaining goals, validity, plan updates, metrics."""

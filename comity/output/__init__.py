@@ -1,1 +1,1 @@
-"""What is written for later and for other programs: the run, the scenario as it was run, PDDL, a rulebook."""
+"""Output files for later and for other programs: the run, the scenario as it was run, PDDL, a rulebook."""

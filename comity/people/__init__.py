@@ -1,1 +1,1 @@
-"""Who a person is: dated facts, languages, cultures, the declared profile, what is kept and was learnt."""
+"""People: dated facts, languages, cultures, the declared profile, stored and learnt data."""

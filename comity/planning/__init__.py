@@ -1,1 +1,1 @@
-"""What the planner is asked, what bars the ways, and why there may be no plan, or one for fewer people."""
+"""Planning requests, blocked routes, and why there may be no plan, or one for fewer people."""

@@ -1,4 +1,4 @@
-"""What shows an episode: its page, picture and GIF. All of them are made from the folder of a run."""
+"""Views of an episode: its page, picture and GIF. All of them are made from the folder of a run."""
 
 from comity.replay.page import MARK, replay_page
 

@@ -1,1 +1,1 @@
-"""What Comity says: one file per thing that can be told, as text for people and as answers for programs."""
+"""Reports: one file per subject, as text for people and as answers for programs."""

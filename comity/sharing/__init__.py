@@ -1,1 +1,1 @@
-"""What may be passed on of people: pseudonyms, age bands, relative times and no free text, by one filter."""
+"""Data about people that may be passed on: pseudonyms, age bands, relative times, no free text."""

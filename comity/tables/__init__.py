@@ -1,1 +1,1 @@
-"""Tables: CSV with lines in complaints, measured tuples, variables and rules from them, rulebooks judged."""
+"""Tables: CSV with errors by line, measured tuples, variables and rules from them, rulebooks evaluated."""

@@ -1,4 +1,4 @@
-"""Judging a test: everything that it expects, held against what happened."""
+"""The verdict of a test: all its expectations, compared with what happened."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What an episode amounts to, limits that it passed, and the profiles of a scenario compared."""
+"""Metrics of an episode, limits that it passed, and the profiles of a scenario compared."""

@@ -1,1 +1,1 @@
-"""The account of many tests: as JSON, by profile, and differences that no parameter explains."""
+"""Reports of many tests: as JSON, by profile, and differences that no parameter explains."""

@@ -1,1 +1,1 @@
-"""One case of a scenario's matrix, its profiles, world and day; and the case carried out."""
+"""One case of a scenario's matrix, its profiles, world and day; and its execution."""
