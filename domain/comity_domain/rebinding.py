@@ -1,4 +1,4 @@
-"""New numbers for an old plan: a person moved, asked for something or was learnt about.
+"""Parameter updates of an old plan: a person moved, asked for something or was learnt about.
 
 The discrete choice (order, sides, greetings) of the old plan is kept only where it is known to be still the
 cheapest, and it is known exactly, from the new prices of everything on offer: sides and greetings of the old

@@ -1,1 +1,1 @@
-"""Why each step of a tour is as it is, what stands in the way of others, and what would tip it."""
+"""Explanations of a tour's steps: reasons, obstacles to other choices, and what would change them."""

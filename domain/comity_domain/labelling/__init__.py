@@ -1,1 +1,1 @@
-"""The label search, exact with priorities and deadlines: which order, who is left out, who is met in time."""
+"""The label search, exact with priorities and deadlines: the order, dropped visits, deadlines kept."""

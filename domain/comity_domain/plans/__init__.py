@@ -1,1 +1,1 @@
-"""What is answered: a plan, the same as JSON, what is left of it, and what of it is permitted no more."""
+"""The answer: a plan, the same as JSON, its remaining goals, and choices no longer permitted."""

@@ -1,1 +1,1 @@
-"""What is asked: people and agendas, the ways between them, what the moment rules out."""
+"""The planning request: people and agendas, the paths between them, excluded choices."""
