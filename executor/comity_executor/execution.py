@@ -1,4 +1,4 @@
-"""The execution of a plan: tick it in the world's time, and read what came of it."""
+"""The execution of a plan: tick it in the world's time, and read the outcome."""
 
 from __future__ import annotations
 

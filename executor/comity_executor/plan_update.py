@@ -1,4 +1,4 @@
-"""What an execution and its planner tell each other when the world is no longer as it was planned with."""
+"""The exchange between an execution and its planner after a change of the world."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""After a failure: another plan at once, a pause and then another plan, a wait for the way, or the end.
+"""Recovery from a failure: replanning at once, replanning after a pause, a wait for the path, or the end.
 
 What broke may mend and who stood in the way may go: so the robot asks more than once, and waits twice as
 long each time. A cap on the new plans ends the run; it counts from when a person was last served. New plans

@@ -1,1 +1,1 @@
-"""Robots in real time: a loop, the stop that is read beside it, and a base that never goes on alone."""
+"""Robots in real time: a loop, the stop in a thread of its own, and a base that never goes on alone."""
