@@ -108,7 +108,7 @@ class Pedestrians:
         return [Stride(_xy(at), _xy(end), r) for i, (at, end, r) in enumerate(rows) if i != mine]
 
     def put(self, person: Person, people: Mapping[str, Person]) -> None:
-        """Take note of a person whom another person moved."""
+        """Take note of a person who was moved by another person."""
         self._crowd.put(self._index[person.name], complex(*person.xy), person.heading_rad)
         if self._scene.groups:
             self._keep_open(people.values())

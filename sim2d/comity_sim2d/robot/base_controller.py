@@ -215,7 +215,7 @@ class BaseController:
         return self._command(base, VelocityCommand((0.0, 0.0), base.pose.heading_rad))
 
     def go_on(self) -> Twist:
-        """The velocity for the coming tick, to do what it was told."""
+        """The velocity for the coming tick, towards its goal."""
         base = self._foreseen()
         drawn = self._draw_back.look(base, self._senses.present, self._plan)
         if drawn is not None:

@@ -58,7 +58,7 @@ class _Leave:
 
 @dataclass(slots=True)
 class _Waiting:
-    """A person before whom the robot waits."""
+    """A person for whom the robot waits."""
 
     place: XY
     """Where they stand."""
@@ -107,7 +107,7 @@ class Margins:
         Args:
             robot: Where the robot's centre is.
             to: What it approaches.
-            blocked_by: People before whom it waits.
+            blocked_by: People for whom it waits.
             keeps_all: Says whether a route of any length keeps the full margin from all people.
         """
         if self._spec.margin_m >= PERSON_MARGIN_M:

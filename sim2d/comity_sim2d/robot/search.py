@@ -68,7 +68,7 @@ class Search:
         return found
 
     def in_vain(self, person: str, xy: XY) -> str | None:
-        """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
+        """Since when a person is lost that it did not find at their last place, in words; else None."""
         loss = self._loss(person)
         if loss is None or self._given_up != loss or self._look_round.is_due(loss, xy):
             return None

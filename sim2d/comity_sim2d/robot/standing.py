@@ -91,7 +91,7 @@ class DetourMap:
             visited: The person that the robot goes to, who is on the map even while walking.
             waits_for: People that the robot waits for in this tick. After a while they count as standing,
                 too: a person who walks to and fro in the only doorway can be asked to make way.
-            lets_by: The person before whom the robot is about to go back: if a passer-by, not on the map.
+            lets_by: The person for whom the robot is about to go back: if a passer-by, not on the map.
             waits: Whether the robot waits for the way to become free.
         """
         now_s = self._clock.now_s

@@ -31,7 +31,7 @@ NOTICED_TICKS = 3
 SURPRISE = 5.0
 """Standard deviations beyond which that mean is no accident: once in 270,000 looks (our choice)."""
 SURPRISE_SQUARE = SURPRISE**2 * (1.0 - SURPRISE_KEPT) / (1.0 + SURPRISE_KEPT)
-"""Compared with the square of the mean, of which each part has this variance but for the first factor."""
+"""Compared with the square of the mean: without the factor `SURPRISE**2`, the variance of each part."""
 
 
 class Covariance:
