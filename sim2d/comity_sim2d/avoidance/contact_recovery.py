@@ -1,7 +1,7 @@
 """Contact recovery: after a contact with a person the robot moves straight away from them before all else.
 
-It knows where they are, as it felt them: to move along a body, or to turn to its way with a step aside, would
-be to rub against it.
+It knows where they are, as it felt them. Moving along a body, or turning towards its route with a step aside,
+would rub against it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Emergency braking before obstacles and passers-by, whatever brought the robot so near.
 
-Routes keep off walls and furniture, and a robot that is on its route never comes to this. But a robot that a
-rule for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its
-route. And passers-by may stop in front of it, or come.
+Routes keep off walls and furniture, and a robot on its route never needs emergency braking. But a robot that
+a rule for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its
+route. And passers-by may stop or step in front of it.
 """
 
 from __future__ import annotations
@@ -158,7 +158,7 @@ def _direction(xy: XY, line: Line) -> XY:
 
 
 def _from_way(xy: XY, way: XY, line: Line, here_m: float) -> float:
-    """From a straight way, which begins so far from it, to the surface of a line [m]."""
+    """From a straight path, which begins at distance `here_m` from it, to the surface of a line [m]."""
     x, y, dx, dy, half_m = line
     ahead = (xy[0] + way[0], xy[1] + way[1])
     if _crosses(xy, ahead, (x, y), (dx, dy)) and _crosses((x, y), (x + dx, y + dy), xy, way):

@@ -95,7 +95,7 @@ class Foresight:
         """Where it would come to rest."""
 
     def is_in_the_way(self, comer: ApproachingPerson, within_m: float) -> bool:
-        """Whether they would come so near to the robot at rest."""
+        """Whether they would come nearer than a gap to the robot at rest."""
         start = np.array([self._start])
         if comer.waits:
             return bool(self._off_line(start, comer)[0] < within_m)

@@ -1,8 +1,8 @@
 """Stepping aside: a robot in the path of an approaching person leaves their line, to the free side.
 
-Going back before them instead would take both of them to where the walk ends, and into a corner if it ends
-in one. Of the directions it can go it takes the one that `foresight.py` finds best: two wheels set out in
-time, or where they need not turn first.
+Retreating instead would take both of them to where the walk ends, and into a corner if it ends in one. The
+robot takes the direction that `foresight.py` finds best: two wheels set out in time, or where they need not
+turn first.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ FARTHER = 0.2
 
 
 def waiting_place(xy: XY, held_at: XY, radius_m: float, other_m: float, plan: FloorPlan) -> XY:
-    """The best place that a straight way leads to, not back to where it was held up; here, if none is better.
+    """The best place on a straight path, not back to where it was blocked; here, if none is better.
 
     Args:
         xy: Where the robot is.

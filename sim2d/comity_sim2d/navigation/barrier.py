@@ -1,4 +1,4 @@
-"""Those who together bar a way: people abreast, and groups with the space between them."""
+"""Barriers: people who block a path together, abreast or as groups with the space between them."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ class PoseBeside(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class DockingPose:
-    """A pose chosen beside a person, relative to the person."""
+    """A pose chosen next to a person, relative to the person."""
 
     distance_m: float
     """Between the nearest points of the two bodies."""
@@ -82,13 +82,13 @@ def pose_beside(person: Pose, reach_m: float, bearing_deg: float) -> Pose:
 
 
 def spot_beside(person: Person, robot_radius_m: float, pose: PoseBeside) -> XY:
-    """The place of a robot's centre that a pose beside a person means."""
+    """The place of a robot's centre at a pose next to a person."""
     reach_m = person.radius_m + pose.distance_m + robot_radius_m
     return person.pose.ahead(reach_m, math.radians(pose.bearing_deg))
 
 
 def spots_beside(person: Person, robot_radius_m: float, beside: Iterable[tuple[float, float]]) -> list[XY]:
-    """The places of a robot's centre at so many surface distances and bearings from a person."""
+    """The places of a robot's centre at given surface distances and bearings from a person."""
     pose = person.pose
     return [
         pose.ahead(person.radius_m + distance_m + robot_radius_m, math.radians(bearing_deg))

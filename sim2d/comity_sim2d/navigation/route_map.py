@@ -319,7 +319,7 @@ def _space_at_most(plan: FloorPlan, clearance_m: float) -> FreeSpace:
 
 @lru_cache(maxsize=256)
 def _leaves_clear(plan: FloorPlan, start: XY, goal: XY, clearance_m: float) -> bool:
-    """Whether a straight line stays so far from what stands still: asked again whenever people move."""
+    """Whether a straight line keeps a distance from what stands still: asked again whenever people move."""
     return bool(plan.leave_clear([np.array([start, goal])], clearance_m).all())
 
 

@@ -1,4 +1,4 @@
-"""Where the centre of a robot may be, and the shortest ways there: connected polygons with their graphs."""
+"""Free space of a robot's centre, and the shortest paths there: connected polygons with their graphs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The space around a person that a passing robot leaves to them, and what it costs to take some of it.
+"""Personal space: the space that a passing robot leaves to a person, and the cost of taking some of it.
 
 The space ends at the person's own distance at the sides and behind, and half as far again before them: an
 ellipse to the front and a circle to the rear, longer ahead as in Kirby's personal space ("Social Robot

@@ -1,9 +1,9 @@
-"""Shortest ways in a free polygon: A* over its visibility graph, which is a networkx graph.
+"""Shortest paths in a free polygon: A* over its visibility graph, which is a networkx graph.
 
-A shortest way bends at corners of obstacles only, and is taut there, as a string pulled tight around them
+A shortest path bends at corners of obstacles only, and is taut there, as a string pulled tight around them
 (Lozano-Perez and Wesley, 1979). Of all lines between two obstacles few are taut at both ends: the graph has
-these only (arithmetic on arrays), and whether a line is free of obstacles is asked when a search comes by
-(geometry takes most of the time, and a search comes by a small part of the lines).
+these only (arithmetic on arrays). Whether a line is free of obstacles is tested when a search reaches it:
+geometry takes most of the time, and a search reaches a small part of the lines.
 """
 
 from __future__ import annotations

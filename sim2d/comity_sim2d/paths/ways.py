@@ -1,4 +1,4 @@
-"""Ways over one connected polygon in bounded time: the shortest, or among very many obstacles one near it."""
+"""Paths over one connected polygon in bounded time: the shortest, or among many obstacles one near it."""
 
 from __future__ import annotations
 

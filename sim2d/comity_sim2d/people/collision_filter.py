@@ -1,4 +1,4 @@
-"""Where a person may step: not too near to where another body is, or gets before it may choose again."""
+"""Collision filter: a person steps nowhere near another body, now or until it chooses again."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """People who are led by changes or faults: of several that lead one person, the latest one counts.
 
-People who are led neither walk nor step back by themselves: two that move one person at a time would tear
-them to and fro.
+People who are led neither walk nor step back by themselves: two that move one person at once would push them
+to and fro.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Walls and furniture as people meet them: straight lines in arrays, and who is near which."""
+"""Walls and furniture as pedestrians avoid them: straight lines in arrays, and the people near each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Everybody on foot in a world: the people of the scene who may move, and the passers-by."""
+"""The pedestrians of a world: the people of the scene who may move, and the passers-by."""
 
 from __future__ import annotations
 

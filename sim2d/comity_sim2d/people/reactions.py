@@ -107,8 +107,9 @@ class Reactions:
         Args:
             people: All people where they stand.
             robot: Where the robot stands.
-            speed_m_s: How fast it goes.
-            move: Told who goes elsewhere; says whether they could. Who could not stays where they are then.
+            speed_m_s: Its speed.
+            move: Receives a person who goes elsewhere; returns whether they could. If not, they stay where
+                they are.
         """
         for name, state in self._states.items():
             person = people[name]

@@ -1,4 +1,4 @@
-"""The social force model: what draws people to where they go, and keeps them from one another and from walls.
+"""The social force model: attraction to a goal, and repulsion from one another and from walls.
 
 Helbing and Molnar 1995, "Social force model for pedestrian dynamics", Physical Review E 51, 4282, with the
 interaction that Moussaid et al. 2009 measured between people who evade one another ("Experimental study of

@@ -1,4 +1,4 @@
-"""Stepping out of the way: who is asked to let the robot pass goes where it gets by, and on when it has."""
+"""Stepping out of the way: a person who is asked goes where the robot gets by, and on when it has."""
 
 from __future__ import annotations
 

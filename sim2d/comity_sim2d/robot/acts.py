@@ -1,4 +1,4 @@
-"""What the robot says and does towards people, which takes time and is recorded."""
+"""Acts of the robot towards people: speech, gestures and handling, which take time and are recorded."""
 
 from __future__ import annotations
 

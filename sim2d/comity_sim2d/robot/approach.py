@@ -1,4 +1,4 @@
-"""One approach: along a route to a pose beside a person, onto the pose, and then with it as it moves."""
+"""One approach: along a route to a pose next to a person, onto the pose, and then with it as it moves."""
 
 from __future__ import annotations
 
@@ -44,8 +44,9 @@ CUT_M = 0.02
 from walls (our choice)."""
 REVERSE_M = 0.5
 STAYS_M, SIDEWAYS_COS = 0.1, 0.8
-"""To the side it stays so far from a goal that stands, unless it is too near or too far off and not docked:
-it would turn away from the person to go there, and again and again where it counts as docked (our choice)."""
+"""Accepted error to the side of a standing goal [m], unless the robot is also too near or too far and not
+docked. To correct it, the robot would turn away from the person, again and again where it counts as docked
+(our choice)."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 AT_PLACE = DockingPose(0.0, 0.0)
@@ -81,7 +82,7 @@ class Approach:
         self.settled = settled
         """Whether a base that cannot move sideways accepts its position."""
         self._holds = settled
-        """Whether it was told to hold where it docked, and has been content since."""
+        """Whether its goal is to hold where it docked, and it has accepted its position since."""
         self._ticks_old, self._cost = 0, 0.0
         self._wavers = 0.0
         """Number of recent reversals."""

@@ -1,4 +1,4 @@
-"""What the robot has in its hands, as derived from the record of its acts."""
+"""The things in the robot's hands, as derived from the record of its acts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How long the simulated base goes on with a goal that is not renewed: as a real base should."""
+"""The lease of a motion goal: how long the simulated base follows it without renewal."""
 
 from __future__ import annotations
 

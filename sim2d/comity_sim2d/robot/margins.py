@@ -1,7 +1,7 @@
 """The margin that the robot keeps from each person: full, or reduced from people who let it pass.
 
-Leave is for one person, where they stand, and for one way. It begins while the robot waits before the person,
-and ends when it has passed or the person moves, is not seen, or turns away before the robot comes.
+Leave holds for one person, where they stand, and for one passage. It begins while the robot waits for the
+person, and ends when it has passed or the person moves, is not seen, or turns away before the robot comes.
 """
 
 from __future__ import annotations

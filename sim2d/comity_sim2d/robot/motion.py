@@ -1,4 +1,4 @@
-"""What a robot says of itself: how its motion goes, and what it reads of people."""
+"""Reports of a robot: the progress of its motion, and its readings of people."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Search for an unseen person that the robot approaches or faces.
 
-The robot searches for a lost person by turning round, where it notices the loss and once more where they were
-seen last; then the search ends. A robot on two wheels, which looks where it goes, looks once at a person out
-of view on its way onto a pose. Otherwise it might come next to a person who has moved without ever seeing
+The robot searches for a lost person by turning round, where it notices the loss, and once more where they
+were seen last; then the search ends. A robot on two wheels, which looks where it goes, looks once at a person
+out of view on its way onto a pose. Otherwise it might come next to a person who has moved without ever seeing
 them.
 """
 

@@ -1,8 +1,8 @@
 """Meeting a walking person: the robot waits ahead of them, in view and next to their path, and asks once.
 
 A person who stops is approached like any other. One who passes by, turns away or speeds up has declined. The
-robot goes along only with a person who agreed to that, and never at their back. That robots are to come into
-view from the front is from Satake et al. 2009, "How to approach humans? Strategies for social robots to
+robot goes along only with a person who agreed to that, and never at their back. The rule that robots come
+into view from the front is from Satake et al. 2009, "How to approach humans? Strategies for social robots to
 initiate interaction", HRI; the rest is our choice.
 """
 
@@ -29,8 +29,8 @@ from comity_sim2d.senses.visibility_memory import Numbers
 WALK_M = 0.3
 """A person who has moved by less has made a step, and does not walk [m] (our choice)."""
 OFFER_M = 1.5
-"""A robot so near before a walker offers to talk, and stands [m]: within the close phase of social distance
-(1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
+"""Distance before a walker at which the robot offers to talk, and stands [m]: within the close phase of
+social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
 FAR_M = 3.6
 """Beyond this distance the robot does not count as behind a person [m]: the end of social distance (Hall
 1966)."""
@@ -183,7 +183,7 @@ class WalkersMet:
         return None
 
     def _beside(self, walker: Walker, aside_m: float, place: Surroundings) -> tuple[Numbers, Points]:
-        """Free places beside the line on which a person walks, and how far ahead; shapes (n,) and (n, 2) [m].
+        """Free places next to a walking person's line, and how far ahead; shapes (n,) and (n, 2) [m].
 
         People are taken to walk on straight, and to have come straight, from thing to thing.
         """

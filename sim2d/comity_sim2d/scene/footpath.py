@@ -1,4 +1,4 @@
-"""The way of a person on foot from one point to another: the shortest around walls and furniture."""
+"""The path of a pedestrian from one point to another: the shortest around walls and furniture."""
 
 from __future__ import annotations
 

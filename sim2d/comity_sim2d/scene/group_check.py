@@ -1,6 +1,6 @@
-"""Whether people who are said to stand together see each other, as doors stand to begin with.
+"""Check that people who stand together see each other, with doors as at the start.
 
-It is no part of what a scene can be, as with walks: a door may shut between them later.
+As with walks, this is no check of the scene itself: a door may shut between them later.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Declared facts of a person on which it depends whether a robot may pass them at a reduced margin."""
+"""Declared facts of a person that decide whether a robot may pass them at a reduced margin."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands still and what stands in the way: the floor plan as shapes, and the people on it as discs."""
+"""Obstacles: the floor plan as shapes, which stand still, and the people on it as discs."""
 
 from __future__ import annotations
 

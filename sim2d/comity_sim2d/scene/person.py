@@ -1,4 +1,4 @@
-"""Somebody in a scene: where they stand and face, how they move, and what they like."""
+"""A person in a scene: where they stand and face, how they move, and what they like."""
 
 from __future__ import annotations
 

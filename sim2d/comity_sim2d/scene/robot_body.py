@@ -1,4 +1,4 @@
-"""The robot where it starts: its body, what limits its motion, and what it sees."""
+"""The robot at its start: its body, the limits of its motion, and its sensor."""
 
 from __future__ import annotations
 

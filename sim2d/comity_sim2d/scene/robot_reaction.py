@@ -1,4 +1,4 @@
-"""What people do about a robot: the six reactions of HuNavSim.
+"""Reactions of people to a robot: the six of HuNavSim.
 
 Perez-Higueras, Otero, Caballero and Merino 2023, "HuNavSim: A ROS 2 human navigation simulator for
 benchmarking human-aware robot navigation", IEEE Robotics and Automation Letters 8(11). Distances and speeds

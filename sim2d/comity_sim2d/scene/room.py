@@ -1,4 +1,4 @@
-"""A room: its floor, its inner walls, and what stands in it to be gone around."""
+"""A room: its floor, its inner walls, and its furniture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A scene: a room, what and who stands in it, and the robot at its start. Frozen, and checked when built."""
+"""A scene: a room with its things and people, and the robot at its start. Frozen, and checked when built."""
 
 from __future__ import annotations
 

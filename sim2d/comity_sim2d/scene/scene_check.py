@@ -1,4 +1,4 @@
-"""Whether a scene can be: who or what stands where it cannot stand, found before anything moves."""
+"""Checks of a scene: people and things in impossible places, found before anything moves."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands around a robot of some size: the floor plan, and the people where they are now."""
+"""The surroundings of a robot of some size: the floor plan, and the people where they are now."""
 
 from __future__ import annotations
 

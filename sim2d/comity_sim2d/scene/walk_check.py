@@ -1,4 +1,4 @@
-"""Whether people can walk where a scene has them walk, as its doors stand when they set out.
+"""Check that people can walk where a scene has them walk, with its doors as they set out.
 
 This is no check of the scene itself: after a door has shut, a person's walk leads through it, and the scene
 of that moment can still be planned in and drawn.

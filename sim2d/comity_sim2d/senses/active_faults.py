@@ -3,7 +3,7 @@
 A robot whose `BASE` has a fault stands where it is, whatever the wheels receive. One whose `VOICE` has a
 fault falls silent in mid-word. One whose `SENSORS` have a fault sees no person, and stands until it does: it
 could not see what it drives into. A fault on the `PATH`, of a person or of a door changes nothing by itself:
-it is stored so that the robot can say what is behind what it meets.
+it is stored so that the robot can name the cause of a disturbance.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""People lost to the robot: their place lies in plain view and is empty, which is evidence like any other.
+"""Missing people: their believed place lies in plain view and is empty, which is evidence like any other.
 
 The robot believes a person who is merely out of view to be where they were seen last. After several empty
 looks there in a row it drops that belief: then it does not know where they are. A place at the edge of the

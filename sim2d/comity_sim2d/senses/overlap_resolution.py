@@ -1,4 +1,4 @@
-"""Where people can be, near where they are believed to be: noise has them overlap."""
+"""Overlap resolution: possible places of people near their believed ones, which noise makes overlap."""
 
 from __future__ import annotations
 

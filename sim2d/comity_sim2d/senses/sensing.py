@@ -1,4 +1,4 @@
-"""What the robot knows about people: where they stand, as its sensors tell, filtered, and a little late."""
+"""The robot's knowledge about people: where they stand by its sensors, filtered, and a little late."""
 
 from __future__ import annotations
 

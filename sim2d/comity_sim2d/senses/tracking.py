@@ -1,10 +1,10 @@
-"""Where one person is, from measurements with noise: a straight walk at one speed, until it is one no more.
+"""Tracking of one person from noisy measurements: a straight walk at one speed, until that ends.
 
 A Kalman filter of constant velocity that forgets: it settles into the fading-memory filter (Morrison 1969,
 "Introduction to Sequential Smoothing and Prediction"), whose one constant is how much of the old estimate is
-kept. Such a filter lags behind a person who turns round. So it watches how far measurements lie off what it
-expects: where that is more than noise, a person has changed their mind, and what it knew of their velocity
-counts for little (adjustable process noise: Bar-Shalom, Li and Kirubarajan 2001, "Estimation with
+kept. Such a filter lags behind a person who turns round. So it watches the error of measurements against its
+prediction: where that is more than noise, the person has changed direction, and the earlier estimate of their
+velocity has little weight (adjustable process noise: Bar-Shalom, Li and Kirubarajan 2001, "Estimation with
 Applications to Tracking and Navigation", chapter 11). Without noise nothing is kept, and the estimate is the
 measurement.
 """

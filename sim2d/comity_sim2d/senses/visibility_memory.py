@@ -1,4 +1,4 @@
-"""Which places of the floor around the robot were in view of late, for sensors that do not look all round.
+"""Visibility memory: the floor around the robot recently in view, for sensors without all-round view.
 
 A place is a square cell; it was in view when a person who stood in its middle would have been seen. Walls do
 not count here: what is behind one comes into view once the robot is through the door. Where a person who
