@@ -79,7 +79,7 @@ def _people(
     needed = _needed(others, lambda names: is_reached(scene.without(names)))
     if not needed:
         return None
-    gap = narrow_gap(scene, goals)
+    gap = narrow_gap(scene, person, goals)
     return f"{_who(needed)} in the way" + (f"; {gap.words}" if gap else "")
 
 

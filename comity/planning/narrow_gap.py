@@ -1,7 +1,7 @@
 """The gap beside people that is too narrow for the robot, where they bar every way, and what it needs.
 
-The margin to everybody is lowered, by halving, until there is a way: the gap that opens then is the widest of
-those that bar it. Walls and furniture keep theirs.
+The margin to people is lowered, by halving, until there is a path, and where none is left, the robot's
+radius: the gap that opens then is the widest of those that bar the way. What stands still keeps its margin.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from comity_sim2d import RouteMap
@@ -24,9 +25,11 @@ if TYPE_CHECKING:
 MOST_GOALS = 4
 """Places to stand that are tried: beside one person, nearly all open at the same gap (our choice)."""
 STEP_M = 0.002
-"""The margin at which a way opens is found to this (our choice)."""
+"""To this the margin is found at which a path opens [m] (our choice)."""
+THINNEST_M = 0.02
+"""Radius of the thinnest robot that is tried [m] (our choice)."""
 SAME_M = 0.02
-"""A gap that would open by a margin this near to that is the one: routes keep off by up to so much more."""
+"""A gap that would open by a margin so near to that is the one [m]: paths keep off by up to so much more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,43 +51,51 @@ class NarrowGap:
         return f"the widest gap, {where}, is {self.width_m:.2f} m, and the robot needs {self.needed_m:.2f} m"
 
 
-def narrow_gap(scene: Scene, goals: Sequence[XY]) -> NarrowGap | None:
+def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | None:
     """The widest gap beside people that is too narrow; None where no lower margin would give a way.
 
     Args:
         scene: As everything is: people bar every way.
+        visited: Whom the robot visits: gaps beside them are not meant.
         goals: Where the robot could stand, had it a way there; the first few are tried.
     """
     place, start = Surroundings.of(scene), scene.robot.pose.xy
 
-    def opens(margin_m: float) -> bool:
-        ways = RouteMap(place.with_people(tuple(replace(p, margin_m=margin_m) for p in scene.people)))
+    def opens(spare_m: float) -> bool:
+        people = tuple(replace(person, margin_m=max(spare_m, 0.0)) for person in scene.people)
+        thinner = replace(place, robot_radius_m=place.robot_radius_m + min(spare_m, 0.0))
+        ways = RouteMap(thinner.with_people(people))
         return any(ways.reaches(start, goal) for goal in goals[:MOST_GOALS])
 
-    low, high = 0, round(PERSON_MARGIN_M / STEP_M)
-    if not opens(low):
+    low, high = (round(spare_m / STEP_M) for spare_m in (THINNEST_M - scene.robot.radius_m, PERSON_MARGIN_M))
+    if not opens(low * STEP_M):
         return None
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (middle, high) if opens(middle * STEP_M) else (low, middle)
-    opened_m = low * STEP_M
     off_m, gap = min(
-        ((abs(margin_m - opened_m), gap) for margin_m, gap in _gaps(scene)), key=lambda each: each[0]
+        ((abs(spare_m - low * STEP_M), gap) for spare_m, gap in _gaps(scene, visited)), key=itemgetter(0)
     )
     return gap if off_m <= SAME_M else None
 
 
-def _gaps(scene: Scene) -> Iterator[tuple[float, NarrowGap]]:
-    """All gaps beside people, each with the margin to people that would let the robot through."""
+def _gaps(scene: Scene, visited: str) -> Iterator[tuple[float, NarrowGap]]:
+    """All gaps beside people, each with the margin to people that would let the robot through [m].
+
+    Where the gap is narrower than the robot, it is how much smaller its radius would have to be, negative.
+    """
     body_m = 2 * scene.robot.radius_m
-    for one, other in combinations(scene.people, 2):
+    people = [person for person in scene.people if person.name != visited]
+    for one, other in combinations(people, 2):
         width_m = math.dist(one.xy, other.xy) - one.radius_m - other.radius_m
         needed_m = body_m + one.margin_m + other.margin_m
         yield (width_m - body_m) / 2, NarrowGap((one.name, other.name), width_m, needed_m)
     beside_m = body_m + WALL_MARGIN_M
-    for person in scene.people:
+    for person in people:
         for width_m in _to_solids_m(scene, person):
-            yield width_m - beside_m, NarrowGap((person.name,), width_m, beside_m + person.margin_m)
+            spare_m = width_m - beside_m
+            gap = NarrowGap((person.name,), width_m, beside_m + person.margin_m)
+            yield spare_m if spare_m >= 0.0 else spare_m / 2, gap
 
 
 def _to_solids_m(scene: Scene, person: Person) -> list[float]:

@@ -77,7 +77,7 @@ def test_somebody_who_stands_in_the_only_door_is_named():
 
 def test_a_crowd_in_the_way_is_counted():
     rows = "".join(f"  p{i}_{x}: {{at_m: [3.{x}, {0.3 + 0.5 * i}]}}\n" for i in range(8) for x in (0, 6))
-    assert reason(people=rows).endswith("; 9 people are in the way")
+    assert "; 9 people are in the way" in reason(people=rows)
 
 
 BETWEEN = """\
@@ -102,7 +102,7 @@ def the_gap_told(text: str) -> tuple[str, float, float]:
 
 
 @settings(max_examples=12, deadline=None)
-@given(st.floats(0.55, 1.08))
+@given(st.floats(0.1, 1.08))
 def test_the_gap_between_people_is_told_with_its_width_and_with_what_the_robot_needs(gap_m):
     """People are 0.40 m across, the robot 0.50 m, and the margin to either person is 0.30 m."""
     numbers = {"wide": gap_m + 0.9, "middle": gap_m / 2 + 0.45, "eve": gap_m + 0.65}
@@ -114,7 +114,7 @@ def test_the_gap_between_people_is_told_with_its_width_and_with_what_the_robot_n
 
 
 @settings(max_examples=12, deadline=None)
-@given(st.floats(0.57, 0.83))
+@given(st.floats(0.25, 0.83))
 def test_the_gap_between_a_person_and_a_wall_is_told(gap_m):
     """Beside a wall it is the robot's width, 0.30 m to the person and 0.05 m to the wall."""
     people = f"  bob: {{at_m: [2, {gap_m + 0.2}]}}\n  eve: {{at_m: [2, {gap_m + 0.65}]}}\n"
