@@ -75,12 +75,11 @@ def margin_facts_of(
         walks_unaided=all(one.walks_unaided for one in each),
         hears_well=all(one.hears_well for one in each),
         sees_well=all(one.sees_well for one in each),
+        stands=all(one.stands for one in each),
     )
 
 
 def _facts(facts: Mapping[str, object]) -> MarginFacts:
-    if facts.get("posture", "standing") != "standing":
-        return MarginFacts()
     age = facts.get("age")
     age = age.low if isinstance(age, Interval) else age
     return MarginFacts(
@@ -88,6 +87,7 @@ def _facts(facts: Mapping[str, object]) -> MarginFacts:
         walks_unaided=_is_unimpaired(facts.get("mobility")),
         hears_well=_is_unimpaired(facts.get("hearing")),
         sees_well=_is_unimpaired(facts.get("sight")),
+        stands=facts.get("posture", "standing") == "standing",
     )
 
 

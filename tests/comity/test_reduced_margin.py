@@ -164,6 +164,13 @@ def test_only_words_that_say_so_say_that_nothing_is_wrong(word):
         )
 
 
+def test_who_sits_declares_all_the_rest():
+    fit = {"age": 40.0, **dict.fromkeys(MARGIN_FACTS[1:], "good"), "posture": "seated"}
+    assert margin_facts_of(Profile(name="anna"), None, fit) == MarginFacts(
+        40.0, True, True, True, stands=False
+    )
+
+
 def test_what_is_told_later_counts_from_the_start(written):
     more = "changes: [{at_s: 20, person: anna, situation: {hearing: none}}]\n"
     stage = staged(load_scenario(written(corridor(more=more))))

@@ -21,7 +21,7 @@ from comity_fis.errors import InputError, Where
 from comity_sim2d import PlaceMap, load_map, shipped_maps
 from comity_sim2d.maps.building import build_map
 from comity_sim2d.maps.file import MapFile
-from comity_sim2d.maps.occupancy import floor_of_cells
+from comity_sim2d.maps.occupancy import corners_of_cells, floor_of_cells
 from comity_sim2d.maps.ros_export import CELL_M, ros_map_files
 from comity_sim2d.scene.obstacles import floor_plan_of
 
@@ -289,3 +289,19 @@ def test_a_hole_in_a_map_of_ours_is_no_floor_and_is_refused_without_an_area() ->
     flat = MapFile.model_validate(content | {"holes_m": [[[2, 2], [4, 2], [3, 2]]]})
     with pytest.raises(InputError, match="hole 1: expected an outline"):
         build_map(flat, lambda *_: Where("yard"))
+
+
+def test_a_picture_of_noise_is_refused_before_polygons_are_made_of_it(tmp_path: Path) -> None:
+    noise = np.where(np.random.default_rng(1).random((1000, 1000)) < 0.3, 0, 254).astype(np.uint8)
+    with pytest.raises(InputError, match="at most 150,000 corners"):
+        load_map(written(tmp_path, grey=noise))
+
+
+@given(arrays.arrays(bool, st.tuples(st.integers(1, 9), st.integers(1, 9))))
+@settings(max_examples=200, deadline=None)
+def test_the_corners_of_cells_are_those_of_their_outlines(free) -> None:
+    """A corner where two cells touch counts for both."""
+    cells = [box(x, y, x + 1, y + 1) for y, x in np.argwhere(free)]
+    rings = [ring for part in get_parts(union_all(cells)) for ring in (part.exterior, *part.interiors)]
+    corners = sum(len(ring.simplify(0.0).coords) - 1 for ring in rings)
+    assert corners_of_cells(free) == pytest.approx(corners, abs=len(rings))

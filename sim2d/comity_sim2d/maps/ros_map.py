@@ -22,7 +22,7 @@ from comity_fis.errors import InputError, Location, Where, WrongValueError
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import MAX_LOCATIONS, Metres, Name, NamedPoint, Number
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
-from comity_sim2d.maps.occupancy import FloorOutline, floor_of_cells
+from comity_sim2d.maps.occupancy import FloorOutline, corners_of_cells, floor_of_cells
 from comity_sim2d.pose import XY
 
 PLACES_SUFFIX = ".places.yaml"
@@ -33,6 +33,8 @@ MILLIMETRES = 3
 """Decimals of coordinates, as those of every map."""
 USUALLY_UNKNOWN = 205 / 255
 """The shade that `map_saver` writes for an unknown cell."""
+MAX_CELL_CORNERS = 150_000
+"""Of the outlines of free cells: about 12 s of one core to make polygons of (our choice)."""
 KEPT = 8
 """Pictures whose floor is remembered: each case of a test asks for it again."""
 
@@ -109,6 +111,14 @@ def converted(file: YamlFile) -> RosMap:
     with file.placing("image"):
         picture = read_grey(file.path.parent / ros.image, ros.image)
     free, unknown = cells(picture, ros)
+    corners = corners_of_cells(free)
+    if corners > MAX_CELL_CORNERS:
+        raise InputError(
+            expected=f"a picture whose free cells have at most {MAX_CELL_CORNERS:,} corners",
+            got=f"{corners:,}, as in noise",
+            remedy="Filter it, for example by a median of 3 x 3 cells.",
+            where=file.where(("image",)),
+        )
     tolerance_m = told.tolerance_m or ros.resolution
     floor = _floor(free.tobytes(), free.shape, tolerance_m / ros.resolution)
     if floor is None:

@@ -75,7 +75,7 @@ CONDITIONS: tuple[Condition, ...] = (
     ("that they hear well is not declared", lambda c: c.declared.hears_well),
     ("that they see well is not declared", lambda c: c.declared.sees_well),
     ("the tracker does not see them", lambda c: c.is_known),
-    ("they do not stand", lambda c: c.posture == "standing"),
+    ("they do not stand", lambda c: c.posture == "standing" and c.declared.stands),
     ("they walk", lambda c: not c.walks),
     ("the robot comes from behind", lambda c: _within(c.bearing_deg, BEHIND_DEG)),
     ("they neither face nor answer the robot", lambda c: c.said_yes or _within(c.bearing_deg, FACING_DEG)),

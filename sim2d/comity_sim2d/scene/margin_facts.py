@@ -19,9 +19,13 @@ class MarginFacts:
     walks_unaided: bool = False
     hears_well: bool = False
     sees_well: bool = False
+    stands: bool = True
+    """Whether no other posture is declared, for now or for later."""
 
     def __post_init__(self) -> None:
         if self.age_years is not None:
             require_between("margin facts", "age_years", self.age_years, 0.0, OLDEST_YEARS)
-        declared = {name: getattr(self, name) for name in ("walks_unaided", "hears_well", "sees_well")}
+        declared = {
+            name: getattr(self, name) for name in ("walks_unaided", "hears_well", "sees_well", "stands")
+        }
         require_kinds("margin facts", **{name: (value, TRUTH) for name, value in declared.items()})
