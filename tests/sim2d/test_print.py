@@ -44,7 +44,8 @@ def episode() -> World:
 @pytest.mark.parametrize("ground", ["#FFFFFF", drawing.FLOOR, drawing.FURNITURE])
 def test_words_have_a_contrast_of_four_and_a_half_with_what_they_stand_on(ground: str) -> None:
     """On furniture their halo is around them; alone they are legible there, too, but for small print."""
-    words = (*colours.PALETTE, *RULES, colours.INK, colours.GREY, drawing.person_colour(7))
+    people = map(drawing.person_colour, range(200))
+    words = (*colours.PALETTE, *RULES, colours.INK, colours.GREY, *people)
     assert all(colours.contrast(word, "#FFFFFF") >= colours.LEAST_CONTRAST for word in words)
     assert colours.contrast(colours.GREY, ground) >= colours.LEAST_CONTRAST
 

@@ -64,9 +64,9 @@ def person_colour(place: int) -> str:
     """The colour of the person in a place of the order, 0 for the first: no two have the same.
 
     After the six that every eye can tell apart come the same ones darker, then hues that are as far from
-    each other as the golden ratio puts them; names tell these apart.
+    each other as the golden ratio puts them, as dark as words need; names tell these apart.
     """
-    from matplotlib.colors import hsv_to_rgb, to_hex, to_rgb
+    from matplotlib.colors import to_hex, to_rgb
 
     plain = len(PALETTE)
     if place < plain:
@@ -74,7 +74,15 @@ def person_colour(place: int) -> str:
     if place < 2 * plain:
         red, green, blue = to_rgb(PALETTE[place - plain])
         return to_hex((0.55 * red, 0.55 * green, 0.55 * blue))
-    red, green, blue = hsv_to_rgb((place * GOLDEN % 1.0, 0.75, (0.85, 0.6)[place % 2])).tolist()
+    hue, brightness = place * GOLDEN % 1.0, (0.85, 0.6)[place % 2]
+    shades = (_shade(hue, brightness - step / 50) for step in range(50))
+    return next(shade for shade in shades if colours.contrast(shade, "#FFFFFF") >= colours.LEAST_CONTRAST)
+
+
+def _shade(hue: float, brightness: float) -> str:
+    from matplotlib.colors import hsv_to_rgb, to_hex
+
+    red, green, blue = hsv_to_rgb((hue, 0.75, max(brightness, 0.0))).tolist()
     return to_hex((red, green, blue))
 
 
