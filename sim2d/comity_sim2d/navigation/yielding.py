@@ -28,7 +28,7 @@ STEP_M = 0.10
 
 @dataclass(frozen=True, slots=True)
 class Walker:
-    """Somebody on the way somewhere."""
+    """A walking person."""
 
     person: Person
     velocity: XY
@@ -41,7 +41,7 @@ def is_walking(velocity: XY) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class GivingWay:
-    """Whom the robot lets pass, and how far it may go until then."""
+    """The person that goes first, and how far the robot may go until then."""
 
     person: str
     free_m: float

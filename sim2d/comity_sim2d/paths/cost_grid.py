@@ -94,7 +94,7 @@ class CostGrid:
         Args:
             start: Where the robot's centre is.
             goal: Where it is to be.
-            spaces: Whom it passes.
+            spaces: Personal spaces of the people that it passes.
         """
         cells = self._search(start, goal, spaces)
         return None if cells is None else self.polished(_pulled(self._free, cells, spaces), spaces)
@@ -104,7 +104,7 @@ class CostGrid:
 
         Args:
             corners: The corner points of a way.
-            spaces: Whom it passes.
+            spaces: Personal spaces of the people that it passes.
         """
         return _polished(self._free, corners, spaces)
 

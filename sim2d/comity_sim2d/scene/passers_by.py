@@ -10,7 +10,7 @@ from comity_sim2d.scene.walk import SPEED_M_S
 from comity_sim2d.scene_error import SceneError, require_between, require_points, require_whole
 
 SLOWEST_M_S, FASTEST_M_S = 0.6, 2.0
-"""Nobody strolls slower or hurries more, however the speeds are spread (our choice)."""
+"""Limits of the speeds of passers-by, however they are spread [m/s] (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)

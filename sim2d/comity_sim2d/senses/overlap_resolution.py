@@ -15,7 +15,7 @@ from comity_sim2d.scene.robot_body import RobotBody
 ROUNDS = 50
 """Number of rounds, each moving people off what they overlap then: in a corner once is not enough."""
 NEAR_M = 1.0
-"""Nobody is moved onto a person farther away (our choice: it is centimetres that they are moved by)."""
+"""Distance beyond which no one is moved onto a person [m] (our choice: they move by centimetres)."""
 SPARE_M = 1e-6
 """Resulting gap [m], more than numbers are rounded by."""
 
