@@ -23,8 +23,7 @@ from comity_sim2d.senses.visibility_memory import CELL_M, Numbers
 SEEN_S = 10.0
 """Time for which floor that was free counts as free [s]: longer than a look to both sides (our choice)."""
 SHIFT_M = 0.05
-"""Distance from its last known free place that it moves without looking [m], as by its own noise (our
-choice)."""
+"""Distance from its last free place that it moves without looking [m], as by its own noise (our choice)."""
 LOOKS_M_S = 0.1
 """Below this speed it stops to look instead of going on [m/s] (our choice)."""
 SPARE_M = 0.1

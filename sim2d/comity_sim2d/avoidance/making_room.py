@@ -11,8 +11,7 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 
 WITHIN_S = 1.0
-"""The robot makes room for a person who would reach its body (but for `KEEP_OFF_M`) sooner [s] (our
-choice)."""
+"""It makes room for a person who would reach its body (but for `KEEP_OFF_M`) sooner [s] (our choice)."""
 
 
 def make_room(

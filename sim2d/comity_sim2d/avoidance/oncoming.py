@@ -18,8 +18,8 @@ from comity_sim2d.senses.sensing import SensedPeople
 
 HELD_UP_M = 0.95
 """The robot blocks a person who has come this near, between the bodies, and goes no farther [m] (our choice).
-People who take it for another person stop 0.8 m before it in a passage, and those who only look at it 1.05
-m."""
+In a passage, people who take it for another person stop 0.8 m before it; people who only look at it stop at
+1.05 m."""
 COMES_COS = 0.5
 """A person whose course is within 60 degrees of the robot approaches it. Close to it any course counts: they
 try to get by (our choice)."""

@@ -31,8 +31,7 @@ TIGHT_M = 0.3
 ROBOT_GAP_M = 0.05
 """People keep this far from the robot's body, which moves on between two decisions (our choice)."""
 AROUND_RAD = 0.2
-"""Sideways push of a robot that a person takes for a thing, or they would stand before it [rad] (our
-choice)."""
+"""Sideways push of a robot that a person takes for a thing, else they would stop [rad] (our choice)."""
 TURN = 2 * np.pi
 TURN_RAD_S = np.pi
 """How fast people turn, as in HuNavSim's `agent_manager.cpp`."""

@@ -28,8 +28,7 @@ STANDS_S = 1.0
 STANDS_M = 0.1
 """A passer-by who stays within this distance of one place for `STANDS_S` stands [m] (our choice)."""
 ROCKS_S, ROCKS_M = 3.0, 0.7
-"""A person who has stayed within `ROCKS_M` of one place for `ROCKS_S` stands, walking to and fro there (our
-choice)."""
+"""A person within `ROCKS_M` of one place for `ROCKS_S` stands, even if walking to and fro (our choice)."""
 HELD_UP_S = 2.0
 """Time of the robot's waiting after which a person counts as standing [s] (our choice)."""
 LONGEST_HELD_S, FORGETS = 4.0, 0.2
