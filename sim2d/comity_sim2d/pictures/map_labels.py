@@ -52,11 +52,13 @@ class MapLabels:
         self._renderer = untyped.get_renderer()
         area = ax.get_window_extent(self._renderer)
         self._page = Page(Box(area.x0, area.y0, area.x1, area.y1).grown(-EDGE_PX), [], [])
+        self._bodies: list[Box] = []
 
     def avoid_disc(self, xy: XY, radius_m: float) -> None:
         """Better not hide this body."""
         size = 2.0 * self._px(radius_m)
-        self._page.marks.append(Box.around(self._at(xy), size, size))
+        self._bodies.append(Box.around(self._at(xy), size, size))
+        self._page.marks.append(self._bodies[-1])
 
     def avoid_line(self, points: Sequence[XY]) -> None:
         """Better not hide this line."""
@@ -86,7 +88,7 @@ class MapLabels:
             self._area(area, furniture)
 
     def _inside(self, piece: Furniture, sizes: Sequence[float]) -> bool:
-        """Write a piece's name in its middle, along or across; says whether it fits there.
+        """Write a piece's name in its middle, along or across; says whether it fits there and hides no person.
 
         Args:
             piece: The furniture.
@@ -104,7 +106,8 @@ class MapLabels:
             width, height = self._size(text, points, "normal")
             inside = Box.around((middle.x, middle.y), *((height, width) if turned else (width, height)))
             room = inside.grown(2.0)
-            if outline.contains(box(room.left, room.bottom, room.right, room.top)):
+            hides = any(room.overlap(body) for body in self._bodies)
+            if not hides and outline.contains(box(room.left, room.bottom, room.right, room.top)):
                 self._page.labels.append(inside)
                 self._text(inside.centre, text, points, d.GREY, turned=turned)
                 return True
