@@ -174,6 +174,11 @@ def test_whose_motion_led_to_a_contact():
     assert (found.near_people.contacts_by_robot, found.near_people.contacts_by_people) == (1, 1)
 
 
+def test_a_contact_to_which_both_came_as_fast_is_the_robots():
+    found = measure(frames(line(0, 0.3), [(1, 0), (0.7, 0)]))
+    assert (found.near_people.contacts_by_robot, found.near_people.contacts_by_people) == (1, 0)
+
+
 def test_a_robot_between_two_who_talk_intrudes_on_them_once_unless_it_visits_one():
     """Anna and Ben face each other 2 m apart; the robot drives through the middle."""
     crossing = [(0, y) for y in (-3, -2, 0, 0.1, 2, 3)]

@@ -15,6 +15,8 @@ from comity_sim2d.frames import Frames
 from comity_sim2d.metrics.motion import Numbers, speeds_m_s, velocities_m_s
 from comity_sim2d.metrics.proximity import seconds_in_zones, weights_s
 
+ROUNDING_M_S = 1e-9
+"""Speeds that differ by less are the same [m/s]."""
 FAST_SHARE = 0.95
 """The percentile of the speed: the largest one of an episode is that of a single frame."""
 
@@ -80,9 +82,9 @@ def _contacts_begun(frames: Frames, collision_s: Numbers) -> NDArray[np.bool_]:
 
 
 def _robot_closes_faster(frames: Frames) -> NDArray[np.bool_]:
-    """Steps in which the robot closes the distance faster than the person does, shape (n - 1, people)."""
+    """Steps in which the robot closes the distance at least as fast as the person, shape (n - 1, people)."""
     apart = frames.poses[:-1, 1:, :2] - frames.poses[:-1, :1, :2]
     moved = velocities_m_s(frames)
     robot = (moved[:, :1] * apart).sum(axis=-1)
     person = -(moved[:, 1:] * apart).sum(axis=-1)
-    return np.asarray(robot > person)
+    return np.asarray((robot > 0.0) & (robot >= person - ROUNDING_M_S))

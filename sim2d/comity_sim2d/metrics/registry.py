@@ -114,8 +114,8 @@ EPISODE: Mapping[str, Metric] = _by_name(
     Metric(
         "contacts_by_robot",
         "1",
-        "Contacts with people that began, in the frames, with the robot coming at the person faster than the "
-        "person came at it.",
+        "Contacts with people that began, in the frames, with the robot coming at the person at least as "
+        "fast as the person came at it.",
     ),
     Metric("contacts_by_people", "1", "The other contacts with people that began in the frames."),
     Metric("min_clearance_m", "m", "Smallest gap to any person, between surfaces.", FRANCIS, least=None),

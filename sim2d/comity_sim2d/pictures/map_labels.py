@@ -88,7 +88,7 @@ class MapLabels:
             self._area(area, furniture)
 
     def _inside(self, piece: Furniture, sizes: Sequence[float]) -> bool:
-        """Write a piece's name in its middle, along or across; says whether it fits there and hides no person.
+        """Write a piece's name in its middle, along or across; whether it fits there and hides no person.
 
         Args:
             piece: The furniture.
