@@ -297,6 +297,13 @@ def test_a_picture_of_noise_is_refused_before_polygons_are_made_of_it(tmp_path: 
         load_map(written(tmp_path, grey=noise))
 
 
+def test_a_floor_of_too_many_holes_is_told_as_noise(tmp_path: Path) -> None:
+    specks = np.full((300, 300), 254, dtype=np.uint8)
+    specks[1:-1:3, 1:-1:3] = 0
+    with pytest.raises(InputError, match="at most 8,333 holes"):
+        load_map(written(tmp_path, grey=specks))
+
+
 @given(arrays.arrays(bool, st.tuples(st.integers(1, 9), st.integers(1, 9))))
 @settings(max_examples=200, deadline=None)
 def test_the_corners_of_cells_are_those_of_their_outlines(free) -> None:

@@ -18,6 +18,7 @@ MAX_ROOMS, MAX_DOORS, MAX_LOCATIONS = 200, 400, 1000
 """Our choice: a hospital floor has fewer of each."""
 MAX_CORNERS = 25_000
 """Of rooms, holes and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
+MAX_HOLES = MAX_CORNERS // 3
 
 
 def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
@@ -160,7 +161,7 @@ class MapFile(BaseModel):
     )
     holes_m: tuple[Annotated[tuple[Point, ...], Field(min_length=3)], ...] = Field(
         default=(),
-        max_length=MAX_CORNERS // 3,
+        max_length=MAX_HOLES,
         description="Corners of what is no floor in the rooms, such as a courtyard: its outline is a wall.",
     )
     walls: tuple[InnerWall, ...] = Field(default=(), max_length=MAX_OBSTACLES)

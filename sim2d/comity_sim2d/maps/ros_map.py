@@ -20,7 +20,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from comity_fis.errors import InputError, Location, Where, WrongValueError
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
-from comity_sim2d.maps.file import MAX_LOCATIONS, Metres, Name, NamedPoint, Number
+from comity_sim2d.maps.file import MAX_HOLES, MAX_LOCATIONS, Metres, Name, NamedPoint, Number
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
 from comity_sim2d.maps.occupancy import FloorOutline, corners_of_cells, floor_of_cells
 from comity_sim2d.pose import XY
@@ -113,16 +113,15 @@ def converted(file: YamlFile) -> RosMap:
     free, unknown = cells(picture, ros)
     corners = corners_of_cells(free)
     if corners > MAX_CELL_CORNERS:
-        raise InputError(
-            expected=f"a picture whose free cells have at most {MAX_CELL_CORNERS:,} corners",
-            got=f"{corners:,}, as in noise",
-            remedy="Filter it, for example by a median of 3 x 3 cells.",
-            where=file.where(("image",)),
+        raise _noisy(f"free cells have at most {MAX_CELL_CORNERS:,} corners", corners).at(
+            file.where(("image",))
         )
     tolerance_m = told.tolerance_m or ros.resolution
     floor = _floor(free.tobytes(), free.shape, tolerance_m / ros.resolution)
     if floor is None:
         raise _no_floor(ros).at(file.where(("image",)))
+    if len(floor.holes) > MAX_HOLES:
+        raise _noisy(f"floor has at most {MAX_HOLES:,} holes", len(floor.holes)).at(file.where(("image",)))
     notes = " ".join(_notes(ros, (free, unknown), picture, floor, tolerance_m))
     data: dict[str, Any] = {
         "schema_version": 1,
@@ -210,6 +209,14 @@ def _notes(
 
 def _percent(share: float) -> str:
     return f"{100 * share:.0f} %" if share >= 0.005 else "less than 1 %"
+
+
+def _noisy(limit: str, count: int) -> InputError:
+    return InputError(
+        expected=f"a picture whose {limit}",
+        got=f"{count:,}, as in noise",
+        remedy="Filter it, for example by a median of 3 x 3 cells, or allow a greater `tolerance_m`.",
+    )
 
 
 def _no_floor(ros: RosMapFile) -> InputError:
