@@ -14,6 +14,7 @@ REQUIREMENTS = {
     "pyfuzzylite": ("pyfuzzylite==8.0.6",),
     "ir-sim": ("ir-sim==2.12.0",),
     "pysocialforce": ("pysocialforce==1.1.2",),
+    "jupedsim": ("jupedsim==1.4.2",),
     "symk": ("up-symk==1.6.0",),
 }
 """What goes into each."""

@@ -55,6 +55,7 @@ def _contest(bench: Bench, people: int) -> list[Row]:
         Contestant("ir-sim, social force", "irsim_crowd", "ir-sim"),
         Contestant("ir-sim, social force, batched", "irsim_crowd", "ir-sim"),
         Contestant("PySocialForce", "pysocialforce_crowd", "pysocialforce"),
+        Contestant("JuPedSim, collision-free speed", "jupedsim_crowd", "jupedsim"),
     )
     turns: dict[str, Callable[[], float]] = {"comity, everything on": lambda: _episode(prepared)}
     rows: list[Row] = []
