@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 import random
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -51,18 +49,8 @@ def test_who_walks_at_a_fifth_of_a_metre_a_second_is_greeted_within_a_minute(
 
 @pytest.mark.study
 @pytest.mark.parametrize("sensor", SENSORS)
-def test_of_a_hundred_one_is_missed_at_most_who_goes_round_in_a_small_ring(
-    sensor: str, tmp_path: Path
-) -> None:
-    """Whoever turns about every few steps has turned again when the robot has got before them."""
+def test_of_a_hundred_one_is_missed_at_most(sensor: str, tmp_path: Path) -> None:
+    """A person who turns every few steps has turned again when the robot has got before them."""
     episodes = (met(tmp_path, seed, sensor, 0.2) for seed in range(100))
-    missed = [ring_m(episode) for episode in episodes if episode.visits[0].outcome != "greeted"]
-    assert len(missed) <= 1
-    assert all(ring < 4.0 for ring in missed)
-
-
-def ring_m(episode: Episode) -> float:
-    """How long the way is that is walked round and round."""
-    walks = episode.prepared.file.scenario.people["anna"].walks
-    assert walks is not None
-    return sum(math.dist(one, other) for one, other in pairwise((*walks.route, walks.route[0])))
+    missed = [seed for seed, episode in enumerate(episodes) if episode.visits[0].outcome != "greeted"]
+    assert len(missed) <= 1, missed
