@@ -74,7 +74,7 @@ def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | N
         middle = (low + high) // 2
         low, high = (middle, high) if opens(middle * STEP_M) else (low, middle)
     off_m, gap = min(
-        ((abs(spare_m - low * STEP_M), gap) for spare_m, gap in _gaps(scene, visited)), key=itemgetter(0)
+        ((abs(spare_m - (low + high) / 2 * STEP_M), gap) for spare_m, gap in _gaps(scene, visited)), key=itemgetter(0)
     )
     return gap if off_m <= SAME_M else None
 

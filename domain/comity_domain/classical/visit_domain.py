@@ -110,7 +110,7 @@ class _Domain:
     """What the actions are written with: types, fluents and how conditions are joined."""
 
     def __init__(self) -> None:
-        types, number = get_environment().type_manager, get_environment().type_manager.IntType(0)
+        types, number = get_environment().type_manager, get_environment().type_manager.IntType()
         self._types: dict[str, Any] = {}
         for name, above in TYPES.items():
             self._types[name] = types.UserType(name, None if above is None else self._types[above])
