@@ -73,9 +73,9 @@ def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | N
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (middle, high) if opens(middle * STEP_M) else (low, middle)
-    off_m, gap = min(
-        ((abs(spare_m - (low + high) / 2 * STEP_M), gap) for spare_m, gap in _gaps(scene, visited)), key=itemgetter(0)
-    )
+    opens_m = (low + high) / 2 * STEP_M
+    near = ((abs(spare_m - opens_m), gap) for spare_m, gap in _gaps(scene, visited))
+    off_m, gap = min(near, key=itemgetter(0))
     return gap if off_m <= SAME_M else None
 
 
