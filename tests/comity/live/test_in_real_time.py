@@ -14,7 +14,7 @@ import pytest
 
 TESTS = Path(__file__).parents[2]
 ROBOT = '''
-import threading, time
+import os, threading, time
 from gliding import Gliding
 
 class Real:
@@ -22,13 +22,14 @@ class Real:
 
     def __init__(self):
         self._robot = Gliding({"johanna": (4.0, 3.0, 180.0)}, t=time.monotonic())
+        self._moves = os.path.abspath("moves.txt")  # the thread outlives the test, and its folder
         threading.Thread(target=self._live, daemon=True).start()
 
     def _live(self):
         while True:
             time.sleep(0.02)
             self._robot.sleep(time.monotonic() - self._robot.t)
-            with open("moves.txt", "a") as file:
+            with open(self._moves, "a") as file:
                 file.write(f"{self._robot._speed}\\n")
 
     def __getattr__(self, name):
