@@ -22,7 +22,7 @@ class OddReadings:
 
     Args:
         people: The people of the scenario.
-        robot: Its name, of whom the notes are.
+        robot: Name of the robot, which the notes are about.
     """
 
     def __init__(self, people: Collection[str], robot: str) -> None:
@@ -42,7 +42,7 @@ class OddReadings:
         Args:
             now_s: The time of the episode.
             here: Where the robot is.
-            tracks: Whom it sees.
+            tracks: The people that it sees.
         """
         headings = [("localisation", None if here is None else here.heading_rad)]
         headings += [("tracks", track.heading_rad) for track in tracks]

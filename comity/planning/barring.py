@@ -5,6 +5,7 @@ They may be in the way themselves, as in a corridor in which nobody gets past th
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from functools import cache
@@ -92,18 +93,17 @@ def _who(needed: Sequence[str]) -> str:
 def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:
     """How wide the widest way is, where that is too narrow for the robot; found by halving."""
     need_m, plan = 2 * (scene.robot.radius_m + WALL_MARGIN_M), floor_plan(scene)
-    low, high = 1, round(need_m / STEP_M) - 1  # the margin that routes may use is below a step
-    if not _joins(plan, low * STEP_M, scene.robot.pose.xy, goals):
+    steps = range(1, round(need_m / STEP_M))  # the margin that routes may use is below a step
+
+    def is_shut(step: int) -> bool:
+        return not _joins(plan, step * STEP_M, scene.robot.pose.xy, goals)
+
+    shut = bisect_left(steps, True, key=is_shut)
+    if shut in (0, len(steps)):
         return None
-    if _joins(plan, high * STEP_M, scene.robot.pose.xy, goals):
-        return None
-    while high - low > 1:
-        middle = (low + high) // 2
-        if _joins(plan, middle * STEP_M, scene.robot.pose.xy, goals):
-            low = middle
-        else:
-            high = middle
-    return f"the robot needs ways {need_m:.2f} m wide, and none there is wider than {high * STEP_M:.2f} m"
+    return (
+        f"the robot needs ways {need_m:.2f} m wide, and none there is wider than {steps[shut] * STEP_M:.2f} m"
+    )
 
 
 def _themselves(scene: Scene, person: str, goals: Sequence[XY]) -> str | None:

@@ -7,11 +7,14 @@ radius: the gap that opens then is the widest of those that bar the way. What st
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from operator import itemgetter
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from comity_sim2d import RouteMap
 from comity_sim2d.pose import XY
@@ -67,13 +70,11 @@ def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | N
         ways = RouteMap(thinner.with_people(people))
         return any(ways.reaches(start, goal) for goal in goals[:MOST_GOALS])
 
-    low, high = (round(spare_m / STEP_M) for spare_m in (THINNEST_M - scene.robot.radius_m, PERSON_MARGIN_M))
-    if not opens(low * STEP_M):
+    tried = np.arange(THINNEST_M - scene.robot.radius_m, PERSON_MARGIN_M, STEP_M).tolist()
+    open_until = bisect_left(tried, True, key=lambda spare_m: not opens(spare_m))
+    if not open_until:
         return None
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if opens(middle * STEP_M) else (low, middle)
-    opens_m = (low + high) / 2 * STEP_M
+    opens_m = tried[open_until - 1] + STEP_M / 2
     near = ((abs(spare_m - opens_m), gap) for spare_m, gap in _gaps(scene, visited))
     off_m, gap = min(near, key=itemgetter(0))
     return gap if off_m <= SAME_M else None

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.answers.study import StudyRunAnswer
-from comity.study.episode_rows import ERROR
+from comity.study.episode_rows import ERROR, StudyRow
 from comity.study.estimate import factors_of
 from comity.study.folder import study_folder
 from comity.study.journal import opened_journal, read_journal
@@ -64,15 +64,19 @@ def run_study(
                     journal.keep(batch.done)
                     lost += batch.lost
                     watch(sum(len(missing[one.key]) for one in batch.done))
-            return _tell(out, _finished(plan, out, carrier, _as_it_is(out, account, missing, lost)))
+            rows = read_journal(out / JOURNAL).rows
+            return _tell(out, _finished(plan, out, carrier, _as_it_is(account, missing, lost, rows), rows))
         except BaseException:
             with suppress(InputError):  # where there is no room, what it says of before stands
-                _tell(out, replace(_as_it_is(out, account, missing, lost), status="stopped"))
+                rows = read_journal(out / JOURNAL).rows
+                _tell(out, replace(_as_it_is(account, missing, lost, rows), status="stopped"))
             raise
 
 
 _Missing = Mapping[str, Sequence["StudyCell"]]
 """By key, all that is the same episode."""
+_Rows = Mapping[str, Sequence[StudyRow]]
+"""By key, the rows of an episode that ended."""
 
 
 def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[_Missing, StudyRunAnswer]:
@@ -110,16 +114,17 @@ def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[_Missing
     return missing, _tell(out, account)
 
 
-def _as_it_is(out: Path, account: StudyRunAnswer, missing: _Missing, lost: int) -> StudyRunAnswer:
+def _as_it_is(account: StudyRunAnswer, missing: _Missing, lost: int, rows: _Rows) -> StudyRunAnswer:
     """The account with what the journal holds by now."""
-    ended = missing.keys() & read_journal(out / JOURNAL).rows.keys()
+    ended = missing.keys() & rows.keys()
     done = account.done + sum(len(missing[key]) for key in ended)
     return replace(account, done=done, run_now=len(ended), lost_workers=lost)
 
 
-def _finished(plan: StudyPlan, out: Path, carrier: EpisodeRunner, account: StudyRunAnswer) -> StudyRunAnswer:
+def _finished(
+    plan: StudyPlan, out: Path, carrier: EpisodeRunner, account: StudyRunAnswer, rows: _Rows
+) -> StudyRunAnswer:
     """The tables of the study's episodes that the journal holds, and an account of them."""
-    rows = read_journal(out / JOURNAL).rows
     installed = carrier.installed
     keyed = [(cell, cell.key(installed.code, installed.fingerprint)) for cell in plan.cells()]
     found = [(cell, key, rows[key]) for cell, key in keyed if key in rows]

@@ -105,7 +105,7 @@ def test_who_bars_the_way_is_told_and_asked_to_make_way_as_without_a_deadline(co
     texts = [text for _, because in told for text in because]
     assert any(text.startswith("the choices stay: they cost") for text in texts), "reckoned past kim"
     assert any("no free and reachable place before anna" in text for text in texts)
-    assert any("kim is in the way" in text for text in texts)
+    assert any("kim is in the way" in text.split("; ") for text in texts)
 
 
 @pytest.mark.parametrize("kim", [(3.0, 1.0, 0.0), (4.0, 2.35, 0.0)], ids=["aside", "in the door"])

@@ -465,7 +465,19 @@ def test_a_route_between_a_thousand_posts_is_hardly_longer_than_it_has_to_be(
     start, goal = (0.5, 0.5), (40.6, 20.6)
     routes = RouteMap(load_map(written(tmp_path, text)).scene(RobotBody(*start)))
     length_m, least_m = routes.length(start, goal), routes.least_length(start, goal)
-    assert math.dist(start, goal) - 1e-5 <= least_m <= length_m <= 1.1 * least_m
+    assert math.dist(start, goal) - 2e-6 <= least_m <= length_m <= 1.1 * least_m
+
+
+def test_a_way_is_the_same_however_many_lines_are_drawn_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    posts = [Point(x, y).buffer(0.3, quad_segs=2).exterior.coords for x in range(1, 9) for y in range(1, 9)]
+    free = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)], posts)
+    ends = [((0.5, 0.4), (9.6, 8.9)), ((0.2, 7.5), (9.1, 1.5))]
+    found = []
+    for corners in (1, 30, 10**6):  # from one corner at a time, from a few, and from all
+        monkeypatch.setattr("comity_sim2d.paths.visibility.DRAWN", corners)
+        graph = VisibilityGraph(free)
+        found.append([graph.shortest(*each) for each in ends])
+    assert found[0] == found[1] == found[2]
 
 
 def test_the_search_for_a_route_finds_the_shortest(tmp_path: Path) -> None:

@@ -215,7 +215,7 @@ def _noisy(limit: str, count: int) -> InputError:
     return InputError(
         expected=f"a picture whose {limit}",
         got=f"{count:,}, as in noise",
-        remedy="Filter it, for example by a median of 3 x 3 cells, or allow a greater `tolerance_m`.",
+        remedy="Filter it, for example by a median of 3 x 3 cells.",
     )
 
 

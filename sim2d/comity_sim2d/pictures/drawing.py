@@ -56,7 +56,7 @@ it (our choice: half of the tallest animation's height holds a bubble and a head
 
 
 def person_colours(people: Sequence[str]) -> dict[str, str]:
-    """A colour for each person by their place in the scene: the same in every picture and on the page."""
+    """A colour for each person by their place in the scene, in every picture; the page has the first six."""
     return {name: person_colour(i) for i, name in enumerate(people)}
 
 
