@@ -1,10 +1,10 @@
 """The study of random rooms: whole episodes among people who stand, walk on errands and pass by.
 
 `python tests/room_study.py [ROOMS]` prints a table of 1,000 rooms of the kind `stand`, and 500 each of `walk`
-(some walk along routes of the scenario) and `mix` (passers-by, too), and one that compares profiles in the
-same rooms. Rooms are drawn from a wide range: one to three parts with
-doorways, furniture, both drives, noise and delay of the sensors, short sight. The judge (`judging`) reads the
-frames.
+(some walk along routes of the scenario) and `mix` (passers-by, too), one of 500 rooms in which people stay,
+step aside or let the robot pass when it asks, and one that compares profiles in the same rooms. Rooms are
+drawn from a wide range: one to three parts with doorways, furniture, both drives, noise and delay of the
+sensors, short sight. The judge (`judging`) reads the frames.
 """
 
 from __future__ import annotations
@@ -27,10 +27,14 @@ from comity.live_episode import execute
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
 from comity_fis.errors import ComityError
-from comity_sim2d import Frames, World
+from comity_sim2d import Frames, RobotBody, Sensor, World
+from comity_sim2d.robot.reduced_margin import least_margin_m
 
 KINDS = ("stand", "walk", "mix")
-MANY = {"stand": 1000, "walk": 500, "mix": 500}
+ANSWERS = {"stay": "", "step aside": ", steps_aside: true", "let pass": ", lets_pass: true"}
+"""The rooms of the kind `stand` by what people do when the robot asks to pass: everyone declares the facts
+that a reduced margin depends on, and the robot has the least margin that it can keep."""
+MANY = {"stand": 1000, "walk": 500, "mix": 500, "stay": 500, "step aside": 500, "let pass": 500}
 ROOMS_BY_PROFILE = 60
 """Of each kind; nine profiles meet the same rooms."""
 NAMES = ("ada", "ben", "cyd", "dot", "eli", "fay", "gus", "hal")
@@ -43,6 +47,7 @@ APART_M = 0.6
 DRAWS = 60
 FLOOR_M, SLACK_M = 0.30, 0.005
 """What the robot keeps from people, and by how much its route may cut that."""
+DECLARED = "age: 40, hearing: good, sight: good, mobility: full"
 MOVES_M_S = 0.02
 """Slower towards a person, it stands."""
 
@@ -51,12 +56,14 @@ def room(kind: str, seed: int, draw: int = 0, profile: str | None = None) -> str
     """The text of a scenario; some draws put people onto furniture, and are refused.
 
     Args:
-        kind: One of `KINDS`.
+        kind: One of `KINDS` or `ANSWERS`.
         seed: Decides the room.
         draw: Further rooms of this seed.
         profile: Of everybody; without it each person has one by chance.
     """
-    dice = random.Random(f"{kind} {seed} {draw}")
+    answers = kind in ANSWERS
+    drawn = "stand" if answers else kind
+    dice = random.Random(f"{drawn} {seed} {draw}")
     wide, high = dice.uniform(6.0, 10.5), dice.uniform(4.6, 7.5)
     taken: list[tuple[float, float]] = []
 
@@ -77,10 +84,11 @@ def room(kind: str, seed: int, draw: int = 0, profile: str | None = None) -> str
             lines.append(
                 f"    - {{name: box {i}, box_m: [{x}, {y}, {size}], angle_deg: {dice.uniform(0, 180):.1f}}}"
             )
-    lines += [f"robot: {{at_m: {list(spot())}, {_robot(dice)}}}", "people:"]
+    lines += [f"robot: {{at_m: {list(spot())}, {_robot(dice, answers)}}}", "people:"]
     for name in NAMES:
-        walks = kind != "stand" and dice.random() < 0.45
+        walks = drawn != "stand" and dice.random() < 0.45
         way = f", walks: {_walk(dice, spot)}" if walks else ""
+        way += f", situation: {{{DECLARED}}}{ANSWERS[kind]}" if answers else ""
         turned = f"facing_deg: {dice.uniform(-180, 180):.1f}"
         chosen = dice.choice(PROFILES)  # thrown in any case: the rest of the room is the same
         lines.append(f"  {name}: {{profile: {profile or chosen}, at_m: {list(spot())}, {turned}{way}}}")
@@ -106,7 +114,7 @@ def _walls(dice: random.Random, wide: float, high: float) -> list[str]:
     return [f"  walls_m: [{', '.join(found)}]"] if found else []
 
 
-def _robot(dice: random.Random) -> str:
+def _robot(dice: random.Random, reduces_margin: bool) -> str:
     noise, delay = dice.choice([(0.0, 0.0), (0.0, 0.0), (0.03, 0.1), (0.05, 0.2)])
     sensor = [f"noise_m: {noise}, delay_s: {delay}"] if noise else []
     sensor += ["range_m: 3.9"] if dice.random() < 0.2 else []
@@ -114,7 +122,15 @@ def _robot(dice: random.Random) -> str:
     drive = dice.choice(["omnidirectional", "differential"])
     jerk = dice.choice([20.0, 20.0, 1.0])
     text = f"facing_deg: {dice.uniform(-180, 180):.1f}, drive: {drive}, max_jerk_m_s3: {jerk}"
-    return text + (f", sensor: {{{', '.join(sensor)}}}" if sensor else "")
+    text += f", sensor: {{{', '.join(sensor)}}}" if sensor else ""
+    return text + (f", margin_m: {_margin_m(noise, delay, jerk):g}" if reduces_margin else "")
+
+
+def _margin_m(noise_m: float, delay_s: float, jerk_m_s3: float) -> float:
+    """The least margin that the robot can keep [m], in whole millimetres, and the full one at most."""
+    sensor = Sensor(sigma_m=noise_m, delay_s=delay_s)
+    least_m = least_margin_m(RobotBody(0.0, 0.0, max_jerk_m_s3=jerk_m_s3, sensor=sensor))
+    return min(FLOOR_M, math.ceil(1000.0 * least_m) / 1000.0)
 
 
 def _walk(dice: random.Random, spot: Any) -> str:
@@ -163,13 +179,16 @@ def episode(kind: str, seed: int, profile: str | None = None) -> dict[str, Any]:
         "by_robot": sum(contact.by_robot for contact in contacts),
         "by_people": sum(not contact.by_robot for contact in contacts),
         "intrusions": intrusions(got.frames),
+        "margin_m": case.scene.robot.margin_m,
+        "below_margin": intrusions(got.frames, case.scene.robot.margin_m),
+        "passages": sum(told.kind == "passage" and "keeps" not in told.text for told in got.disturbances),
         "simulated_s": simulated_s,
         "cpu_ms": 1000.0 * cpu_s / simulated_s,
     }
 
 
-def intrusions(frames: Frames) -> int:
-    """How often the robot's own motion began to bring it nearer to a person than 0.30 m."""
+def intrusions(frames: Frames, floor_m: float = FLOOR_M) -> int:
+    """How often the robot's own motion began to bring it nearer to a person than the floor."""
     at = frames.poses[:, :, :2]
     apart = at[:, 1:] - at[:, :1]
     far_m = np.hypot(apart[..., 0], apart[..., 1])
@@ -178,7 +197,7 @@ def intrusions(frames: Frames) -> int:
     closing = (
         (moved * apart[:-1]).sum(axis=2) / np.maximum(far_m[:-1], 1e-9) / np.diff(frames.time_s)[:, None]
     )
-    own = (gap_m[1:] < FLOOR_M - SLACK_M) & (closing > MOVES_M_S)
+    own = (gap_m[1:] < floor_m - SLACK_M) & (closing > MOVES_M_S)
     return int(own[0].sum() + (own[1:] & ~own[:-1]).sum())
 
 
@@ -189,6 +208,8 @@ def tables(rooms: int | None = None) -> Iterator[str]:
         rooms: Of each kind; without it the numbers of `MANY`.
     """
     yield from table([line for kind in KINDS for line in rooms_of(kind, rooms or MANY[kind])])
+    yield ""
+    yield from by_answer([line for kind in ANSWERS for line in rooms_of(kind, rooms or MANY[kind])])
     yield ""
     yield from by_profile(profile_rows(rooms or ROOMS_BY_PROFILE))
 
@@ -226,6 +247,31 @@ def table(lines: list[dict[str, Any]]) -> Iterator[str]:
                 f"| {kind}, {'noisy' if noisy else 'perfect'} sensors | {len(chosen)} | {total['by_robot']} "
                 f"| {total['by_people']} | {total['intrusions']} | {total['served'] / total['asked']:.1%} "
                 f"| {took:.0f} | {median:.0f} / {high:.0f} |"
+            )
+
+
+def by_answer(lines: list[dict[str, Any]]) -> Iterator[str]:
+    """The table by what people do when they are asked to let the robot pass, in the same rooms."""
+    yield (
+        "| people, and the robot's margin | rooms | visits served | seconds, mean | contacts by the robot "
+        "| by people | passages | nearer than 0.30 m by itself | nearer than its margin |"
+    )
+    yield "|---" * 9 + "|"
+    keys = ("by_robot", "by_people", "passages", "intrusions", "below_margin", "served", "asked")
+    for reduced in (True, False):
+        for kind in ANSWERS:
+            chosen = [
+                line for line in lines if line["kind"] == kind and (line["margin_m"] < FLOOR_M) == reduced
+            ]
+            if not chosen:
+                continue
+            total = {key: sum(line[key] for line in chosen) for key in keys}
+            took_s = np.mean([line["simulated_s"] for line in chosen])
+            yield (
+                f"| {kind}, {'less than 0.30 m' if reduced else '0.30 m'} | {len(chosen)} "
+                f"| {total['served'] / total['asked']:.1%} | {took_s:.1f} | {total['by_robot']} "
+                f"| {total['by_people']} | {total['passages']} | {total['intrusions']} "
+                f"| {total['below_margin']} |"
             )
 
 
