@@ -16,11 +16,11 @@ from comity.replay.values_data import values_data
 from comity.report.episodes.trace import load
 from comity_executor import read_blackboard
 from comity_fis.record import plain
+from comity_sim2d.pictures.person_colours import DISTINCT, person_colour
 
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
-    from comity.scenario import ScenarioFile
 
 
 SHOWN = (
@@ -58,7 +58,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "account": {name: plain(getattr(account, name)) for name in SHOWN},
         "place": place_data(run.scene),
         "groups": groups_data(run.scene, frames),
-        "people": [_person(name, run.file) for name in run.values],
+        "people": [_person(name, run) for name in run.values],
         "robot": run.file.scenario.robot.name,
         "carrying": run.file.scenario.robot.carrying,
         "tracks": tracks_of(frames),
@@ -84,11 +84,14 @@ def _blackboard(folder: RunFolder) -> list[list[object]]:
     return [[one.t, one.entry, one.value, one.leaf] for one in writes]
 
 
-def _person(name: str, file: ScenarioFile) -> dict[str, object]:
-    person = file.scenario.people[name]
+def _person(name: str, run: SavedRun) -> dict[str, object]:
+    person = run.file.scenario.people[name]
+    place = [one.name for one in run.scene.people].index(name)
+    colour = person_colour(place)
     return {
         "name": name,
         "posture": person.posture,
-        "visited": name in file.scenario.visited(),
+        "visited": name in run.file.scenario.visited(),
         "carrying": person.carrying,
+        "colour": {"light": colour.on_light, "dark": colour.on_dark, "distinct": place < len(DISTINCT)},
     }

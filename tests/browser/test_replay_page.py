@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from comity.replay import replay_page
 from comity.scenario import load_scenario
 from comity.system.library import find
 from comity_executor import History, first_divergence, read_blackboard, read_nodes, read_trace
+from comity_sim2d.pictures.person_colours import person_colour
 from tests.browser.moments import cursor_of, go
 
 SCRIPT = "<script>alert(1)</script>"
@@ -278,11 +280,32 @@ def test_a_filter_by_person_narrows_the_comparison_to_that_person(reader, runs, 
     assert groups.all_inner_texts() == ["Run", "guest"]
 
 
-def test_more_people_than_colours_are_still_told_apart(reader, runs):
+@pytest.mark.parametrize(("scheme", "ground"), [("light", "on_light"), ("dark", "on_dark")])
+def test_a_person_has_the_colour_of_the_pictures_in_the_world_and_at_the_chart(reader, runs, scheme, ground):
+    reader.page.emulate_media(color_scheme=scheme)
     page = reader.open(page_of(runs["crowd"]))
-    looks = page.eval_on_selector_all(".person", "all => all.map(one => one.getAttribute('class'))")
-    assert len(looks) == 8
-    assert len(set(looks)) == 8
+    wanted = [rgb(getattr(person_colour(place), ground)) for place in range(8)]
+    for words, part in ((".person .person-name", "fill"), (".chart:not(.speed) .name", "color")):
+        found = page.eval_on_selector_all(words, f"all => all.map(one => getComputedStyle(one).{part})")
+        assert found == wanted
+
+
+def rgb(colour: str) -> str:
+    return "rgb({}, {}, {})".format(*bytes.fromhex(colour.removeprefix("#")))
+
+
+@pytest.mark.parametrize("width", [420, 1366])
+def test_names_in_the_world_lie_on_it_and_not_over_each_other(reader, runs, width):
+    reader.page.set_viewport_size({"width": width, "height": 768})
+    page = reader.open(page_of(runs["crowd"]))
+    world = page.locator(".world svg").bounding_box()
+    names = [name.bounding_box() for name in page.locator(".person-name:visible").all()]
+    assert names
+    assert all(name["y"] >= world["y"] - 4 for name in names)
+    for one, other in combinations(names, 2):
+        across = min(one["x"] + one["width"], other["x"] + other["width"]) - max(one["x"], other["x"])
+        along = min(one["y"] + one["height"], other["y"] + other["height"]) - max(one["y"], other["y"])
+        assert across <= 0 or along <= 4, "the boxes have air for descenders"
 
 
 def test_a_chart_says_how_far_the_curve_goes_on_above_it(reader, runs):

@@ -48,7 +48,6 @@ from comity_sim2d.pictures.drawing import (
     beside_m,
     draw_place,
     o_spaces_at,
-    person_colours,
     robot_artists,
 )
 from comity_sim2d.pictures.label_placement import APART_PX, Box, Page
@@ -57,6 +56,7 @@ from comity_sim2d.pictures.lettering import lacking, lettering
 from comity_sim2d.pictures.map_labels import MOST_LINES, MapLabels
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines
+from comity_sim2d.pictures.person_colours import person_colours
 from comity_sim2d.pictures.picture import _facts, draw_picture
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring

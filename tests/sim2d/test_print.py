@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from itertools import pairwise
+from itertools import combinations, pairwise
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 import comity.replay
@@ -21,6 +22,7 @@ from comity_sim2d.pictures import colours, drawing, episode_layout
 from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.panel import Card
+from comity_sim2d.pictures.person_colours import DARK_GROUND, LIGHT_GROUND, person_colour
 from comity_sim2d.pictures.picture import draw_picture
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pictures.sayings import TOGETHER_M, sayings
@@ -44,7 +46,7 @@ def episode() -> World:
 @pytest.mark.parametrize("ground", ["#FFFFFF", drawing.FLOOR, drawing.FURNITURE])
 def test_words_have_a_contrast_of_four_and_a_half_with_what_they_stand_on(ground: str) -> None:
     """On furniture their halo is around them; alone they are legible there, too, but for small print."""
-    people = map(drawing.person_colour, range(200))
+    people = (person_colour(place).on_light for place in range(200))
     words = (*colours.PALETTE, *RULES, colours.INK, colours.GREY, *people)
     assert all(colours.contrast(word, "#FFFFFF") >= colours.LEAST_CONTRAST for word in words)
     assert colours.contrast(colours.GREY, ground) >= colours.LEAST_CONTRAST
@@ -55,11 +57,31 @@ def test_black_on_white_has_the_contrast_that_its_definition_gives() -> None:
     assert colours.contrast("#777777", "#FFFFFF") == pytest.approx(4.48, abs=0.005)
 
 
-def test_a_person_has_the_same_colour_in_every_picture_and_on_the_page() -> None:
+@given(st.integers(0, 10_000))
+def test_a_person_has_one_colour_on_light_and_one_on_dark_ground_both_legible(place: int) -> None:
+    colour = person_colour(place)
+    assert colours.contrast(colour.on_light, LIGHT_GROUND) >= colours.LEAST_CONTRAST
+    assert colours.contrast(colour.on_dark, DARK_GROUND) >= colours.LEAST_CONTRAST
+
+
+@pytest.mark.parametrize("ground", ["on_light", "on_dark"])
+def test_twelve_people_have_colours_far_from_each_other(ground: str) -> None:
+    """Distance in OKLab (Ottosson 2020): 0.02 is what an eye just notices."""
+    shades = [oklab(getattr(person_colour(place), ground)) for place in range(12)]
+    assert min(math.dist(one, other) for one, other in combinations(shades, 2)) > 0.07
+
+
+def oklab(colour: str) -> list[float]:
+    rgb = np.array(to_rgb(colour))
+    linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    cones = [[0.4122, 0.5363, 0.0514], [0.2119, 0.6807, 0.1074], [0.0883, 0.2817, 0.6300]]
+    mixed = [[0.2105, 0.7936, -0.0041], [1.9780, -2.4286, 0.4506], [0.0259, 0.7828, -0.8087]]
+    return (np.array(mixed) @ np.cbrt(np.array(cones) @ linear)).tolist()
+
+
+def test_rules_on_the_page_have_the_colours_of_pictures() -> None:
     light = PAGE.read_text(encoding="utf-8").partition("@media")[0]
     assert tuple(colour.upper() for colour in re.findall(r"--c\d: (#\w+)", light)) == colours.PALETTE
-    people = [f"p{i}" for i in range(6)]
-    assert tuple(drawing.person_colours(people).values()) == colours.PALETTE
 
 
 @pytest.mark.parametrize("form", ["svg", "pdf"])

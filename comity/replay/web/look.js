@@ -1,6 +1,10 @@
-// How people are told apart: by colour, and where the colours come round again by hollow signs.
+// How people are told apart: by the colours of their pictures, and where there are too many by hollow signs.
 
-const COLOURS = 6;
+/** Class and style of what shows a person. */
+export const lookOf = ({ colour: { light, dark, distinct } }) => ({
+  class: `of-person${distinct ? "" : " hollow"}`,
+  style: `--light: ${light}; --dark: ${dark}`,
+});
 
-/** The classes of the person at a place of the list. */
-export const lookOf = (i) => `person-${i % COLOURS}${i < COLOURS ? "" : " hollow"}`;
+/** The look with one more class. */
+export const withClass = (name, look) => ({ ...look, class: `${name} ${look.class}` });

@@ -4,6 +4,31 @@ const NEAR_PX = { above: 9, below: 19 }; // from the body to the line that the l
 const FAR_PX = { above: 6, below: 15 }; // from the ring
 const LETTERS_PX = 12;
 const AIR_PX = 3;
+const LINE_PX = 15;
+
+/** The space that a name takes on a line [units of the drawing]. */
+export const nameBox = (x, line, half, px) => ({
+  left: x - half - AIR_PX * px,
+  right: x + half + AIR_PX * px,
+  top: line - LETTERS_PX * px,
+  bottom: line + AIR_PX * px,
+});
+
+/** Whether two boxes share a place. */
+export const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+/**
+ * Where the letters' line may be over or under the person's middle, downwards [units of the drawing], the best first.
+ *
+ * @param {object} about as for `nameLine`, with the room on both sides instead of `room`
+ * @param {{over: number, under: number}} rooms how much there is from the person's middle to either wall
+ */
+export function nameLines(about, { over, under }) {
+  const sides = [about.above, !about.above];
+  const lines = sides.map((above) => nameLine({ ...about, above, room: above ? over : under }));
+  const farther = sides.map((above, i) => lines[i] + (above ? -1 : 1) * LINE_PX * about.px);
+  return [...lines, ...farther];
+}
 
 /**
  * The height of the letters' line over or under the person's middle, downwards [units of the drawing].
@@ -15,7 +40,7 @@ const AIR_PX = 3;
  * @param {number} px how large a pixel of the screen is
  * @param {number} room how much there is from the person's middle to the wall; where it is too little the name stays near
  */
-export function nameLine({ above, half, body, ring, px, room }) {
+function nameLine({ above, half, body, ring, px, room }) {
   const side = above ? "above" : "below";
   const farthest = body + (above ? NEAR_PX.above + LETTERS_PX : NEAR_PX.below + AIR_PX) * px;
   const within = Math.hypot(farthest, half + AIR_PX * px) < ring;

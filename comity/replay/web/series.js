@@ -2,7 +2,7 @@
 
 import { el, say, svg } from "./dom.js";
 import { Follower } from "./follow.js";
-import { lookOf } from "./look.js";
+import { lookOf, withClass } from "./look.js";
 import { measured } from "./words.js";
 
 const WIDE = 1000;
@@ -57,7 +57,7 @@ export class Series {
     ]);
     return this.chart({
       person: person.name,
-      class: lookOf(i),
+      look: lookOf(person),
       name: person.name,
       unit: "m",
       top,
@@ -120,7 +120,7 @@ export class Series {
     const top = Math.max(...values, 0.1) * AIR;
     const { track, robot } = this.episode;
     return this.chart({
-      class: "speed",
+      look: { class: "speed" },
       name: "speed",
       unit: "m/s",
       top,
@@ -131,7 +131,7 @@ export class Series {
     });
   }
 
-  chart({ name, person, unit, top, values, under, noted, now, class: look }) {
+  chart({ name, person, unit, top, values, under, noted, now, look }) {
     const { t } = this.episode.track;
     const x = (at) => (this.episode.span > 0 ? (at / this.episode.span) * WIDE : 0);
     const points = values
@@ -154,7 +154,7 @@ export class Series {
     );
     const element = el(
       "div",
-      { class: `chart ${look}` },
+      withClass("chart", look),
       el(
         "div",
         { class: "legend" },

@@ -2,8 +2,8 @@
 
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
-import { lookOf } from "./look.js";
-import { nameLine } from "./name_place.js";
+import { lookOf, withClass } from "./look.js";
+import { nameBox, nameLines, overlap } from "./name_place.js";
 import { Place } from "./place.js";
 import { MARGIN_M, Projection, SCALE } from "./projection.js";
 import { Things } from "./things.js";
@@ -32,7 +32,7 @@ export class World {
       this.driven(),
       this.gap(),
       this.passersBy(),
-      episode.people.map((person, i) => this.person(person, i)),
+      episode.people.map((person) => this.person(person)),
       this.robot(),
       this.things.element,
     );
@@ -53,16 +53,18 @@ export class World {
   }
 
   rings() {
-    this.wishes = this.episode.people.map(({ name }, i) => {
+    this.wishes = this.episode.people.map((person) => {
+      const { name } = person;
       const title = svg("title", {});
-      const ring = svg("circle", { class: `ring ${lookOf(i)}` }, title);
+      const ring = svg("circle", withClass("ring", lookOf(person)), title);
       const { radius } = this.episode.track.bodies.get(name);
       return { name, radius, ring, title };
     });
     return this.wishes.map(({ name, ring }) => this.follow(name, svg("g", {}, ring), false));
   }
 
-  person({ name, posture }, i) {
+  person(person) {
+    const { name, posture } = person;
     const radius = this.episode.track.bodies.get(name).radius * SCALE;
     const nose = `M ${radius * 1.45} 0 L ${radius * 0.72} ${-radius * 0.55} L ${radius * 0.72} ${radius * 0.55} Z`;
     const seat =
@@ -88,7 +90,7 @@ export class World {
     this.names.set(name, { text: name_, above, body: radius });
     const group = svg(
       "g",
-      { class: `person ${lookOf(i)}`, "data-person": name },
+      { ...withClass("person", lookOf(person)), "data-person": name },
       this.follow(name, body, true),
       this.follow(name, svg("g", {}, name_), false),
     );
@@ -184,18 +186,31 @@ export class World {
     for (const { name, radius, ring, title } of this.wishes) {
       const { value } = values[name].parameters.conversational_distance;
       put(ring, "r", ((radius + value) * SCALE).toFixed(1));
-      this.placeName(name, (radius + value) * SCALE);
       say(title, `${name} would like ${measured(value, "m")}`);
+    }
+    const taken = [];
+    for (const { name, radius } of this.wishes) {
+      const { value } = values[name].parameters.conversational_distance;
+      this.placeName(name, (radius + value) * SCALE, taken);
     }
   }
 
-  placeName(name, ring) {
+  /** Put a name where it is on the drawing and over no other name; hide it where there is no such place. */
+  placeName(name, ring, taken) {
     const { text, ...about } = this.names.get(name);
     if (about.half === undefined) return;
-    const { y } = this.episode.track.pose(name, this.t);
-    const [, middle] = this.projection.at(0, y);
-    const room = (about.above ? middle : this.projection.height - middle) - MARGIN_M * SCALE;
-    put(text, "y", nameLine({ ...about, ring, room, px: 1 / this.perUnit }).toFixed(1));
+    const pose = this.episode.track.pose(name, this.t);
+    const [x, y] = this.projection.at(pose.x, pose.y);
+    const [px, margin, { height }] = [1 / this.perUnit, MARGIN_M * SCALE, this.projection];
+    const lines = nameLines({ ...about, ring, px }, { over: y - margin, under: height - y - margin });
+    const boxes = lines.map((line) => nameBox(x, y + line, about.half, px));
+    const free = boxes.findIndex(
+      (box) => box.top >= 0 && box.bottom <= height && !taken.some((other) => overlap(box, other)),
+    );
+    put(text, "visibility", free < 0 ? "hidden" : "inherit");
+    if (free < 0) return;
+    taken.push(boxes[free]);
+    put(text, "y", lines[free].toFixed(1));
   }
 
   /** A line between robot and person as long as their visit lasts. */

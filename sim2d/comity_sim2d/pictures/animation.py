@@ -22,6 +22,7 @@ from comity_sim2d.pictures.drawing_check import check_drawing
 from comity_sim2d.pictures.lettering import lettering
 from comity_sim2d.pictures.map_labels import MapLabels
 from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines, wanted_m
+from comity_sim2d.pictures.person_colours import person_colours
 from comity_sim2d.pictures.planned_route import PlannedRoute, draw_planned, planned_at
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
@@ -167,7 +168,7 @@ class _Film:
         width_px: int,
     ) -> None:
         self._scene, self._frames, self._speed, self._doors = scene, frames, speed, doors
-        self._colours = d.person_colours([p.name for p in scene.people])
+        self._colours = person_colours([p.name for p in scene.people])
         self._canvas: Any  # matplotlib's drawing calls carry no types
         self._canvas, self._ax = _canvas(scene, width_px)
         moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}

@@ -11,6 +11,7 @@ from comity_sim2d.navigation.docking import docked
 from comity_sim2d.navigation.pose_choice import side_name
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.panel import Card
+from comity_sim2d.pictures.person_colours import person_colours
 from comity_sim2d.pose import wrap_angle
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 def cards(scene: Scene, frames: Frames, rings: Sequence[Ring], events: Sequence[ActEvent]) -> list[Card]:
     """One for each visit, in their order."""
-    colours = d.person_colours([p.name for p in scene.people])
+    colours = person_colours([p.name for p in scene.people])
     return [
         Card(
             ring.person,

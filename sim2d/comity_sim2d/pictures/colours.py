@@ -1,9 +1,9 @@
-"""Colours of pictures: every eye can tell them apart, and words in them are legible."""
+"""Colours of pictures: far from each other, and words in them are legible."""
 
 from __future__ import annotations
 
 PALETTE = ("#006BA6", "#B64C00", "#007A58", "#A8467F", "#8A5F00", "#4B3FA0")
-"""Okabe and Ito's (2008) first five, as dark as text needs, and an indigo; the page of a run has the same.
+"""Okabe and Ito's (2008) first five, as dark as text needs, and an indigo.
 
 The contrast with white is at least 4.5 (WCAG 2.2, criterion 1.4.3).
 """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 PALETTE, INK, GREY, FAINT = colours.PALETTE, colours.INK, colours.GREY, colours.FAINT
-GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 ROBOT = "#22252B"
 FAINT_INK = "#7A808A"
 """Of thin lines; words are darker."""
@@ -53,37 +52,6 @@ ROOM_EDGE_M = 0.12
 SLENDER = 0.5
 """An episode's map is at least so many times as wide as high: what is said in a narrow room has place beside
 it (our choice: half of the tallest animation's height holds a bubble and a headline)."""
-
-
-def person_colours(people: Sequence[str]) -> dict[str, str]:
-    """A colour for each person by their place in the scene, in every picture; the page has the first six."""
-    return {name: person_colour(i) for i, name in enumerate(people)}
-
-
-def person_colour(place: int) -> str:
-    """The colour of the person in a place of the order, 0 for the first: no two have the same.
-
-    After the six that every eye can tell apart come the same ones darker, then hues that are as far from
-    each other as the golden ratio puts them, as dark as words need; names tell these apart.
-    """
-    from matplotlib.colors import to_hex, to_rgb
-
-    plain = len(PALETTE)
-    if place < plain:
-        return PALETTE[place]
-    if place < 2 * plain:
-        red, green, blue = to_rgb(PALETTE[place - plain])
-        return to_hex((0.55 * red, 0.55 * green, 0.55 * blue))
-    hue, brightness = place * GOLDEN % 1.0, (0.85, 0.6)[place % 2]
-    shades = (_shade(hue, brightness - step / 50) for step in range(50))
-    return next(shade for shade in shades if colours.contrast(shade, "#FFFFFF") >= colours.LEAST_CONTRAST)
-
-
-def _shade(hue: float, brightness: float) -> str:
-    from matplotlib.colors import hsv_to_rgb, to_hex
-
-    red, green, blue = hsv_to_rgb((hue, 0.75, max(brightness, 0.0))).tolist()
-    return to_hex((red, green, blue))
 
 
 def passers_by(scene: Scene) -> list[tuple[str, float]]:

@@ -14,6 +14,7 @@ from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.door_drawing import leaf, swing
 from comity_sim2d.pictures.map_labels import MapLabels
 from comity_sim2d.pictures.page import DPI, as_bytes, in_per_m, own_page
+from comity_sim2d.pictures.person_colours import person_colour
 from comity_sim2d.pictures.readable_names import legible, names_in, substitutes, with_names
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene.footpath import Footpaths
@@ -97,7 +98,7 @@ def _draw(
     labels.place(place, FURNITURE_PT)
     if isinstance(place, Scene):
         for i, person in enumerate(place.people):
-            labels.name(person.name, person.pose, person.radius_m, d.person_colour(i))
+            labels.name(person.name, person.pose, person.radius_m, person_colour(i).on_light)
         labels.near(place.robot.pose.xy, place.robot.radius_m, place.robot.name, size=9.5, colour=d.INK)
     for location in place.locations:
         facing = location.heading_rad
@@ -120,10 +121,10 @@ def _tip(location: Location) -> XY:
 
 def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patch) -> None:
     for i, person in enumerate(scene.people):
-        d.add_all(ax, d.person_artists(person.pose, person.radius_m, d.person_colour(i)))
+        d.add_all(ax, d.person_artists(person.pose, person.radius_m, person_colour(i).on_light))
         if person.name in rings:
             reach = person.radius_m + rings[person.name]
-            ring = d.dashed_circle(person.xy, reach, d.person_colour(i))
+            ring = d.dashed_circle(person.xy, reach, person_colour(i).on_light)
             ax.add_patch(ring)
             ring.set_clip_path(floor)
     d.add_all(ax, d.robot_artists(scene.robot.pose, scene.robot.radius_m))
@@ -133,7 +134,7 @@ def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
     """The ways of people who walk, around things, and the passers-by where they start, whom no name hides."""
     for i, person in enumerate(scene.people):
         if person.walk is not None:
-            d.draw_track(ax, np.array(_way(scene, person, person.walk)), d.person_colour(i))
+            d.draw_track(ax, np.array(_way(scene, person, person.walk)), person_colour(i).on_light)
     if scene.passers_by is not None:
         for one in placed(scene, seed):
             towards = one.stops[0] - one.at

@@ -24,6 +24,7 @@ from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.map_labels import Disc, MapLabels
 from comity_sim2d.pictures.page import DPI, FORMS, as_bytes, own_page
 from comity_sim2d.pictures.panel import Card
+from comity_sim2d.pictures.person_colours import person_colours
 from comity_sim2d.pictures.planned_route import PlannedRoute, draw_planned
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
@@ -136,7 +137,7 @@ class _Picture:
     ) -> None:
         self._planned = planned
         self._scene, self._frames, self._rings, self._events = scene, frames, rings, events
-        self._colours = d.person_colours([p.name for p in scene.people])
+        self._colours = person_colours([p.name for p in scene.people])
         self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
         self._end = d.pose_at(frames, self._robot)
         self._o_spaces = d.o_spaces_at(scene, frames)

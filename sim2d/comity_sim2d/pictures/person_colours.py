@@ -1,0 +1,69 @@
+"""The colour of each person: one source for pictures, animations and the page of a run.
+
+The first twelve differ by at least 15 from each other (CIEDE2000), on white and on a dark ground. Under
+red-green blindness a few pairs are near each other (difference below 5): names always stand beside.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from comity_sim2d.pictures.colours import LEAST_CONTRAST, PALETTE, contrast
+
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+LIGHT_GROUND, DARK_GROUND = "#FFFFFF", "#22262D"
+"""What people stand on: the page of a picture, and the floor on a dark screen."""
+SATURATION = {LIGHT_GROUND: 0.75, DARK_GROUND: 0.45}
+"""Of colours beyond the twelve, by their ground."""
+
+
+@dataclass(frozen=True, slots=True)
+class PersonColour:
+    """The colour of one person; words in it have a contrast of at least 4.5 with its ground."""
+
+    on_light: str
+    on_dark: str
+    """On a dark screen."""
+
+
+DARKER = ("#D12C43", "#044642", "#4D552B", "#3E0D40", "#652125", "#312103")
+LIGHTER = ("#56B4E9", "#F0914A", "#3CC79A", "#E08FBF", "#F0C04A", "#B9A8FA",
+           "#FE7C7F", "#C1FBF2", "#A4E02E", "#FBDAFD", "#FFCFC0", "#DEE4A4")  # fmt: skip
+DISTINCT = tuple(map(PersonColour, (*PALETTE, *DARKER), LIGHTER))
+"""Far from each other; found by random search for the greatest smallest difference, the first six fixed."""
+
+
+def person_colours(people: Sequence[str]) -> dict[str, str]:
+    """Colours on light ground by name, for people in the order of their scene."""
+    return {name: person_colour(place).on_light for place, name in enumerate(people)}
+
+
+def person_colour(place: int) -> PersonColour:
+    """The colour of the person in a place of the order, 0 for the first: no two have the same.
+
+    After those of `DISTINCT` come hues as far from each other as the golden ratio puts them.
+    """
+    if place < len(DISTINCT):
+        return DISTINCT[place]
+    hue, step = place * GOLDEN % 1.0, place % 2
+    return PersonColour(
+        on_light=_legible(hue, (0.85, 0.6)[step], LIGHT_GROUND, darker=True),
+        on_dark=_legible(hue, (0.75, 1.0)[step], DARK_GROUND, darker=False),
+    )
+
+
+def _legible(hue: float, brightness: float, ground: str, *, darker: bool) -> str:
+    """A hue at the nearest brightness that words need; paler where full brightness does not do."""
+    from matplotlib.colors import hsv_to_rgb, to_hex
+
+    saturation = SATURATION[ground]
+    for i in range(50):
+        value = brightness + (-i if darker else i) / 50
+        paler = saturation * (1.0 - max(value - 1.0, 0.0))
+        red, green, blue = hsv_to_rgb((hue, paler, min(max(value, 0.0), 1.0))).tolist()
+        colour = to_hex((red, green, blue))
+        if contrast(colour, ground) >= LEAST_CONTRAST:
+            break
+    return colour
