@@ -8,6 +8,9 @@ from typing import Any, Literal
 
 from comity_fis.record import Record
 
+StudyState = Literal["running", "interrupted", "incomplete", "done"]
+"""Of a study's folder: `interrupted` where it was stopped or killed, `incomplete` where episodes are new."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StudyPlanAnswer(Record):
@@ -30,8 +33,12 @@ class StudyPlanAnswer(Record):
     """What may not have been meant, such as a culture without a score."""
     cpu_s_per_episode: float
     """Mean of the episodes that were tried."""
+    done: int | None
+    """Episodes that the folder of `--out` holds, of this code and platform; null without `--out`."""
+    state: StudyState | None
+    """Of that folder."""
     estimated_s: float
-    """On as many processes as `jobs`."""
+    """Of the episodes that are not done, on as many processes as `jobs`."""
     jobs: int
     estimated_bytes: int
     """Of the journal and the CSV file."""
@@ -50,8 +57,9 @@ class StudyRunAnswer(Record):
     study: str
     statement: str
     """What its differences between people are, and what they are not."""
-    status: Literal["running", "done", "stopped"]
-    """`done` where the table has every episode of the study; `running` also after SIGKILL."""
+    status: Literal["begun", "done", "stopped"]
+    """`done` where the table has every episode of the study. `begun` is written at the start and stays where
+    the command was killed: `progress` of `comity.study.Study` says which."""
     episodes: int
     different: int
     """Different episodes among them: those that depend on the same things are carried out once."""
@@ -61,6 +69,8 @@ class StudyRunAnswer(Record):
     """Different episodes that this command carried out."""
     damaged_lines: int
     """Of the journal, which were skipped; their episodes ran again."""
+    damaged_at: tuple[str, ...]
+    """Where these are: `six/journal.jsonl:12`."""
     other: int
     """Episodes in the journal that the study as it is now does not have: they are not in the table."""
     failed: int

@@ -21,13 +21,17 @@ StudyOut = Annotated[
     Path,
     typer.Option("--out", metavar="DIR", help="The study's folder; what it holds of the study is kept."),
 ]
+PlannedOut = Annotated[
+    Path | None,
+    typer.Option("--out", metavar="DIR", help="The study's folder: says how much of it is there already."),
+]
 SchedulerAddress = Annotated[
     str | None,
     typer.Option("--scheduler", metavar="ADDRESS", help="A Dask cluster, such as tcp://127.0.0.1:8786."),
 ]
 
 
-def plan(file: StudyName, *, jobs: StudyJobs = None, as_json: AsJson = False) -> None:
+def plan(file: StudyName, *, out: PlannedOut = None, jobs: StudyJobs = None, as_json: AsJson = False) -> None:
     """Check a study, count its episodes, and say how long it takes, before anything is written.
 
     A few episodes are tried for that, which also shows where seeds change nothing.
@@ -36,11 +40,14 @@ def plan(file: StudyName, *, jobs: StudyJobs = None, as_json: AsJson = False) ->
     """
     from comity.report.text import show
     from comity.study.estimate import estimated
+    from comity.study.folder import require_study_folder
     from comity.study.study_plan import load_study
     from comity.study.telling import plan_answer, plan_text
 
     study = load_study(file)
-    answer = plan_answer(study, estimated(study), jobs or os.cpu_count() or 1)
+    if out is not None:
+        require_study_folder(out, study.written.name)
+    answer = plan_answer(study, estimated(study), jobs or os.cpu_count() or 1, out)
     if as_json:
         print_json(answer)
     else:

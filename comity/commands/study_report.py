@@ -71,15 +71,13 @@ REPORT = "report"
 
 
 def _loaded(directory: Path) -> Study:
-    """The study, with a note where it went on and did not end."""
+    """The study, with a note where it was begun again and is not done."""
     from comity.study import Study
 
     found = Study.load(directory)
     if (progress := found.progress) is not None:
-        done, total = progress
-        typer.echo(
-            f"note: the table is of an earlier run; the study is at {done} of {total} episodes", err=True
-        )
+        told = f"the study is {progress.state}; its table is of an earlier run. {progress.remedy}"
+        typer.echo(f"note: {told}", err=True)
     return found
 
 
@@ -134,12 +132,11 @@ def show(
     Example: comity study show runs/groups --row 17 --open
     """
     from comity.report.text import show as say
-    from comity.study import Study
     from comity.study.report.replaying import EPISODES, RowReplayer, file_of
     from comity.study.report.telling import show_text
     from comity.system.own_files import make_folder
 
-    found = Study.load(directory)
+    found = _loaded(directory)
     replayer = RowReplayer.of(found, study or file_of(found))
     folder = out
     if folder is None:

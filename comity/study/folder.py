@@ -1,4 +1,4 @@
-"""The folder of a study: whose it is, and that one command at a time writes to it."""
+"""The folder of a study: its files, whose it is, and that one command at a time writes to it."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from comity.study.results import ACCOUNT
 from comity.system.locks import LOCK, locked
 from comity.system.own_files import make_folder, read_regular, writing
 from comity_fis import InputError, Where
+
+RESULTS, PARQUET, DICTIONARY = "results.csv", "results.parquet", "dictionary.csv"
+JOURNAL, ACCOUNT, WRITTEN = "journal.jsonl", "study.json", "study.yaml"
 
 
 @contextmanager

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import csv
-import json
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.system.own_files import read_regular
+from comity.study.folder import DICTIONARY, RESULTS
+from comity.study.progress import StudyProgress, progress_of
 from comity_fis.errors import InputError, Where
 from comity_fis.validation.csv_table import short
 
 if TYPE_CHECKING:
     from pandas import DataFrame
 
-RESULTS, PARQUET, DICTIONARY = "results.csv", "results.parquet", "dictionary.csv"
-JOURNAL, ACCOUNT, WRITTEN = "journal.jsonl", "study.json", "study.yaml"
 DESCRIBED = ("column", "unit", "definition", "source")
 """What the dictionary says of each column."""
 
@@ -55,8 +53,8 @@ class Study:
         return cls(folder, columns, tuple(row for _, row in rows))
 
     @property
-    def progress(self) -> tuple[int, int] | None:
-        """See `progress_of`: the table is then of an earlier run."""
+    def progress(self) -> StudyProgress | None:
+        """How far the study is; None where it is done. The table is else of an earlier run."""
         return progress_of(self.path)
 
     def to_frame(self) -> DataFrame:
@@ -73,33 +71,17 @@ class Study:
         return table
 
     def __repr__(self) -> str:
-        return f"<Study {self.path.name}: {len(self.rows)} rows, {len(self.columns)} columns>"
-
-
-def progress_of(folder: Path) -> tuple[int, int] | None:
-    """How many different episodes have ended, and how many there are; None where the study is done.
-
-    The journal counts: a command that was killed leaves its account as it was at the start.
-    """
-    from comity.study.journal import read_journal
-
-    try:
-        account = json.loads(read_regular(folder / ACCOUNT))
-        total, other = int(account["different"]), int(account["other"])
-        if account["status"] == "done":
-            return None
-    except (OSError, ValueError, TypeError, KeyError):
-        return None
-    return len(read_journal(folder / JOURNAL).rows) - other, total
+        progress = self.progress
+        state = "" if progress is None else f"; {progress.state}"
+        return f"<Study {self.path.name}: {len(self.rows)} rows, {len(self.columns)} columns{state}>"
 
 
 def _without_table(folder: Path, name: str) -> InputError:
     if (progress := progress_of(folder)) is not None:
-        done, total = progress
         return InputError(
             expected="the folder of a study that was carried out",
-            got=f"one that stopped at {done} of {total} episodes",
-            remedy="Run the same command again, `comity study run FILE --out DIR`: it goes on from there.",
+            got=f"one that is {progress.state}",
+            remedy=progress.remedy,
             where=Where(str(folder)),
         )
     return InputError(

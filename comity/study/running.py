@@ -16,10 +16,9 @@ from typing import TYPE_CHECKING
 from comity.answers.study import StudyRunAnswer
 from comity.study.episode_rows import ERROR, StudyRow
 from comity.study.estimate import factors_of
-from comity.study.folder import study_folder
+from comity.study.folder import ACCOUNT, DICTIONARY, JOURNAL, PARQUET, RESULTS, WRITTEN, study_folder
 from comity.study.journal import opened_journal, read_journal
 from comity.study.parquet import has_pyarrow, write_parquet
-from comity.study.results import ACCOUNT, DICTIONARY, JOURNAL, PARQUET, RESULTS, WRITTEN
 from comity.study.statement import STATEMENT
 from comity.study.table import StudyTable, study_table
 from comity.study.tasks import task_of
@@ -93,12 +92,13 @@ def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[_Missing
     account = StudyRunAnswer(
         study=plan.written.name,
         statement=STATEMENT,
-        status="running",
+        status="begun",
         episodes=plan.episodes,
         different=len(there) + len(missing),
         done=plan.episodes - sum(map(len, missing.values())),
         run_now=0,
-        damaged_lines=journal.damaged,
+        damaged_lines=len(journal.damaged),
+        damaged_at=tuple(f"{out / JOURNAL}:{number}" for number in journal.damaged),
         other=len(journal.rows) - len(there),
         failed=0,
         rows=0,

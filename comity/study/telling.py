@@ -7,14 +7,20 @@ from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from comity.answers.study import StudyPlanAnswer, StudyRunAnswer
+from comity.answers.study import StudyPlanAnswer, StudyRunAnswer, StudyState
 from comity.report.text import duration_text, table, unbroken
 from comity.study.columns import column_of
+from comity.study.folder import JOURNAL
+from comity.study.journal import read_journal
+from comity.study.progress import progress_of
 from comity.study.statement import STATEMENT
 from comity.study.table import plain_value
+from comity.study.worker import installation
 from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from rich.console import RenderableType
 
     from comity.study.estimate import StudyEstimate
@@ -28,14 +34,18 @@ SEEDS_MATTER = (
 )
 
 
-def plan_answer(plan: StudyPlan, estimate: StudyEstimate, jobs: int) -> StudyPlanAnswer:
+def plan_answer(
+    plan: StudyPlan, estimate: StudyEstimate, jobs: int, out: Path | None = None
+) -> StudyPlanAnswer:
     """What a study has, and what it will take.
 
     Args:
         plan: The study.
         estimate: What a few of its episodes took.
         jobs: Processes that are to carry it out.
+        out: The folder that it is carried out in; what that holds is not run again.
     """
+    done = None if out is None else _done_in(plan, out)
     individuals = plan.population.individuals if plan.population else ()
     return StudyPlanAnswer(
         study=plan.written.name,
@@ -49,13 +59,28 @@ def plan_answer(plan: StudyPlan, estimate: StudyEstimate, jobs: int) -> StudyPla
         wishing=plan.population.wishing if plan.population else 0,
         notes=plan.notes,
         cpu_s_per_episode=estimate.cpu_s_per_episode,
-        estimated_s=estimate.cpu_s_per_episode * plan.episodes / jobs,
+        done=done,
+        state=None if out is None else _state_of(out, is_complete=done == plan.episodes),
+        estimated_s=estimate.cpu_s_per_episode * (plan.episodes - (done or 0)) / jobs,
         jobs=jobs,
         estimated_bytes=round(estimate.bytes_per_episode * plan.episodes),
         without_effect=estimate.without_effect,
         tried=estimate.tried,
         first=tuple(_shown(cell) for cell in islice(plan.cells(), FIRST)),
     )
+
+
+def _done_in(plan: StudyPlan, out: Path) -> int:
+    """Episodes of the study that its journal holds, for the code and the platform here."""
+    rows, here = read_journal(out / JOURNAL).rows, installation()
+    return sum(cell.key(here.code, here.fingerprint) in rows for cell in plan.cells())
+
+
+def _state_of(out: Path, *, is_complete: bool) -> StudyState:
+    progress = progress_of(out)
+    if progress is not None:
+        return "running" if progress.is_running else "interrupted"
+    return "done" if is_complete else "incomplete"
 
 
 def _shown(cell: StudyCell) -> dict[str, Any]:
@@ -85,6 +110,11 @@ def plan_text(answer: StudyPlanAnswer) -> Iterator[RenderableType]:
         groups = ", ".join(f"{name} {count}" for name, count in answer.groups.items())
         yield f"  Individuals: {groups}; {answer.wishing} of {answer.individuals} state a wish"
     yield from (f"  Note: {note}" for note in answer.notes)
+    if answer.done is not None and answer.state is not None:
+        yield (
+            f"  {answer.state.capitalize()}: {answer.done} of {answer.episodes} episodes are there; "
+            f"{answer.episodes - answer.done} to be carried out"
+        )
     yield (
         f"  About {duration_text(answer.estimated_s)} on {answer.jobs} processes "
         f"({answer.cpu_s_per_episode:.2f} s of CPU an episode), {size_text(answer.estimated_bytes)} on disk"
@@ -120,7 +150,8 @@ def run_text(answer: StudyRunAnswer) -> Iterator[RenderableType]:
         yield "  Not all episodes are in the table: run the same command again"
     if answer.damaged_lines:
         lines = counted(answer.damaged_lines, "damaged line")
-        yield f"  {lines} of the journal skipped: episodes of this study that stood there ran again"
+        places = ", ".join(answer.damaged_at[:FIRST]) + (", ..." if answer.damaged_lines > FIRST else "")
+        yield f"  {lines} of the journal skipped ({places}); episodes of this study there ran again"
     if answer.different < answer.episodes:
         yield (
             f"  {answer.different} different episodes: individuals with the same facts, wish and comfort "

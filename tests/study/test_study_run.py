@@ -12,14 +12,16 @@ import time
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from study.writing import population, study
 
 from comity.commands.progress import EpisodeRate
 from comity.study import Study
 from comity.study.carrying import MOST_LOSSES, Ended, EpisodeRunner
-from comity.study.journal import opened_journal, read_journal
+from comity.study.journal import line_of, opened_journal, read_journal
 from comity.study.local_workers import local_carrier
-from comity.study.results import progress_of
+from comity.study.progress import progress_of
 from comity.study.running import run_study
 from comity.study.study_plan import load_study
 from comity.study.tasks import task_of
@@ -114,7 +116,7 @@ def test_what_is_there_is_not_run_again_and_a_wider_study_runs_only_what_is_new(
     assert tables(here / "out") == whole[3]
 
 
-STOPS = [(signal.SIGINT, 130, "stopped"), (signal.SIGTERM, 143, "stopped"), (signal.SIGKILL, -9, "running")]
+STOPS = [(signal.SIGINT, 130, "stopped"), (signal.SIGTERM, 143, "stopped"), (signal.SIGKILL, -9, "begun")]
 
 
 @pytest.mark.parametrize("stop", STOPS, ids=lambda stop: stop[0].name)
@@ -129,9 +131,14 @@ def test_a_study_that_is_stopped_or_killed_goes_on(comity, noisy, whole, stop):
     assert 1 <= before < 8
     account = json.loads((out / "study.json").read_text())
     assert (account["status"], account["done"]) == (status, before if status == "stopped" else 0)
-    assert progress_of(out) == (before, 8)
-    said = comity("study", "report", "out")
-    assert (said.code, f"stopped at {before} of 8 episodes" in said.err) == (2, True)
+    progress = progress_of(out)
+    assert (progress.ended, progress.episodes, progress.is_running) == (before, 8, False)
+    for words in (("report", "out"), ("show", "out", "--row", 1)):
+        said = comity("study", *words)
+        assert (said.code, f"interrupted at {before} of 8 episodes" in said.err) == (2, True)
+        assert f"comity study run {noisy} --out out" in said.err.replace("\n", " ")
+    planned = comity("study", "plan", "noisy.yaml", "--out", "out", "--json").json
+    assert (planned["state"], planned["done"]) == ("interrupted", before)
     assert run(comity, "out")["run_now"] == 8 - before
     assert tables(out) == whole[2]
     assert progress_of(out) is None
@@ -184,19 +191,22 @@ DAMAGES = (
     lambda line: bytes(400) + b"\n",
     lambda line: line[:60] + b"\n",
     lambda line: b'{"key": "x", "rows": [{}]}\n',
+    lambda line: line.replace(b'"distance_target_m": 0', b'"distance_target_m": 1'),
 )
 
 
 def test_damaged_lines_in_the_middle_cost_their_own_episodes_alone(comity, here, noisy, whole):
     run(comity, "out")
     journal = here / "out/journal.jsonl"
-    first, *lines, last = journal.read_bytes().splitlines(keepends=True)
+    first, *lines = journal.read_bytes().splitlines(keepends=True)
     damaged = [damage(line) for damage, line in zip(DAMAGES, lines, strict=True)]
-    journal.write_bytes(b"".join([first, *damaged, last]))
+    assert not set(damaged) & set(lines)
+    journal.write_bytes(b"".join([first, *damaged]))
     answer = run(comity, "out")
     found = {key: answer[key] for key in ("status", "done", "run_now", "damaged_lines", "rows")}
-    assert found == {"status": "done", "done": 8, "run_now": 6, "damaged_lines": 6, "rows": 8}
-    assert journal.read_bytes().startswith(b"".join([first, *damaged, last]))
+    assert found == {"status": "done", "done": 8, "run_now": 7, "damaged_lines": 7, "rows": 8}
+    assert answer["damaged_at"] == [f"out/journal.jsonl:{number}" for number in range(2, 9)]
+    assert journal.read_bytes().startswith(b"".join([first, *damaged]))
     assert tables(here / "out") == whole[2]
 
 
@@ -210,7 +220,9 @@ def test_a_study_is_done_only_when_its_table_has_every_episode(here, noisy):
     )
     assert (answer.status, answer.done, answer.rows) == ("stopped", 7, 7)
     found = Study.load(here / "out")
-    assert (found.progress, len(found.rows)) == ((7, 8), 7)
+    progress = found.progress
+    assert (progress.ended, progress.episodes, len(found.rows)) == (7, 8, 7)
+    assert "interrupted at 7 of 8 episodes" in repr(found)
 
 
 def test_individuals_who_are_alike_share_an_episode_and_have_a_row_each(comity, here):
@@ -239,6 +251,30 @@ def test_a_journal_has_what_was_kept_before_the_next_line(tmp_path):
             assert read_journal(path).rows[key] == (ROW,)
         path.write_bytes(path.read_bytes() + b'{"key": "c"')
     assert [*read_journal(path).rows] == ["a", "b"]
+
+
+DONE = TaskDone("a" * 64, (ROW,), 0.5)
+
+
+@given(st.integers(0), st.integers(1, 255))
+def test_any_changed_byte_of_a_line_is_found(tmp_path_factory, place, flip):
+    path = tmp_path_factory.mktemp("journal") / "journal.jsonl"
+    whole, line = line_of(TaskDone("b" * 64, (ROW,), 0.5)), bytearray(line_of(DONE))
+    line[place % (len(line) - 1)] ^= flip
+    path.write_bytes(whole + line + whole)
+    found = read_journal(path)
+    assert DONE.key not in found.rows
+    assert [*found.rows] == ["b" * 64]
+    assert found.damaged[0] == 2
+
+
+def test_lines_without_a_checksum_are_read_as_they_are(tmp_path):
+    path = tmp_path / "journal.jsonl"
+    content = json.loads(line_of(DONE))
+    del content["crc32"]
+    path.write_text(json.dumps(content) + "\n", encoding="utf-8")
+    found = read_journal(path)
+    assert (found.rows, found.damaged) == ({DONE.key: (ROW,)}, ())
 
 
 def _tasks(noisy):
@@ -316,6 +352,7 @@ def test_a_folder_with_other_things_is_refused_before_anything_runs(comity, here
 def test_two_commands_do_not_write_to_one_folder(comity, here, noisy):
     process = begun("out")
     said = comity("study", "run", "noisy.yaml", "--out", "out")
+    assert progress_of(Path("out")).is_running
     process.kill()
     process.communicate()
     assert said.code == 2

@@ -18,6 +18,7 @@ from comity.answers.study_report import (
     UnusualVisitAnswer,
 )
 from comity.study.columns import column_of
+from comity.study.folder import ACCOUNT
 from comity.study.report.pairs import VisitPairs, paired_difference, pairs_of
 from comity.study.report.serving import (
     SHORTFALLS,
@@ -25,7 +26,7 @@ from comity.study.report.serving import (
     ServedWorse,
     Shortfall,
 )
-from comity.study.results import ACCOUNT, Study
+from comity.study.results import Study
 from comity.study.statement import STATEMENT
 from comity.system.own_files import read_regular
 from comity_fis import InputError, Where, closest

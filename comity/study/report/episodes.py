@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from comity.study.columns import FILE, PEOPLE
+from comity.study.folder import RESULTS
 from comity.study.report.resampling import ClusterEstimate, estimate
-from comity.study.results import RESULTS, Study
+from comity.study.results import Study
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.answers.study_report import StudyShowAnswer
 from comity.output.run_folder import REPLAY
+from comity.study.folder import ACCOUNT, WRITTEN
 from comity.study.report.answering import study_name
 from comity.study.report.episodes import require_rows
-from comity.study.results import ACCOUNT, WRITTEN
 from comity.study.statement import STATEMENT
 from comity.study.study_plan import load_study
 from comity.study.tasks import task_of
