@@ -62,6 +62,7 @@ from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pictures.sayings import sayings
 from comity_sim2d.pictures.speech import Speech
+from comity_sim2d.pose import XY
 from comity_sim2d.scene.o_space import OSpace
 from comity_sim2d.scene.passers_by import PassersBy
 from comity_sim2d.scene.surroundings import Surroundings
@@ -489,6 +490,22 @@ def test_a_description_is_cut_to_the_width_of_the_page() -> None:
     """However long it is; a page of words is not measured letter by letter."""
     assert draw_map(SCENE, subtitle="n" * 500) == draw_map(SCENE, subtitle="n" * 500_000)
     assert draw_map(SCENE, subtitle="two\nlines") == draw_map(SCENE, subtitle="two lines")
+
+
+@given(st.floats(0.0, 1.0), st.floats(0.0, 1.0), st.sampled_from([(200.0, 900.0), (900.0, 150.0)]))
+@example(0.95, 0.5, (200.0, 900.0))
+def test_a_label_lies_on_no_wall_of_a_narrow_room(across: float, along: float, room: XY) -> None:
+    """There is place for it in the room, above or below what it names, and beside the room."""
+    wide, high = room
+    inside = Box(200.0, 200.0, 200.0 + wide, 200.0 + high)
+    page = Page(Box(0.0, 0.0, wide + 400.0, high + 400.0), [], [], room=inside.grown(-7.0))
+    xs, ys = np.arange(200.0, 201.0 + wide, 12.0).tolist(), np.arange(200.0, 201.0 + high, 12.0).tolist()
+    edges = [(x, y) for x in (inside.left, inside.right) for y in ys]
+    edges += [(x, y) for y in (inside.bottom, inside.top) for x in xs]
+    page.lines += [Box.around(at, 6.0, 6.0) for at in edges]
+    anchor = (inside.left + 20.0 + across * (wide - 40.0), inside.bottom + 20.0 + along * (high - 40.0))
+    label = page.place(anchor, 12.0, (160.0, 36.0), prefer_rad=0.0)
+    assert not any(label.overlap(line) for line in page.lines)
 
 
 def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:

@@ -265,6 +265,7 @@ class _Film:
         for person, distance_m, _ in self._wanted(rings, people):
             labels.avoid_circle(person.xy, person.radius_m + distance_m)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])
+        labels.avoid_walls(self._scene)
         labels.place(self._scene)
         return self._animated(
             [labels.name(p.name, p.pose, p.radius_m, self._colours[p.name]) for p in people]

@@ -16,7 +16,7 @@ HEADER_IN, SCALE_IN = 0.95, 0.3
 TALLEST_MAP_IN = 8.5
 LEAST_FILLED = 0.6
 """A page with the panel beside the map is filled to this share; else the panel is below (our choice)."""
-FLAT = 0.28
+FLAT = 0.22
 """A map over its panel is at least so many times as high as wide: words go above and below a corridor."""
 
 Place = tuple[float, float, float, float]

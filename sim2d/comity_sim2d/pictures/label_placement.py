@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,11 @@ DIRECTIONS = 24
 APART_PX = 6.0
 """Nearer to each other, two labels look as if one covered the other's end (our choice)."""
 REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0)
+PIECE = 0.5
+"""What a covered piece of a wall or a path costs: as much as 30 px more distance (our choice)."""
+
+Cost = tuple[float, float]
+"""How many labels and bodies a place hides, and what it costs besides; the first counts first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +77,11 @@ class Page:
     labels: list[Box]
     """Never to be covered."""
     marks: list[Box]
-    """Better not to be covered: bodies, paths, lines."""
+    """Better not to be covered: bodies and what belongs to them."""
+    lines: list[Box] = field(default_factory=list)
+    """Walls and paths in pieces: a thin line spoils words, however little of their area it is."""
+    room: Box | None = None
+    """Around the floor: labels that would lie across its edge are tried inside of it, too."""
 
     def place(
         self,
@@ -84,6 +93,21 @@ class Page:
         besides: Sequence[Box] = (),
         keep_off: Sequence[tuple[XY, float]] | None = None,
     ) -> Box:
+        """Give a label the best place near its anchor: it is in the way of the next. See `best`."""
+        _, box = self.best(anchor, radius, size, prefer_rad, besides=besides, keep_off=keep_off)
+        self.labels.append(box)
+        return box
+
+    def best(
+        self,
+        anchor: XY,
+        radius: float,
+        size: XY,
+        prefer_rad: float | None = None,
+        *,
+        besides: Sequence[Box] = (),
+        keep_off: Sequence[tuple[XY, float]] | None = None,
+    ) -> tuple[Cost, Box]:
         """Find room for a label near its anchor: apart from all others, as long as there is such a place.
 
         Args:
@@ -95,22 +119,26 @@ class Page:
             keep_off: Discs, by centre and radius [px], that this label covers only where no place is free of
                 them and of other labels; it lies on the page then. A large label covers a small body lightly
                 by area, and hides it all the same. None: area decides.
+
+        Returns:
+            What the place costs, to compare with other sizes of the label, and the place.
         """
         labels, marks = _edges(self.labels), _edges([*self.marks, *besides])
+        lines = _edges(self.lines)
         best, cheapest = None, (math.inf, math.inf)
         for tried, angle, reach in self._candidates(anchor, radius, size):
             box = tried if keep_off is None else tried.moved_into(self.area)
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
             hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box.grown(2.0), marks) * 8.0
             hidden += box.outside(self.area) * 200.0
+            crossed = PIECE * _count_covered(box.grown(1.0), lines)
             crowded = _covered(box.grown(APART_PX), labels) > 0.0
             covers = sum(box.covers(*disc) for disc in keep_off or ())
-            cost = (crowded + covers, hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside)
+            cost = (crowded + covers, hidden / (size[0] * size[1]) + crossed + reach / 60.0 + 0.6 * aside)
             if cost < cheapest:
                 best, cheapest = box, cost
         assert best is not None
-        self.labels.append(best)
-        return best
+        return cheapest, best
 
     def _candidates(self, anchor: XY, radius: float, size: XY) -> Iterable[tuple[Box, float, float]]:
         """Boxes around the anchor, their edges just outside its reach; with their direction and distance."""
@@ -121,7 +149,10 @@ class Page:
                 c, s = math.cos(angle), math.sin(angle)
                 span = min(width / 2 / max(abs(c), 1e-9), height / 2 / max(abs(s), 1e-9))
                 away = radius + reach + span
-                yield Box.around((anchor[0] + away * c, anchor[1] + away * s), width, height), angle, reach
+                box = Box.around((anchor[0] + away * c, anchor[1] + away * s), width, height)
+                yield box, angle, reach
+                if self.room is not None and 0.0 < box.overlap(self.room) < width * height:
+                    yield box.moved_into(self.room), angle, reach
 
 
 def _shift(low: float, high: float, least: float, most: float) -> float:
@@ -134,6 +165,13 @@ def _shift(low: float, high: float, least: float, most: float) -> float:
 def _edges(boxes: Sequence[Box]) -> NDArray[np.float64]:
     """Shape (4, n): left, bottom, right, top."""
     return np.array([(b.left, b.bottom, b.right, b.top) for b in boxes], dtype=np.float64).reshape(-1, 4).T
+
+
+def _count_covered(box: Box, others: NDArray[np.float64]) -> int:
+    """How many boxes share an area with a box."""
+    left, bottom, right, top = others
+    across = (left < box.right) & (box.left < right)
+    return int((across & (bottom < box.top) & (box.bottom < top)).sum())
 
 
 def _covered(box: Box, others: NDArray[np.float64]) -> float:

@@ -29,11 +29,15 @@ if TYPE_CHECKING:
 
 EDGE_PX = 10.0
 LINE_PX = 3.0
+WALL_PX = 7.0
+"""From the outline of the floor to words inside: half the outer wall, and air."""
 NAME_PT, AREA_PT = 9.0, 9.5
 MUCH = 30
 """Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
 BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
-"""Of a line: in a bubble the first that the page is wide enough for."""
+"""Of a line: in a bubble the first, unless a narrower one has a better place."""
+NARROWER = 0.3
+"""What each narrower shape of a bubble costs: as much as being 18 px farther away (our choice)."""
 MOST_LINES = 8
 """Of a bubble; the rest is left to the page of the run: it would hide who is spoken to (our choice)."""
 RIM = 0.8
@@ -61,13 +65,22 @@ class MapLabels:
         self._page.marks.append(self._bodies[-1])
 
     def avoid_line(self, points: Sequence[XY]) -> None:
-        """Better not hide this line."""
-        self._page.marks.extend(self._along(points))
+        """Better not lie on this wall or path."""
+        self._page.lines.extend(self._along(points))
+
+    def avoid_walls(self, place: Scene | PlaceMap) -> None:
+        """Better lie between the walls of a place than on them, the outer one included."""
+        for wall in place.walls:
+            self.avoid_line([wall.start, wall.end])
+        for outline in place.room.outlines:
+            self.avoid_line([*outline, outline[0]])
+        self._page.room = self._box(place.room.corners).grown(-WALL_PX)
 
     def avoid_circle(self, xy: XY, radius_m: float) -> None:
         """Better not hide this line around a point."""
         centre = Pose(*xy, 0.0)
-        self.avoid_line([centre.ahead(radius_m, float(a)) for a in np.linspace(0.0, math.tau, 48)])
+        circle = [centre.ahead(radius_m, float(a)) for a in np.linspace(0.0, math.tau, 48)]
+        self._page.marks.extend(self._along(circle))
 
     def avoid_outline(self, corners: Sequence[XY]) -> None:
         """Better not hide this shape."""
@@ -178,25 +191,30 @@ class MapLabels:
             colour: Of whom it is for.
             besides: The bodies of the others.
         """
-        text, size = self._wrapped(deeds)
         anchor, radius = self._at(xy), self._px(radius_m)
         bodies = [(self._at(other), self._px(other_m)) for other, other_m in besides]
         keep_off = [(anchor, RIM * radius), *bodies]
-        box = self._page.place(anchor, radius + 8.0, size, math.pi / 2.0, keep_off=keep_off)
+        found = []
+        for narrower, (text, size) in enumerate(self._wrapped(deeds)):
+            (hides, cost), box = self._page.best(anchor, radius + 8.0, size, math.pi / 2.0, keep_off=keep_off)
+            found.append(((hides, cost + NARROWER * narrower), narrower, box, text))
+        *_, box, text = min(found)
+        self._page.labels.append(box)
         return [*_bubble(box, anchor, radius, colour), self._label(box.centre, text, 10.0, d.INK, "normal")]
 
-    def _wrapped(self, deeds: Sequence[str]) -> tuple[str, XY]:
-        """The lines of a bubble, and its size in pixels: as wide as usual, or as the page is."""
+    def _wrapped(self, deeds: Sequence[str]) -> list[tuple[str, XY]]:
+        """The lines of a bubble, wider and narrower, each with its size in pixels; none wider than the page.
+
+        The narrowest is there also where that is.
+        """
         widest = self._page.area.right - self._page.area.left
-        text, size = "", (math.inf, math.inf)
+        texts = []
         for characters in BUBBLE_CHARACTERS:
             lines = [line for deed in deeds for line in textwrap.wrap(deed, characters)]
-            text = "\n".join(lines if len(lines) <= MOST_LINES else [*lines[: MOST_LINES - 1], "…"])
-            width, height = self._size(text, 10.0)
-            size = (width + 18.0, height + 14.0)
-            if size[0] <= widest:
-                break
-        return text, size
+            texts.append("\n".join(lines if len(lines) <= MOST_LINES else [*lines[: MOST_LINES - 1], "…"]))
+        sizes = {text: self._size(text, 10.0) for text in texts}
+        bubbles = [(text, (width + 18.0, height + 14.0)) for text, (width, height) in sizes.items()]
+        return [one for one in bubbles if one[1][0] <= widest] or bubbles[-1:]
 
     def forget_bubble(self) -> None:
         """Give back the place of the latest label: it is not shown together with the next."""

@@ -153,12 +153,9 @@ def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
 
 def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
     """What labels should not hide."""
-    for wall in place.walls:
-        labels.avoid_line([wall.start, wall.end])
+    labels.avoid_walls(place)
     for piece in place.furniture:
         labels.avoid_outline(piece.corners)
-    for outline in place.room.outlines:
-        labels.avoid_line([*outline, outline[0]])
     for door in place.doors:
         labels.avoid_line([door.start, door.end])
         for line in filter(None, (leaf(door), swing(door))):

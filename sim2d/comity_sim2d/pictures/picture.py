@@ -277,10 +277,7 @@ class _Picture:
             labels.avoid_circle(self._met[ring.person].xy, radius)
             if ring.person in self._reached:
                 labels.avoid_line(self._gap(ring))
-        for wall in self._scene.walls:
-            labels.avoid_line([wall.start, wall.end])
-        for outline in self._scene.room.outlines:
-            labels.avoid_line([*outline, outline[0]])
+        labels.avoid_walls(self._scene)
         for track in self._tracks.values():
             labels.avoid_line([(x, y) for x, y in track[::8, :2].tolist()])
         for route in self._planned:
