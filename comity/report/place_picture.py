@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from comity.report.difference import counted
 from comity_fis import InputError, closest
 from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d import load_map, shipped_maps
@@ -47,11 +48,25 @@ class Drawing:
         return draw_map(
             self.place,
             title=self.name,
-            subtitle=self.about.strip(),
+            subtitle=" ".join((self.about.strip(), self._counts())),
             rings=self.rings_m,
             seed=self.seed,
             format=form,
         )
+
+    def _counts(self) -> str:
+        """How many rooms, doors and so on a map has; nothing about a scenario, which shows people."""
+        if self.kind == "scenario":
+            return ""
+        place = self.place
+        parts = [
+            (len(place.areas), "room", None),
+            (len(place.room.holes), "hole", None),
+            (len(place.doors), "door", None),
+            (len(place.furniture), "piece of furniture", "pieces of furniture"),
+            (len(place.locations), "named place", None),
+        ]
+        return f"{', '.join(counted(*part) for part in parts if part[0])}."
 
     def ros_map(self) -> dict[str, bytes]:
         """The files of a ROS map, by name."""

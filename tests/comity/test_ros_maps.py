@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import yaml
@@ -65,7 +66,19 @@ def test_a_ros_map_is_drawn_like_a_map_of_ours(comity, here: Path) -> None:
     lab(here)
     drawn = json.loads(comity("draw", "lab/map.yaml", "--out", "lab.svg", "--json").out)
     assert (drawn["kind"], drawn["name"]) == ("map", "map")
-    assert "120 x 100 cells of 0.05 m" in (here / "lab.svg").read_text()
+    words = " ".join(re.findall(r">([^<>]+)</text>", (here / "lab.svg").read_text()))
+    assert "120 x 100 cells of 0.05 m, origin (-1, -1) m. Walls are exact to 0.05 m." in words
+    assert "1 room, 1 named place." in words
+    assert "0, 0" in words, "where coordinates count from"
+
+
+def test_a_ros_map_without_its_picture_is_no_scenario_with_strange_keys(comity, here: Path) -> None:
+    lab(here)
+    (here / "lab" / "map.yaml").write_text(ROS.replace("image: map.png\n", ""))
+    for command in (("draw", "lab/map.yaml"), ("run", "visit.scenario.yaml")):
+        said = comity(*command)
+        assert said.code == 2
+        assert "lab/map.yaml:1: expected the key 'image', got nothing." in " ".join(said.err.split())
 
 
 def test_a_map_of_ours_goes_out_as_a_ros_map_which_replaces_its_own_files_only(comity, here: Path) -> None:

@@ -1,6 +1,7 @@
 """Pictures and animations: written, readable by others, the same every time, no label over another."""
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from io import BytesIO
@@ -486,9 +487,19 @@ def test_a_picture_of_a_scene_shows_passers_by_and_the_ways_of_those_who_walk() 
     assert draw_map(passed) == draw_map(passed)
 
 
-def test_a_description_is_cut_to_the_width_of_the_page() -> None:
-    """However long it is; a page of words is not measured letter by letter."""
-    assert draw_map(SCENE, subtitle="n" * 500) == draw_map(SCENE, subtitle="n" * 500_000)
+@pytest.mark.parametrize("width_m", [2.0, 20.0])
+def test_a_description_stands_in_lines_as_long_as_the_page_is_wide(width_m: float) -> None:
+    """A narrow map has a narrow page, and more lines; nothing is cut that eight lines hold."""
+    place = PlaceMap("hall", Room.rectangle(width_m, 12.0))
+    told = " ".join(f"word{i}" for i in range(50))
+    drawn = draw_map(place, subtitle=told, format="svg").decode()
+    lines = [line for line in re.findall(r">([^<>]+)</text>", drawn) if line.startswith("word")]
+    assert " ".join(lines) == told
+
+
+def test_a_description_is_cut_where_it_is_endless() -> None:
+    """A page of words is not measured letter by letter."""
+    assert draw_map(SCENE, subtitle="n" * 5_000) == draw_map(SCENE, subtitle="n" * 500_000)
     assert draw_map(SCENE, subtitle="two\nlines") == draw_map(SCENE, subtitle="two lines")
 
 

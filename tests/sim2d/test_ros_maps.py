@@ -180,7 +180,8 @@ def test_unknown_cells_and_what_is_apart_are_no_floor_and_that_is_said(tmp_path:
     place = load_map(written(tmp_path, grey=grey))
     assert shape(place).area == pytest.approx(36 * 38 / 100)
     assert place.about == (
-        "80 x 40 cells of 0.1 m, walls to 0.1 m. Unknown cells, 54 %, count as not free. "
+        "80 x 40 cells of 0.1 m, origin (0, 0) m. Walls are exact to 0.1 m. "
+        "Unknown cells, 54 %, count as not free. "
         "7 % of the free cells are left out: apart, or too narrow."
     )
 
@@ -193,6 +194,18 @@ def test_unknown_cells_that_the_threshold_makes_free_are_told(tmp_path: Path) ->
     place = load_map(written(tmp_path, YAML.replace("0.196", "0.25"), grey))
     assert shape(place).area == pytest.approx(32.0)
     assert "38 % of the cells are 205, which often means unknown: here free" in place.about
+
+
+def test_a_turned_origin_is_told(tmp_path: Path) -> None:
+    place = load_map(written(tmp_path, YAML.replace("[0.0, 0.0, 0.0]", "[-4.0, 2.5, 0.5235988]")))
+    assert "origin (-4, 2.5) m, turned by 30 degrees." in place.about
+
+
+@pytest.mark.parametrize("key", ["image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh"])
+def test_a_missing_key_of_a_ros_map_is_named_as_such(key: str, tmp_path: Path) -> None:
+    left_out = "".join(line for line in YAML.splitlines(keepends=True) if not line.startswith(key))
+    with pytest.raises(InputError, match=f"expected the key '{key}', got nothing"):
+        load_map(written(tmp_path, left_out))
 
 
 def test_something_that_stands_free_is_a_hole_that_nobody_sees_through(tmp_path: Path) -> None:

@@ -67,6 +67,9 @@ class RosMapFile(BaseModel):
         return self
 
 
+ROS_KEYS = RosMapFile.model_fields.keys()
+
+
 class PlacesFile(BaseModel):
     """What stands beside a ROS map: names for its places."""
 
@@ -94,8 +97,8 @@ class RosMap(YamlFile):
 
 
 def is_ros_map(data: object) -> bool:
-    """Whether YAML is of a ROS map, and not of a map or a scenario of ours."""
-    return isinstance(data, Mapping) and "image" in data and "schema_version" not in data
+    """Whether YAML is of a ROS map, be it incomplete, and not of a map or a scenario of ours."""
+    return isinstance(data, Mapping) and "schema_version" not in data and bool(ROS_KEYS & data.keys())
 
 
 def converted(file: YamlFile) -> RosMap:
@@ -191,10 +194,13 @@ def _notes(
     floor: FloorOutline,
     tolerance_m: float,
 ) -> Iterator[str]:
-    """What was understood: size, how exact it is, how much was unknown or left out."""
+    """What was understood: size, origin, how exact it is, how much was unknown or left out."""
     free, unknown = found
     rows, columns = free.shape
-    yield f"{columns} x {rows} cells of {ros.resolution:g} m, walls to {tolerance_m:g} m."
+    x, y, yaw = ros.origin
+    turned = f", turned by {math.degrees(yaw):.4g} degrees" if yaw else ""
+    yield f"{columns} x {rows} cells of {ros.resolution:g} m, origin ({x:g}, {y:g}) m{turned}."
+    yield f"Walls are exact to {tolerance_m:g} m."
     if unknown.any():
         yield f"Unknown cells, {_percent(unknown.mean())}, count as not free."
     doubtful = free[::-1] & np.isclose(picture.grey, USUALLY_UNKNOWN)

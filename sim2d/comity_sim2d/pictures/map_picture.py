@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
+from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,7 @@ import numpy as np
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.door_drawing import leaf, swing
 from comity_sim2d.pictures.map_labels import MapLabels
-from comity_sim2d.pictures.page import DPI, as_bytes, in_per_m, own_page
+from comity_sim2d.pictures.page import DPI, POINTS_PER_IN, as_bytes, in_per_m, own_page
 from comity_sim2d.pictures.person_colours import person_colour
 from comity_sim2d.pictures.readable_names import legible, names_in, substitutes, with_names
 from comity_sim2d.pose import XY, Pose
@@ -32,13 +33,20 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.area import Location
     from comity_sim2d.scene.walk import Walk
 
-EDGE_IN, HEADER_IN, SCALE_IN = 0.25, 0.75, 0.45
-LEAST_IN, MOST_IN = 7.0, 18.0
+EDGE_IN, HEADER_IN, LINE_IN, SCALE_IN = 0.25, 0.58, 0.17, 0.45
+"""The headline takes the second, and each line below it the third."""
+LEAST_IN, MOST_IN = 4.5, 18.0
 IN_PER_M = 1.0
 """A map in the size in which its words fit, unless that is too small or too large a page."""
 FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
-MOST_CHARACTERS = 400
-"""No page of ours is so wide: the rest need not be measured."""
+MOST_CHARACTERS, MOST_LINES = 400, 8
+"""Of a headline, which need not be measured beyond, and of what stands below it."""
+SMALL_PT, LETTER = 9.5, 0.62
+"""Of the lines below the headline, and the width of a letter in its size: wide ones are rare."""
+ORIGIN_M = 0.5
+"""Length of the axes at the point 0, 0."""
+X_AXIS, Y_AXIS = "#B3261E", "#1B7F3B"
+"""Red and green, as tools of ROS have them."""
 SPOT = "#0B6E6E"
 SPOT_M, TICK_M = 0.06, 0.3
 NO_RINGS: Mapping[str, float] = MappingProxyType({})
@@ -72,15 +80,23 @@ def draw_map(
     title, subtitle = legible(title, names), legible(subtitle, names)
     wide, high = d.extent_m(place)
     scale = in_per_m((wide, high), IN_PER_M, least_in=LEAST_IN, most_in=MOST_IN)
-    size = (max(wide * scale, LEAST_IN) + 2 * EDGE_IN, high * scale + HEADER_IN + SCALE_IN)
+    width = max(wide * scale, LEAST_IN) + 2 * EDGE_IN
+    lines = _lines(subtitle, width - 2 * EDGE_IN)
+    size = (width, high * scale + HEADER_IN + LINE_IN * len(lines) + SCALE_IN)
     with own_page([*names_in(place), title, subtitle]):
         figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])
         ax = figure.add_axes((*area, high * scale / size[1]))
-        _write_frame(canvas, title, subtitle, area[0], scale)
+        _write_frame(canvas, title, lines, scale)
         _draw(ax, MapLabels(ax, canvas), place, rings, seed)
         return as_bytes(figure, format)
+
+
+def _lines(text: str, width_in: float) -> list[str]:
+    """What stands below the headline, in lines that the page is wide enough for, the last one cut."""
+    room = max(int(width_in * POINTS_PER_IN / (SMALL_PT * LETTER)), 1)
+    return wrap(" ".join(text[: room * MOST_LINES * 2].split()), room, max_lines=MOST_LINES, placeholder=" …")
 
 
 def _draw(
@@ -96,7 +112,9 @@ def _draw(
         _draw_bodies(ax, place, rings, floor)
     _mark(labels, place)
     labels.place(place, FURNITURE_PT)
-    if isinstance(place, Scene):
+    if not isinstance(place, Scene):
+        _draw_origin(ax, labels)
+    else:
         for i, person in enumerate(place.people):
             labels.name(person.name, person.pose, person.radius_m, person_colour(i).on_light)
         labels.near(place.robot.pose.xy, place.robot.radius_m, place.robot.name, size=9.5, colour=d.INK)
@@ -104,6 +122,22 @@ def _draw(
         facing = location.heading_rad
         prefer = None if facing is None else facing + math.pi
         labels.near(location.xy, SPOT_M, location.name, size=8.0, colour=SPOT, prefer_rad=prefer)
+
+
+def _draw_origin(ax: Axes, labels: MapLabels) -> None:
+    """The axes from the point that coordinates count from, where it is on the map."""
+    from matplotlib.patheffects import withStroke
+
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    if not (left <= 0.0 <= right and bottom <= 0.0 <= top):
+        return
+    for tip, colour in (((ORIGIN_M, 0.0), X_AXIS), ((0.0, ORIGIN_M), Y_AXIS)):
+        arrow = {"arrowstyle": "-|>", "color": colour, "lw": 1.6, "shrinkA": 0, "shrinkB": 0}
+        arrow["path_effects"] = [withStroke(linewidth=4.0, foreground=d.HALO)]
+        ax.annotate("", tip, (0.0, 0.0), arrowprops=arrow, annotation_clip=False, zorder=7)
+        labels.avoid_line([(0.0, 0.0), tip])
+    ax.plot(0.0, 0.0, marker="o", ms=4.0, color=d.INK, zorder=7.1)
+    labels.near((0.0, 0.0), SPOT_M, "0, 0", size=8.0, colour=d.INK, prefer_rad=math.radians(45.0))
 
 
 def _draw_location(ax: Axes, location: Location) -> None:
@@ -162,20 +196,23 @@ def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
             labels.avoid_line(line)
     for location in place.locations:
         labels.avoid_line([location.xy, _tip(location)])
+        labels.avoid_circle(location.xy, 2.0 * SPOT_M)
     if isinstance(place, Scene):
         for person in place.people:
             labels.avoid_disc(person.xy, person.radius_m * d.NOSE)
         labels.avoid_disc(place.robot.pose.xy, place.robot.radius_m)
 
 
-def _write_frame(canvas: FigureCanvasAgg, title: str, subtitle: str, left: float, in_per_m: float) -> None:
-    """The headline, and a bar that shows the scale."""
+def _write_frame(canvas: FigureCanvasAgg, title: str, lines: Sequence[str], in_per_m: float) -> None:
+    """The headline, what stands below it, and a bar that shows the scale."""
     figure = canvas.figure
     width, height = figure.get_size_inches().tolist()
-    head, below = (d.short(" ".join(words.split()), MOST_CHARACTERS) for words in (title, subtitle))
-    for label in (
-        figure.text(left, 1 - 0.28 / height, head, size=15, weight="bold", color=d.INK, va="center"),
-        figure.text(left, 1 - 0.54 / height, below, size=9.5, color=d.GREY, va="center"),
-    ):
-        d.fitting(label, figure.bbox.width * (1 - left) - 10.0, canvas)
-    d.draw_scale_bar(figure, left * width, 0.2, in_per_m)
+    left, head = EDGE_IN / width, d.short(" ".join(title.split()), MOST_CHARACTERS)
+    below = [
+        figure.text(left, 1 - (0.54 + LINE_IN * i) / height, line, size=SMALL_PT, color=d.GREY, va="center")
+        for i, line in enumerate(lines)
+    ]
+    headline = figure.text(left, 1 - 0.28 / height, head, size=15, weight="bold", color=d.INK, va="center")
+    for label in (headline, *below):
+        d.fitting(label, figure.bbox.width * (1 - 2 * left), canvas)
+    d.draw_scale_bar(figure, EDGE_IN, 0.2, in_per_m)
