@@ -1,7 +1,7 @@
 """The study of crowds: how fast people walk in a dense stream, and how many pass a door.
 
-`python tests/crowd_study.py [SEEDS]` prints the tables of docs/reference/crowd.md; `--picture FILE` draws
-them.
+`python tests/crowd_study.py [SEEDS]` prints the tables of docs/reference/crowd.md, and `python
+tests/crowd_picture.py` draws them.
 
 Streams are compared with Weidmann 1993 ("Transporttechnik der Fussgaenger", ETH Zurich), doors with the 1.9
 people per second and metre that Seyfried et al. 2009 measured ("New insights into pedestrian flow through
@@ -36,6 +36,8 @@ LENGTH_M, WIDTH_M = 10.0, 2.0
 HALL_M = 6.0
 LEAVING = 60
 """People in the hall, as in the experiments of Seyfried et al. 2009."""
+SEYFRIED_S_M = 1.9
+"""People per second and metre of width that pass a door (Seyfried et al. 2009)."""
 DENSITIES = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
 DOORS_M = (0.7, 0.8, 1.0, 1.2, 1.6, 2.0)
 
@@ -179,40 +181,14 @@ def tables(speeds: dict[float, float], found: dict[float, list[Leaving]]) -> Ite
         flows = [one.flow_s for one in each]
         out = min(one.out for one in each)
         yield (
-            f"| {door_m:g} | {1.9 * door_m:.2f} | {np.mean(flows):.2f}, {min(flows):.2f} to {max(flows):.2f} "
-            f"| {out} of {LEAVING} | {max(one.last_s for one in each):.0f} |"
+            f"| {door_m:g} | {SEYFRIED_S_M * door_m:.2f} | {np.mean(flows):.2f}, {min(flows):.2f} to "
+            f"{max(flows):.2f} | {out} of {LEAVING} | {max(one.last_s for one in each):.0f} |"
         )
-
-
-def draw(speeds: dict[float, float], found: dict[float, list[Leaving]], file: str) -> None:
-    """Both tables beside each other, with what was measured as lines."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8.0, 3.4), layout="constrained")
-    stream, door = figure.subplots(1, 2)
-    dense = np.linspace(0.4, 3.2, 60)
-    stream.plot(dense, [weidmann_m_s(each) for each in dense], color="0.4", label="Weidmann 1993")
-    stream.plot(*zip(*speeds.items(), strict=True), "o", color="#0072B2", label="Comity")
-    stream.set(xlabel="people per m²", ylabel="mean speed [m/s]", ylim=0.0, title="A stream in a corridor")
-    door.plot(DOORS_M, [1.9 * each for each in DOORS_M], color="0.4", label="Seyfried 2009")
-    for door_m, each in found.items():
-        door.plot([door_m] * len(each), [one.flow_s for one in each], "o", color="#0072B2", alpha=0.5)
-    door.set(
-        xlabel="width of the door [m]", ylabel="people per second", ylim=0.0, title="60 people leave a hall"
-    )
-    for axes in (stream, door):
-        axes.spines[["top", "right"]].set_visible(False)
-    stream.legend(frameon=False)
-    door.legend(frameon=False)
-    figure.savefig(file)
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("seeds", nargs="?", type=int, default=10)
-    parser.add_argument("--picture", metavar="FILE")
     told = parser.parse_args()
     by_density, by_door = streams(range(told.seeds)), doors(range(told.seeds))
     print("\n".join(tables(by_density, by_door)))
-    if told.picture:
-        draw(by_density, by_door, told.picture)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from crowd_study import DENSITIES, DOORS_M, LEAVING, RADIUS_M, leaving, stream_m_s, weidmann_m_s
+from crowd_picture import PAGE, tables
+from crowd_study import DENSITIES, DOORS_M, LEAVING, RADIUS_M, SEYFRIED_S_M, leaving, stream_m_s, weidmann_m_s
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -85,3 +86,14 @@ def test_so_it_is_in_ten_seeds():
         assert speed == pytest.approx(weidmann_m_s(per_m2), rel=0.25)
     for door_m in DOORS_M:
         assert max(leaving(door_m, seed).last_s for seed in range(10)) <= 90.0
+
+
+def test_the_page_compares_with_what_was_measured_at_the_densities_and_widths_of_the_study():
+    streams, through_doors = tables(PAGE.read_text(encoding="utf-8"))
+    assert [row.per_m2 for row in streams] == list(DENSITIES)
+    assert [row.width_m for row in through_doors] == list(DOORS_M)
+    for row in streams:
+        assert row.measured_m_s == pytest.approx(weidmann_m_s(row.per_m2), abs=0.005)
+    for row in through_doors:
+        assert row.measured_s == pytest.approx(SEYFRIED_S_M * row.width_m, abs=0.005)
+        assert row.least_s <= row.ours_s <= row.most_s
