@@ -8,6 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Door, Person, RobotBody, Room, Scene, Wall, World
+from comity_sim2d.scene.robot_body import Sensor
+
+TOUCHING_M = 0.45
+"""Between the centres of the robot and a person who touch."""
 
 
 @given(
@@ -56,3 +60,27 @@ def test_a_door_that_falls_shut_right_before_the_robot_is_not_touched(
     world.run(4.0)
     assert not world.robot_touches
     assert world.robot.motion().is_blocked
+
+
+def test_the_robot_brakes_hard_for_a_person_who_overtakes_it_at_5_cm_and_turns_in() -> None:
+    """It takes up commands slowly, and sees people late and 5 cm off: its usual braking comes too late.
+
+    Where such a person turns in more sharply than tracking follows, the robot may still touch them.
+    """
+    gap_m, pace_m_s, ahead_m, turn_deg, walks_s = 0.046, 0.939, 0.095, 75.5, 0.45
+    body = RobotBody(
+        3.0, 3.0, drive="differential", max_jerk_m_s3=1.0, sensor=Sensor(sigma_m=0.05, delay_s=0.2)
+    )
+    x_m, y_m, turned_s = 0.5, 3.0 + TOUCHING_M + gap_m, 0.0
+    people = (Person("anna", 12.5, 3.0, math.pi), Person("omar", x_m, y_m, 0.0))
+    world = World(Scene(Room.rectangle(14.0, 6.0), body, people), seed=0)
+    world.robot.navigate("anna", DockingPose(0.8, 0.0), speed_m_s=0.5)
+    while world.time_s < 10.0:
+        if turned_s or x_m > world.robot.pose.x_m + ahead_m:
+            turned_s += world.step_s
+        course = -math.radians(min(turn_deg, 120.0 * turned_s))
+        step_m = pace_m_s * world.step_s if turned_s < walks_s else 0.0
+        x_m, y_m = x_m + step_m * math.cos(course), y_m + step_m * math.sin(course)
+        world.move_person("omar", x_m, y_m, course)
+        world.step()
+        assert math.dist(world.robot.pose.xy, (x_m, y_m)) > TOUCHING_M

@@ -60,8 +60,9 @@ def test_the_robot_follows_no_walker_from_behind(speed, start, end, stops) -> No
 
 
 @settings(max_examples=10, deadline=None)
-@given(speed=st.floats(0.4, 1.5), y=st.floats(1.5, 5.0))
+@given(speed=st.floats(0.4, 1.2), y=st.floats(1.5, 4.5))
 def test_a_person_who_walks_by_has_declined_and_is_not_approached_again(speed, y) -> None:
+    """The robot, 2 m from the wall, is next to their path in time."""
     world = hall(at=(2.0, y))
     walk_on(world, lambda _: (speed, 0.0), 11.0 / speed)
     assert world.robot.motion().state == "declined"

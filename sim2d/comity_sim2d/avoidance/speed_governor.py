@@ -36,6 +36,8 @@ from comity_sim2d.senses.sensing import SensedPeople
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come nearer to a person than `TOUCHING_M`, faster than
 `DRIFT_M_S` (our choice: a third of the gap that it keeps by itself)."""
+UNSURE = 2.0
+"""Standard deviations of the sensor that a walking person may be nearer."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 
@@ -164,6 +166,8 @@ class SpeedGovernor:
         """
         if self._is_late_for_people(base) or self._emergency_braking.has_come(body, plan):
             return True
+        if self._is_late_for_walkers(body):
+            return True
         passers_by = self._passers_by
         return passers_by is not None and self._emergency_braking.has_come_before(
             body, passers_by.at, self._reach_m
@@ -189,6 +193,21 @@ class SpeedGovernor:
             if is_fast and (walks or not self._stops_beside(base, person, braking)):
                 return True
         return False
+
+    def _is_late_for_walkers(self, body: Base) -> bool:
+        """Whether braking as hard as it can would bring it to where a walking person may be.
+
+        The robot may go past or away from a walking person inside the margin, and they may overtake it and
+        turn in. So it is not its commands that count here but its body, and a person may be two standard
+        deviations of the sensor nearer than they are believed to be.
+        """
+        walkers = self._senses.walkers
+        if not walkers:
+            return False
+        at = np.array([complex(*each.person.xy) for each in walkers])
+        beside_m = self._spec.radius_m + TOUCHING_M + UNSURE * self._spec.sensor.sigma_m
+        reach_m = np.array([each.person.radius_m + beside_m for each in walkers])
+        return self._emergency_braking.has_come_before(body, at, reach_m)
 
     def _stops_beside(self, base: Base, person: Person, braking: float) -> bool:
         """Whether the robot, braking on its line, passes a person at its side."""
