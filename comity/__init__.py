@@ -61,6 +61,7 @@ def run(
     acts: Mapping[str, MakeAct] | None = None,
     robot: MapRobot | None = None,
     adults_only: bool = False,
+    reduced_margin: bool = False,
     unreviewed_wordings: bool = False,
     site_language: str | None = None,
     wordings: Sequence[str | Path] = (),
@@ -81,6 +82,7 @@ def run(
             sees people (`comity_executor.MapRobot` says what it needs).
         adults_only: State `True` if every person of unknown age is 18 or older; a real robot goes to adults
             alone.
+        reduced_margin: The operator's word that a real robot may pass people at the scenario's `margin_m`.
         unreviewed_wordings: Let a real robot say wordings that no speaker of the language has reviewed. Else
             the robot says the name and a plain greeting in the language of the site.
         site_language: The language of the place, by code or name, instead of the scenario's.
@@ -96,7 +98,7 @@ def run(
     from dataclasses import replace
 
     from comity.live.loading import require_map_robot
-    from comity.live.start import as_seen, for_adults
+    from comity.live.start import as_seen, for_adults, with_reduced_margin
     from comity.live_episode import execute
     from comity.parameters.speaking import at_site
     from comity.preparation import prepare, require_seed
@@ -115,6 +117,7 @@ def run(
     if robot is not None:
         require_map_robot(robot, type(robot).__name__)
         file = for_adults(as_seen(file, robot), adults_only=adults_only)
+        file = with_reduced_margin(file, allowed=reduced_margin is True)
     if site_language is not None or wordings:
         file = at_site(file, language=site_language, wordings=tuple(map(str, wordings)))
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)

@@ -10,6 +10,7 @@ from comity_executor import Robot
 if TYPE_CHECKING:
     from comity_sim2d import ActEvent, Door, DoorTurn, Frames, Person, Pose, Scene, Touch
     from comity_sim2d.people.reactions import Shown
+    from comity_sim2d.robot.margins import MarginDecision
     from comity_sim2d.senses.active_faults import ActiveFaults
 
 
@@ -111,6 +112,11 @@ class Environment(Protocol):
     @property
     def robot_touches(self) -> tuple[Touch, ...]:
         """The robot's contacts."""
+        ...
+
+    @property
+    def margin_decisions(self) -> tuple[MarginDecision, ...]:
+        """Whether each person who let the robot pass is passed at the reduced margin, in order."""
         ...
 
     @property

@@ -12,6 +12,7 @@ from comity.answers.run import Disturbance
 from comity.episode import Episode, Outcome
 from comity.live.driving import drive, stop_of
 from comity.live.real_world import RealWorld
+from comity.live.reduced_margin_check import require_reduced_margin
 from comity.monitoring.fallible_planner import FalliblePlanner
 from comity.monitoring.guarding import Guarding
 from comity.monitoring.lateness import late_s
@@ -42,7 +43,6 @@ from comity_sim2d import DoorTurn, Frames, World
 from comity_sim2d.base.drive import stopping_time_s
 from comity_sim2d.people.undisturbed import undisturbed_walks
 from comity_sim2d.pose import wrap_angle
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     import numpy as np
@@ -92,7 +92,7 @@ class LiveEpisode:
 
     Raises:
         InputError: `acts` names no act that a greeting can have, there is an operator and no robot, or the
-            robot is real and somebody is, or may be, a child.
+            robot is real and somebody is, or may be, a child, or it may not keep the scenario's margin.
         RobotError: The robot cannot be driven.
     """
 
@@ -122,7 +122,7 @@ class LiveEpisode:
             )
         else:
             _refuse_children(prepared)
-            _refuse_reduced_margin(prepared)
+            require_reduced_margin(prepared.file, robot)
             self._world = RealWorld(robot, prepared.scene, operator)
             self._world.robot.learn_places(prepared.asked.places)
             self._heartbeat = stop_of(robot)
@@ -302,7 +302,7 @@ class LiveEpisode:
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
-        passed = passages(frames, self._world.margin_decisions) if isinstance(self._world, World) else ()
+        passed = passages(frames, self._world.margin_decisions)
         return tuple(sorted((*self.disturbances, *walks(frames, people), *passed), key=lambda one: one.t))
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
@@ -399,19 +399,6 @@ def _refuse_children(prepared: Prepared) -> None:
             got="an age below 18" if is_child else "no age",
             remedy=IN_A_STUDY if is_child else STATE_AGES,
             where=prepared.file.where("people", name),
-        )
-
-
-def _refuse_reduced_margin(prepared: Prepared) -> None:
-    """Let no real robot pass people nearer than usual: its goals carry no margin to keep to."""
-    margin_m = prepared.file.scenario.robot.margin_m
-    if margin_m < PERSON_MARGIN_M:
-        raise InputError(
-            expected=f"margin_m of {PERSON_MARGIN_M:g} before a real robot: it finds its own way to a goal, "
-            "and does not take a reduced margin for single people",
-            got=f"{margin_m:g}",
-            remedy="Leave `margin_m` out; the simulated robot keeps to it.",
-            where=prepared.file.where("robot", "margin_m"),
         )
 
 

@@ -22,7 +22,7 @@ from comity.planning.serving import plan_for_most
 from comity.simulation.changes import Changes
 from comity.simulation.faults import Faults
 from comity.simulation.placement import placed
-from comity.simulation.scenery import scene_of
+from comity.simulation.scenery import require_margin, scene_of
 from comity.specification.goals import agenda_of
 from comity_domain import ENGINE, NoPlan, Plan, PlanningFailed, Visitee, plan_with
 from comity_executor import Limits, Speaker, leaves_of, manner_of
@@ -120,6 +120,7 @@ def staged(
     visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
     facts = margin_facts(file.scenario, cast.declared, cast.day)
     scene = scene_of(file, values, seed, margin_facts=facts)
+    require_margin(file, scene)
     file.goal_check.places(places(scene))
     changes = Changes(cast, scene).happenings()
     Faults(file, scene, leaves=()).require_doors()

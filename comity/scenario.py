@@ -409,6 +409,8 @@ class ScenarioFile:
     scenario: Scenario
     real_robot: bool = False
     """Whether a real robot is to carry it out."""
+    reduced_margin: bool = False
+    """Whether the operator of a real robot allows it to pass people at the reduced margin that is set."""
 
     def __post_init__(self) -> None:
         scenario = self.scenario

@@ -60,7 +60,7 @@ class Gliding:
     """Whom the tracker does not see."""
     called: dict[str, str] = field(default_factory=dict)
     """Whom it takes for whom."""
-    sure_of: dict[str, float] = field(default_factory=dict)
+    sure_of: dict[str, float | None] = field(default_factory=dict)
     """When it made sure last, by the name that it gives; who is not here is made sure of all the while."""
     velocity: dict[str, tuple[float, float]] = field(default_factory=dict)
     """Of people, in m/s, as the tracker says."""

@@ -62,6 +62,13 @@ RobotName = Annotated[
 AdultsOnly = Annotated[
     bool, typer.Option("--adults-only", help="With --robot: whoever does not state an age is an adult.")
 ]
+ReducedMargin = Annotated[
+    bool,
+    typer.Option(
+        "--reduced-margin",
+        help="With --robot: you, the robot's operator, allow it to pass people at the scenario's margin_m.",
+    ),
+]
 SiteLanguage = Annotated[
     str | None,
     typer.Option(
@@ -115,6 +122,7 @@ def run(
     learn: Learn = False,
     robot: RobotName = None,
     adults_only: AdultsOnly = False,
+    reduced_margin: ReducedMargin = False,
     unreviewed_wordings: Unreviewed = False,
     site_language: SiteLanguage = None,
     wordings: OwnWordings = [],  # noqa: B006  (Typer copies it)
@@ -140,7 +148,7 @@ def run(
     """
     from comity.adaptation.learning import refuse_nobody_kept
     from comity.commands.progress import watching
-    from comity.live.start import as_seen, for_adults, slowed
+    from comity.live.start import as_seen, for_adults, slowed, with_reduced_margin
     from comity.output.run_folder import place_for
     from comity.parameters.speaking import at_site
     from comity.preparation import prepare
@@ -156,6 +164,7 @@ def run(
         _check_picture(picture)
     needs = {
         "--adults-only": adults_only,
+        "--reduced-margin": reduced_margin,
         "--unreviewed-wordings": unreviewed_wordings,
         "--shadow": shadow,
         "--operator": operator,
@@ -163,7 +172,7 @@ def run(
     with redirect_stdout(sys.stderr) if as_json else nullcontext():  # a robot's code may print
         base = _robot(robot, needs=needs, shadow=shadow)
         if base is not None:
-            file = as_seen(file, base)
+            file = with_reduced_margin(as_seen(file, base), allowed=reduced_margin)
         people = pairs(as_, "--as", "guest=german_man")
         with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
             prepared = prepare(

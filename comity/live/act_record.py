@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from comity_executor import ActGoal, ActStatus, GoalId, GoalStatus
 from comity_executor.robots.goals import LOST
 from comity_sim2d import ActEvent
-from comity_sim2d.robot.acts import is_spoken
+from comity_sim2d.robot.acts import ASK_TO_PASS, is_spoken
 
 
 @dataclass(slots=True)
@@ -60,6 +60,11 @@ class ActRecord:
             act.event = replace(act.event, t_end=t, stopped=status.state in LOST)
             act.is_over = status.state == "succeeded" or status.state in LOST
         return ActStatus(name, status.state, status.text)  # type: ignore[arg-type]  # the tree refuses others
+
+    def asked_to_pass(self, name: GoalId) -> str | None:
+        """The person whom an act that is not over yet asks to let the robot pass; None: it asks nobody."""
+        act = self._act(name)
+        return act.event.person if act.event.act == ASK_TO_PASS and not act.is_over else None
 
     @property
     def events(self) -> tuple[ActEvent, ...]:

@@ -9,19 +9,21 @@ is, or who is there, stops by itself; it is told to stop all the same.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from math import dist, pi
+from math import dist, inf, pi
 from typing import TYPE_CHECKING
 
 from comity_executor import MapGoal, MotionStatus
 from comity_executor.robots.status import known_motion
 from comity_sim2d import RouteMap, wrap_angle
-from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S
+from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, REDUCED_M_S
 from comity_sim2d.navigation.docking import spot_beside
 from comity_sim2d.pose import direction_to
 from comity_sim2d.robot.obstructing_people import in_the_way
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity.live.known_world import KnownWorld
+    from comity.live.margins_on_map import MarginsOnMap
     from comity_executor import GoalId, MapRobot, Motion, MotionGoal
     from comity_sim2d import Person, Pose
 
@@ -36,10 +38,16 @@ class GoalsOnMap:
         base: The robot.
         known: What it knows of the world.
         stands: Why it must not move for now; None: it may.
+        margins: The margin that it keeps from each person.
     """
 
-    def __init__(self, base: MapRobot, known: KnownWorld, stands: Callable[[], str | None]) -> None:
+    def __init__(
+        self, base: MapRobot, known: KnownWorld, stands: Callable[[], str | None], margins: MarginsOnMap
+    ) -> None:
         self._base = base
+        self._margins = margins
+        self._waits_for: tuple[str, ...] = ()
+        """The people who blocked it when it was asked last."""
         self._known = known
         self._stands = stands
         self.places: Mapping[str, Pose] = {}
@@ -62,6 +70,7 @@ class GoalsOnMap:
         self._goal, self._goals = goal, self._goals + 1
         if goal.pose is not None:
             self.distances_m[goal.to] = goal.pose.distance_m
+        self._mind_margins(goal, ())
         self._go_on(self._base_goals[-1:])
         return self._goals
 
@@ -69,10 +78,23 @@ class GoalsOnMap:
         """Let the base go on, or tell it where the goal is by now."""
         if goal != self._goals or self._goal is None:
             return
+        self._mind_margins(self._goal, self._waits_for)
         if self._stands() or self._told is None or _differs(self._told, self._pose_of(self._goal)):
             self._go_on(self._base_goals)
         else:
             self._base.renew(self._base_goals[-1])
+
+    def _mind_margins(self, goal: MotionGoal, blocked_by: tuple[str, ...]) -> None:
+        """Give people's leave to pass them nearer, and take it back."""
+        if goal.pose is None and goal.kind != "go_to":
+            return  # it turns on the spot
+        keep = {} if goal.pose is None else {goal.to: goal.pose.distance_m}
+
+        def keeps_all() -> bool:
+            ways = RouteMap(self._known.around_at_full_margin)
+            return ways.reaches(self._known.pose.xy, self._pose_xy(goal), keep=keep)
+
+        self._margins.look(goal.to, blocked_by, keeps_all)
 
     def stop(self, goal: GoalId | None) -> None:
         """End the newest goal, where it is that; None: whatever the base does."""
@@ -110,6 +132,7 @@ class GoalsOnMap:
             state = "running"  # what replaces it is not taken up yet
         if self._goal is None and state == "succeeded":
             state = "stopped"  # it has ended, and nothing else was asked for
+        self._waits_for = self._blocked_by(said)
         return MotionStatus(
             number,
             state,  # type: ignore[arg-type]  # the tree refuses other words
@@ -117,12 +140,13 @@ class GoalsOnMap:
             stamp_s=self._known.own_time_s(said.stamp_s),
             remaining_m=said.remaining_m,
             is_blocked=said.is_blocked,
-            blocked_by=self._blocked_by(said),
+            blocked_by=self._waits_for,
             is_at_rest=said.is_at_rest,
         )
 
     def _waiting(self, said: Motion) -> MotionStatus:
         """How a goal goes of which the base does not know yet."""
+        self._waits_for = ()
         return MotionStatus(
             self._goals,
             "accepted",
@@ -140,20 +164,30 @@ class GoalsOnMap:
 
     def _pose_of(self, goal: MotionGoal) -> MapGoal:
         here, speed_m_s = self._known.pose, min(goal.speed_m_s, self._known.scene.robot.max_speed_m_s)
+        passages = self._margins.passages
         if goal.kind == "go_to":
             there = self.places[goal.to]
             pose = (there.x_m, there.y_m, there.heading_rad)
-            return MapGoal("go_to", goal.to, *pose, speed_m_s, goal.parameters)
+            speed_m_s = self._near_people_m_s(speed_m_s) if passages else speed_m_s
+            return MapGoal("go_to", goal.to, *pose, speed_m_s, goal.parameters, passages)
         person = self._known.person(goal.to)
         xy = (
             here.xy if goal.pose is None else spot_beside(person, self._known.scene.robot.radius_m, goal.pose)
         )
         if self._is_near(person, speed_m_s):
             speed_m_s = min(speed_m_s, goal.near_m_s)
+        speed_m_s = self._near_people_m_s(speed_m_s)
+        turned = direction_to(xy, person.xy)
+        return MapGoal(goal.kind, goal.to, *xy, turned, speed_m_s, goal.parameters, passages)
+
+    def _near_people_m_s(self, speed_m_s: float) -> float:
+        """The speed, no more than anybody near allows."""
         for other in self._known.bodies:
             if self._is_near(other, speed_m_s):
-                speed_m_s = min(speed_m_s, other.approach_speed_m_s or NEAR_PEOPLE_M_S)
-        return MapGoal(goal.kind, goal.to, *xy, direction_to(xy, person.xy), speed_m_s, goal.parameters)
+                allowed_m_s = other.approach_speed_m_s or NEAR_PEOPLE_M_S
+                reduced = other.margin_m < PERSON_MARGIN_M
+                speed_m_s = min(speed_m_s, allowed_m_s, REDUCED_M_S if reduced else inf)
+        return speed_m_s
 
     def _is_near(self, person: Person, speed_m_s: float) -> bool:
         """Whether the robot is so near a person that it has to begin to slow down for them."""
@@ -186,4 +220,5 @@ def _differs(told: MapGoal, wanted: MapGoal) -> bool:
     moved_m = dist((told.x_m, told.y_m), (wanted.x_m, wanted.y_m))
     turned_rad = abs(wrap_angle(told.heading_rad - wanted.heading_rad))
     is_elsewhere = moved_m > FOLLOW_M or turned_rad > FOLLOW_RAD
-    return is_elsewhere or (told.speed_m_s, told.parameters) != (wanted.speed_m_s, wanted.parameters)
+    means = (wanted.speed_m_s, wanted.parameters, wanted.passages)
+    return is_elsewhere or (told.speed_m_s, told.parameters, told.passages) != means

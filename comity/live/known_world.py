@@ -15,14 +15,16 @@ from comity_sim2d.navigation.docking import docked
 from comity_sim2d.navigation.past_people import PastPeople
 from comity_sim2d.pose import Pose
 from comity_sim2d.robot.motion import PersonEstimate
-from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.senses.overlap_resolution import off_things
 from comity_sim2d.senses.sight import too_short_for
 
 if TYPE_CHECKING:
+    from comity.live.people_seen import Seen
     from comity_executor import Localisation, MapRobot, PersonTrack, RelativePose
     from comity_sim2d import Scene
+    from comity_sim2d.navigation.yielding import Walker
 
 SILENT_S = 0.5
 """Localisation or a tracker of which nothing was heard for so long is silent (our choice)."""
@@ -45,6 +47,8 @@ class KnownWorld:
         self.names = frozenset(person.name for person in scene.people)
         """The people of the scenario."""
         self._identities = Identities(self.names)
+        self._margin_m: dict[str, float] = {}
+        """Margins of the people with less than the full margin [m]."""
         self._strangers: tuple[Person, ...] = ()
         """People whom the tracker sees and the scenario does not know."""
         self._localised: Localisation | None = None
@@ -130,7 +134,12 @@ class KnownWorld:
     @property
     def walking(self) -> frozenset[str]:
         """Who is under way."""
-        return frozenset(walker.person.name for walker in self._seen.walkers)
+        return frozenset(walker.person.name for walker in self.walkers)
+
+    @property
+    def walkers(self) -> tuple[Walker, ...]:
+        """The same, with their velocities."""
+        return self._seen.walkers
 
     def lost(self) -> dict[str, str]:
         """The missing, with since when: it does not go to look for them."""
@@ -139,6 +148,14 @@ class KnownWorld:
     def person(self, name: str) -> Person:
         """One person where it believes them to be."""
         return self._seen.of(name).person
+
+    def seen(self, name: str) -> Seen:
+        """The same, with what the tracker says of them."""
+        return self._seen.of(name)
+
+    def keep(self, name: str, margin_m: float) -> None:
+        """Keep another margin from a person from now on [m]."""
+        self._margin_m[name] = margin_m
 
     def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
         """Know how a person wants it to pass them."""
@@ -193,12 +210,20 @@ class KnownWorld:
     @property
     def bodies(self) -> tuple[Person, ...]:
         """Everybody who is or may be there, as large as where they may be."""
-        return (*self._seen.obstacles(self.now_s()), *self._strangers)
+        people = self._seen.obstacles(self.now_s())
+        kept = (replace(one, margin_m=self._margin_m.get(one.name, one.margin_m)) for one in people)
+        return (*kept, *self._strangers)
 
     @property
     def around(self) -> Surroundings:
         """The map with all of them."""
         return self._surroundings.with_people(self.bodies)
+
+    @property
+    def around_at_full_margin(self) -> Surroundings:
+        """The same, with the full margin to everybody."""
+        people = tuple(replace(one, margin_m=PERSON_MARGIN_M) for one in self.bodies)
+        return self._surroundings.with_people(people)
 
 
 def _age(age_s: float) -> str:

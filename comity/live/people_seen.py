@@ -36,6 +36,8 @@ class Seen:
     """In m/s; of a person who is not seen, as they were seen last."""
     is_seen: bool = False
     """In the newest tracks."""
+    has_heading: bool = False
+    """Whether the tracker says where they face."""
     stamp_s: float | None = None
     """When they were seen last, by the clock of the episode; None: never."""
     has_vanished: bool = False
@@ -163,4 +165,5 @@ def _tracked(before: Seen, track: PersonTrack, now_s: float) -> Seen:
         heading = atan2(vy, vx)
     x_m, y_m = track.x_m + vx * age_s, track.y_m + vy * age_s
     person = replace(before.person, x_m=x_m, y_m=y_m, heading_rad=wrap_angle(heading))
-    return Seen(person, (vx, vy), is_seen=True, stamp_s=track.stamp_s)
+    has_heading = track.heading_rad is not None
+    return Seen(person, (vx, vy), is_seen=True, has_heading=has_heading, stamp_s=track.stamp_s)

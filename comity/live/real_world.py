@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from comity_executor import MapRobot
     from comity_sim2d import ActEvent, Door, DoorTurn, Frames, Scene, Touch
     from comity_sim2d.people.reactions import Shown
+    from comity_sim2d.robot.margins import MarginDecision
 
 DIGITS = 4
 """Of metres, seconds and radians in the frames: a real robot knows no more."""
@@ -100,6 +101,11 @@ class RealWorld:
     def robot_touches(self) -> tuple[Touch, ...]:
         """None: a bump is told by the robot's stop."""
         return ()
+
+    @property
+    def margin_decisions(self) -> tuple[MarginDecision, ...]:
+        """Whether each person who let the robot pass is passed at the reduced margin, in order."""
+        return self.robot.margin_decisions
 
     @property
     def shown(self) -> tuple[Shown, ...]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.live.act_record import ActRecord
 from comity.live.goals_on_map import GoalsOnMap
 from comity.live.known_world import KnownWorld
+from comity.live.margins_on_map import MarginsOnMap
 from comity_executor.robots.status import known_performance
 from comity_executor.robots.stop_button import is_false
 from comity_sim2d import Wish
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     )
     from comity_fis.defuzzification.curve import Curve
     from comity_sim2d import ActEvent, Person, Pose, Scene
+    from comity_sim2d.robot.margins import MarginDecision
     from comity_sim2d.robot.motion import PersonEstimate
 
 
@@ -44,7 +46,8 @@ class RobotOnMap:
         self._base = base
         self._operator = operator
         self._known = KnownWorld(base, scene)
-        self._goals = GoalsOnMap(base, self._known, self._has_to_stand)
+        self._margins = MarginsOnMap(base, self._known)
+        self._goals = GoalsOnMap(base, self._known, self._has_to_stand, self._margins)
         self._record = ActRecord()
 
     def sense(self) -> None:
@@ -65,6 +68,11 @@ class RobotOnMap:
     def odd_readings(self) -> tuple[Disturbance, ...]:
         """What it read of the base that looks like a mistake in the base's code."""
         return self._known.odd.notes
+
+    @property
+    def margin_decisions(self) -> tuple[MarginDecision, ...]:
+        """Whether each person who let it pass is passed at the reduced margin, in order."""
+        return self._margins.decisions
 
     def _has_to_stand(self) -> str | None:
         """Why it must not move for now: the operator holds it, or it is blind; None: it may."""
@@ -190,6 +198,8 @@ class RobotOnMap:
     def performance(self, act: GoalId) -> GoalStatus:
         """How an act goes."""
         status = known_performance(self._base, self._record.goal_of(act))
+        if status.state == "succeeded" and (asked := self._record.asked_to_pass(act)) is not None:
+            self._margins.note_asked(asked)
         return self._record.note(act, status, self.now_s())
 
     def stop(self, goal: GoalId | None = None) -> None:

@@ -75,6 +75,11 @@ def for_adults(file: ScenarioFile, *, adults_only: bool) -> ScenarioFile:
     return replace(file, scenario=file.scenario.model_copy(update={"adults_only": True}))
 
 
+def with_reduced_margin(file: ScenarioFile, *, allowed: bool) -> ScenarioFile:
+    """The scenario with the operator's word that the robot may pass people at its reduced margin, or not."""
+    return replace(file, reduced_margin=allowed)
+
+
 def slowed(file: ScenarioFile, max_speed_m_s: float | None) -> ScenarioFile:
     """The scenario with a robot that is no faster; one that is slower anyway stays so.
 

@@ -38,7 +38,8 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
     if run.account.shared:
         return ()
     try:
-        stage = staged(run.file, seed=run.account.seed)
+        file = replace(run.file, real_robot=run.account.robot is not None)
+        stage = staged(file, seed=run.account.seed)
     except InputError:
         return ()
     values = dict(stage.values)

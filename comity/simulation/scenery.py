@@ -82,13 +82,26 @@ def scene_of(
             passers_by=_passers_by(file),
             keep_to=file.scenario.keep_to,
         )
-        check_margin(scene.robot)
         check_walks(scene)
         check_groups(scene)
         place_passers_by(scene, seed)
     except SceneError as error:
         raise error.at(file.where(*_location(error, file))) from None
     return scene
+
+
+def require_margin(file: ScenarioFile, scene: Scene) -> None:
+    """Refuse a margin that the simulated robot cannot keep; of a real one its own numbers count.
+
+    Raises:
+        InputError: It is lower, with its line.
+    """
+    if file.real_robot:
+        return
+    try:
+        check_margin(scene.robot)
+    except SceneError as error:
+        raise error.at(file.where("robot", "margin_m")) from None
 
 
 def _pose(standing: written.Placement) -> tuple[float, float, float]:
@@ -154,7 +167,7 @@ def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
         key = {"walk": "walks"}.get(error.field or "", error.field or "at_m")
         return ("people", entity, key if key in ("walks", "reacts", "steps_aside", "lets_pass") else "at_m")
     if entity == scenario.robot.name:
-        return ("robot", "margin_m" if error.field == "margin_m" else "at_m")
+        return ("robot", "at_m")
     if entity == "passers_by":
         return ("passers_by", error.field or "count")
     return ("place", *_in_place(entity, scenario.place))

@@ -14,7 +14,7 @@ from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node, tree_text
 from comity_executor.plan_update import ExecutionState, NoPlanUpdate, Planner, PlanUpdate
-from comity_executor.robots.capabilities import Capabilities, CapabilityValues
+from comity_executor.robots.capabilities import Capabilities, CapabilityValues, MarginStatement
 from comity_executor.robots.carrier import Carrier
 from comity_executor.robots.check import RobotCheck, RobotError, check_robot
 from comity_executor.robots.goals import (
@@ -29,7 +29,7 @@ from comity_executor.robots.goals import (
     MotionStatus,
     RelativePose,
 )
-from comity_executor.robots.map_robot import Localisation, MapGoal, MapRobot, PersonTrack
+from comity_executor.robots.map_robot import Localisation, MapGoal, MapRobot, PersonTrack, ReducedPassage
 from comity_executor.robots.noticed import Noticed
 from comity_executor.robots.robot import Reading, Robot, Words
 from comity_executor.robots.scripted import ScriptedRobot
@@ -92,6 +92,7 @@ __all__ = [
     "Manner",
     "MapGoal",
     "MapRobot",
+    "MarginStatement",
     "Motion",
     "MotionGoal",
     "MotionStatus",
@@ -108,6 +109,7 @@ __all__ = [
     "Reading",
     "ReadingSeries",
     "ReadingsFile",
+    "ReducedPassage",
     "RelativePose",
     "Robot",
     "RobotCheck",

@@ -33,7 +33,10 @@ def serve(connection: Connection[Any, Any]) -> None:
     try:
         module, _, name = begin.robot.partition(":")
         robot: Robot = getattr(import_module(module), name)(*begin.arguments)
-        can = {field.name: getattr(robot.capabilities, field.name, inf) for field in fields(CapabilityValues)}
+        can: dict[str, Any] = {
+            field.name: getattr(robot.capabilities, field.name, inf) for field in fields(CapabilityValues)
+        }
+        can["reduced_margin"] = getattr(robot.capabilities, "reduced_margin", None)
         more = tuple(name for name in OPTIONAL if hasattr(robot, name))
         reach_m = getattr(robot, "gesture_reach_m", None)
         connection.send(Ready(getattr(robot, "name", "robot"), CapabilityValues(**can), more, reach_m))

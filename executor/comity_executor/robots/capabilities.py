@@ -42,6 +42,24 @@ class Capabilities(Protocol):
         ...
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MarginStatement:
+    """What the maker of a base states, so that it may pass people nearer than 0.30 m.
+
+    To state it is to say, too, that the base keeps to `MapGoal.passages`. Nothing is taken for granted: there
+    are no defaults.
+    """
+
+    latency_s: float
+    """From the measurement of a person's place, or its own, to the motion that answers it, at most [s]."""
+    braking_m_s2: float
+    """How hard the base surely brakes before a person [m/s^2]; above 0."""
+    tracker_sd_m: float
+    """Standard deviation of the place of a person who stands, as the tracker says it [m]."""
+    path_sd_m: float
+    """Standard deviation of the base's own place across its path: localisation and path following [m]."""
+
+
 @dataclass(frozen=True, slots=True)
 class CapabilityValues:
     """The numbers of a base that is exact and acts at once, but for those that are given.
@@ -54,3 +72,5 @@ class CapabilityValues:
     braking_m_s2: float = 1.0
     feedback_hz: float = 10.0
     lease_s: float = inf
+    reduced_margin: MarginStatement | None = None
+    """None: the base passes nobody nearer than 0.30 m. Other classes may leave this attribute out."""

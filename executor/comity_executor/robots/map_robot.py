@@ -50,6 +50,18 @@ class PersonTrack:
 
 
 @dataclass(frozen=True, slots=True)
+class ReducedPassage:
+    """A person who lets the robot pass nearer than 0.30 m, where they stand now, on the way to one goal."""
+
+    person: str
+    """As in `PersonTrack.person`."""
+    x_m: float
+    y_m: float
+    margin_m: float
+    """Between the surfaces of the two bodies, at least."""
+
+
+@dataclass(frozen=True, slots=True)
 class MapGoal:
     """A pose of the map that the base is to take."""
 
@@ -64,6 +76,9 @@ class MapGoal:
     """At most."""
     parameters: Mapping[str, float | str] = field(default_factory=dict)
     """The person's other parameters, by name, as in a `MotionGoal`."""
+    passages: tuple[ReducedPassage, ...] = ()
+    """Only for a base with `capabilities.reduced_margin`. It keeps 0.30 m from everybody else, and from
+    these, too, once a goal without them comes, or they move."""
 
 
 class MapRobot(Protocol):

@@ -25,6 +25,7 @@ from comity_sim2d.robot.margins import Margins
 from comity_sim2d.robot.motion import MotionProgress, blocked
 from comity_sim2d.robot.obstructing_people import PathObstruction
 from comity_sim2d.robot.progress import ApproachProgress
+from comity_sim2d.robot.reduced_margin import least_margin_m
 from comity_sim2d.robot.search import Search
 from comity_sim2d.robot.standing import DetourMap, PassersByKnown
 from comity_sim2d.robot.walkers_met import WalkersMet
@@ -75,7 +76,7 @@ class BaseController:
         self._places = dict(places)
         self.standing = DetourMap(senses, clock, route_map)
         """Its routes around those who stand."""
-        self.margins = Margins(spec, senses, clock, said)
+        self.margins = Margins(spec, senses, clock, said, least_margin_m(spec, clock.step_s))
         """The margin that it keeps from each person."""
         self.motion = MotionProgress("stopped")
         """How the last command goes."""

@@ -9,15 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
+from typing import Protocol
 
-from comity_sim2d.clock import Clock
+from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.people.said import GO_AHEAD, Said
 from comity_sim2d.pose import XY, direction_to, wrap_angle
-from comity_sim2d.robot.reduced_margin import FACING_DEG, PassageFacts, least_margin_m, reasons_against
+from comity_sim2d.robot.reduced_margin import FACING_DEG, PassageFacts, reasons_against
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
-from comity_sim2d.senses.sensing import SensedPeople
 
 WAITED_S = 2.0
 """Minimum time that the robot has stood before a person [s] (our choice: the executor asks after as long)."""
@@ -27,6 +27,54 @@ MOVED_M = 0.1
 """Distance by which a person has moved, noise of the sensor apart [m] (our choice)."""
 PASSED_M = 1.5
 """Gap at which the robot has passed a person [m]: where the speed near people ends, too."""
+
+
+class KnownPeople(Protocol):
+    """Where a robot believes people to be, and the margins that it keeps from them."""
+
+    @property
+    def present(self) -> tuple[Person, ...]:
+        """People whose places it knows."""
+        ...
+
+    @property
+    def walkers(self) -> tuple[Walker, ...]:
+        """Those of them who are under way."""
+        ...
+
+    def person(self, name: str) -> Person:
+        """One person where it believes them to be."""
+        ...
+
+    def heading_rad(self, name: str) -> float | None:
+        """Where a person faces [rad]; None: not known."""
+        ...
+
+    def sees(self, name: str) -> bool:
+        """Whether it sees a person now, and knows that it is that person."""
+        ...
+
+    def walks(self, name: str) -> bool:
+        """Whether a person is believed to be going somewhere."""
+        ...
+
+    def keep(self, name: str, margin_m: float) -> None:
+        """Keep another margin from a person from now on [m]."""
+        ...
+
+
+class Ticks(Protocol):
+    """The time, as ticks count it."""
+
+    @property
+    def now_s(self) -> float:
+        """Since the start [s]."""
+        ...
+
+    @property
+    def step_s(self) -> float:
+        """Length of a tick [s]."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,17 +129,25 @@ class Margins:
         senses: Where it believes people to be.
         clock: The ticks.
         said: What people say, as they say it.
+        least_m: Smallest margin that the robot can keep [m].
     """
 
-    def __init__(self, spec: RobotBody, senses: SensedPeople, clock: Clock, said: Sequence[Said]) -> None:
+    def __init__(
+        self, spec: RobotBody, senses: KnownPeople, clock: Ticks, said: Sequence[Said], least_m: float
+    ) -> None:
         self._spec, self._senses, self._clock, self._said = spec, senses, clock, said
-        self._least_m = least_margin_m(spec, clock.step_s)
+        self._least_m = least_m
         self._noise_m = 3.0 * spec.sensor.sigma_m
         self._to = ""
         self._waiting: dict[str, _Waiting] = {}
         self._leave: dict[str, _Leave] = {}
         self.decisions: list[MarginDecision] = []
         """All so far, in order."""
+
+    @property
+    def let_by(self) -> tuple[Person, ...]:
+        """People who let the robot pass now, as they stood when leave was given."""
+        return tuple(leave.person for leave in self._leave.values())
 
     def note_asked(self, names: Collection[str]) -> None:
         """Requests for passage have come to their end."""
@@ -142,7 +198,8 @@ class Margins:
     def _facts(self, person: Person, robot: XY, waiting: _Waiting) -> PassageFacts:
         now_s = self._clock.now_s
         moved_m = math.dist(person.xy, waiting.asked_xy)
-        bearing = wrap_angle(direction_to(person.xy, robot) - person.heading_rad)
+        heading_rad = self._senses.heading_rad(person.name)
+        towards_rad = direction_to(person.xy, robot)
         return PassageFacts(
             asked_m=self._spec.margin_m,
             least_m=self._least_m,
@@ -150,7 +207,7 @@ class Margins:
             is_known=self._senses.sees(person.name),
             posture=person.posture,
             walks=self._senses.walks(person.name) or now_s - waiting.since_s < STANDS_S - 1e-9,
-            bearing_deg=math.degrees(bearing),
+            bearing_deg=None if heading_rad is None else math.degrees(wrap_angle(towards_rad - heading_rad)),
             has_stepped_aside=moved_m > MOVED_M + self._noise_m,
             said_yes=self._said_yes(person.name, waiting),
             has_waited=waiting.waited_s >= WAITED_S - 1e-9,
@@ -187,8 +244,10 @@ class Margins:
         walks = any(walker.person.name == then.name for walker in self._senses.walkers)
         if walks or math.dist(now.xy, then.xy) > MOVED_M + self._noise_m:
             return False
-        turned_deg = math.degrees(abs(wrap_angle(now.heading_rad - then.heading_rad)))
-        return leave.came or turned_deg <= FACING_DEG
+        heading_rad = self._senses.heading_rad(then.name)
+        if leave.came or heading_rad is None:
+            return leave.came
+        return math.degrees(abs(wrap_angle(heading_rad - then.heading_rad))) <= FACING_DEG
 
     def _take_back(self, name: str, leave: _Leave) -> None:
         del self._leave[name]

@@ -57,7 +57,8 @@ Condition = tuple[str, Callable[[PassageFacts], bool]]
 
 
 def _within(bearing_deg: float | None, most_deg: float) -> bool:
-    return bearing_deg is not None and abs(bearing_deg) <= most_deg
+    """Whether a bearing is that small; a condition of its own refuses one that is not known."""
+    return bearing_deg is None or abs(bearing_deg) <= most_deg
 
 
 def _is_adult(declared: MarginFacts) -> bool:
@@ -77,6 +78,7 @@ CONDITIONS: tuple[Condition, ...] = (
     ("the tracker does not see them", lambda c: c.is_known),
     ("they do not stand", lambda c: c.posture == "standing" and c.declared.stands),
     ("they walk", lambda c: not c.walks),
+    ("it is not known where they face", lambda c: c.bearing_deg is not None),
     ("the robot comes from behind", lambda c: _within(c.bearing_deg, BEHIND_DEG)),
     ("they neither face nor answer the robot", lambda c: c.said_yes or _within(c.bearing_deg, FACING_DEG)),
     ("they neither stepped aside nor said yes", lambda c: c.has_stepped_aside or c.said_yes),
@@ -104,8 +106,19 @@ def least_margin_m(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> float:
     within = acceleration_within(spec.max_acceleration_m_s2, spec.max_jerk_m_s3)
     lag_s = (window_ticks(within, spec.max_jerk_m_s3, step_s) - 1) * step_s
     latency_s = spec.sensor.delay_s + 2.0 * step_s + lag_s
-    stopping_m = REDUCED_M_S * latency_s + REDUCED_M_S**2 / (2.0 * SPEED_SHARE * within)
-    return BODY_MARGIN_M + stopping_m + 2.0 * spec.sensor.sigma_m
+    return margin_for_m(latency_s, SPEED_SHARE * within, spec.sensor.sigma_m)
+
+
+def margin_for_m(latency_s: float, braking_m_s2: float, sd_m: float) -> float:
+    """Smallest margin that a robot with these errors can keep: 0.15 m + v t + v^2 / (2 a) + 2 sd [m].
+
+    Args:
+        latency_s: t, from a measurement to the motion that answers it [s].
+        braking_m_s2: a [m/s^2], above 0.
+        sd_m: Standard deviation of the distance to a person, as the robot keeps it [m].
+    """
+    stopping_m = REDUCED_M_S * latency_s + REDUCED_M_S**2 / (2.0 * braking_m_s2)
+    return BODY_MARGIN_M + stopping_m + 2.0 * sd_m
 
 
 def check_margin(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> None:

@@ -238,6 +238,10 @@ class SensedPeople:
         """One person where the robot believes them to be."""
         return find_person(self._believed, name)
 
+    def heading_rad(self, name: str) -> float:
+        """Where a person faces, as it believes [rad]."""
+        return self.person(name).heading_rad
+
     def velocity(self, name: str) -> tuple[XY, float]:
         """The person's believed velocity [m/s] and turning rate [rad/s]."""
         track = self._tracks[name]
