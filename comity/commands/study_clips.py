@@ -30,7 +30,7 @@ def clips(
 
     The names of the films tell nothing; which is which stands in a key of its own. What else differs as a
     result, such as duration, path, speed and gaze, is listed: people may answer because of that. GIF, and
-    MP4 where ffmpeg is installed.
+    MP4 where ffmpeg or imageio-ffmpeg is installed.
 
     Example: comity study clips johanna --vary rulebook=bruno2017,evidence --out clips
     """

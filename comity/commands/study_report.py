@@ -76,7 +76,7 @@ def _loaded(directory: Path) -> Study:
 
     found = Study.load(directory)
     if (progress := found.progress) is not None:
-        told = f"the study is {progress.state}; its table is of an earlier run. {progress.remedy}"
+        told = f"the study is {progress.state}, and its table may lack some. {progress.remedy}"
         typer.echo(f"note: {told}", err=True)
     return found
 

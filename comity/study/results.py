@@ -54,7 +54,7 @@ class Study:
 
     @property
     def progress(self) -> StudyProgress | None:
-        """How far the study is; None where it is done. The table is else of an earlier run."""
+        """How far the study is; None where it is done. Else the table may lack episodes."""
         return progress_of(self.path)
 
     def to_frame(self) -> DataFrame:

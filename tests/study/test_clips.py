@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import csv
-import os
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PIL import Image
+from PIL import Image, ImageSequence
 
 from comity.study.clips.confounds import confounds_of, gaze_share
+from comity.study.clips.film import INSTALL, ffmpeg_program
 from comity_sim2d import Frames
 
 PROFILES = "people.visited.profile=german_woman,arab_woman"
@@ -132,20 +134,70 @@ def test_a_confound_is_whatever_differs_and_nothing_else(one, other):
     assert confounds_of([one, one]) == ()
 
 
-@pytest.mark.integration
-def test_films_are_mp4_as_well_where_ffmpeg_is_found(comity, here, monkeypatch):
-    for words in (["venv", "-q", "env"], ["pip", "install", "-q", "--python", "env", "imageio-ffmpeg"]):
-        subprocess.run([sys.executable, "-m", "uv", *words], check=True)
-    python = here / "env/bin/python"
-    told = "import imageio_ffmpeg; print(imageio_ffmpeg.get_ffmpeg_exe())"
-    program = subprocess.run([python, "-c", told], check=True, capture_output=True, text=True).stdout.strip()
-    (here / "bin").mkdir()
-    (here / "bin/ffmpeg").symlink_to(program)
-    monkeypatch.setenv("PATH", f"{here / 'bin'}{os.pathsep}{os.environ['PATH']}")
+def mp4_of(clip, folder):
+    """When each frame of a film ends [s], and all its bytes."""
+    film = folder / f"{clip}.mp4"
+    words = [ffmpeg_program(), "-loglevel", "error", "-i", film, "-f", "framemd5", "-"]
+    lines = subprocess.run(words, check=True, capture_output=True, text=True).stdout.splitlines()
+    (base,) = (line.split("/")[1] for line in lines if line.startswith("#tb"))
+    shown = [line.split(", ") for line in lines if not line.startswith("#")]
+    return [(int(one[2]) + int(one[3])) / int(base) for one in shown], film.read_bytes()
+
+
+def require_mp4_of_each(comity, here):
+    """Each film: its frames, its length, and no word of its condition in its name or its bytes."""
     answer = clips(comity, more=["--json"]).json
+    assert sorted(path.stem for path in (here / "clips").glob("*.mp4")) == [
+        one["clip"] for one in answer["clips"]
+    ]
     for one in answer["clips"]:
-        film = here / f"clips/{one['clip']}.mp4"
-        assert film.read_bytes()[4:8] == b"ftyp"
-        told = subprocess.run([program, "-i", film], check=False, capture_output=True, text=True).stderr
-        assert "yuv420p" in told
-    assert len(answer["files"]) == 8
+        ends_s, content = mp4_of(one["clip"], here / "clips")
+        with Image.open(here / f"clips/{one['clip']}.gif") as gif:
+            shown_s = [frame.info["duration"] / 1000 for frame in ImageSequence.Iterator(gif)]
+        assert ends_s[:-1] == pytest.approx(np.cumsum(shown_s)[:-1])  # as many, each as long
+        assert ends_s[-1] == pytest.approx(one["length_s"], abs=0.151)  # and the last one once
+        assert content[4:8] == b"ftyp"
+        told = subprocess.run(
+            [ffmpeg_program(), "-i", here / f"clips/{one['clip']}.mp4"],
+            check=False,
+            capture_output=True,
+            text=True,
+        )
+        assert "yuv420p" in told.stderr
+        assert re.fullmatch("clip-[0-9a-f]{8}", one["clip"])
+        for word in ("german", "arab", "woman", "profile", "johanna", "Comity"):
+            assert word.encode() not in content
+
+
+@pytest.mark.skipif(ffmpeg_program() is None, reason=f"ffmpeg is not installed ({INSTALL})")
+def test_films_are_mp4_as_well_where_ffmpeg_is_found(comity, here):
+    require_mp4_of_each(comity, here)
+
+
+@pytest.fixture
+def no_ffmpeg(here, monkeypatch):
+    """A path without the program, and no package that brings one."""
+    (here / "bin").mkdir()
+    monkeypatch.setenv("PATH", str(here / "bin"))
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+
+
+@pytest.mark.usefixtures("no_ffmpeg")
+def test_without_ffmpeg_the_command_says_what_to_install(comity, here):
+    said = clips(comity)
+    assert said.code == 0
+    assert not [*(here / "clips").glob("*.mp4")]
+    assert INSTALL in " ".join(said.out.split())
+
+
+@pytest.mark.integration
+@pytest.mark.usefixtures("no_ffmpeg")
+def test_the_package_imageio_ffmpeg_is_enough_for_mp4(comity, here, monkeypatch):
+    venv = ["venv", "-q", "--python", sys.executable, "env"]
+    for words in (venv, ["pip", "install", "-q", "--python", "env", "imageio-ffmpeg"]):
+        subprocess.run([sys.executable, "-m", "uv", *words], check=True)
+    (packages,) = here.glob("env/lib/python*/site-packages")
+    monkeypatch.syspath_prepend(packages)
+    monkeypatch.delitem(sys.modules, "imageio_ffmpeg")
+    assert packages in Path(ffmpeg_program()).parents
+    require_mp4_of_each(comity, here)

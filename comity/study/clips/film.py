@@ -1,9 +1,10 @@
-"""MP4 from a GIF, where ffmpeg is installed."""
+"""MP4 from a GIF, where ffmpeg is installed: as a program, or by the package imageio-ffmpeg."""
 
 from __future__ import annotations
 
 import shutil
 import subprocess
+from importlib import import_module
 from pathlib import Path
 
 from comity_fis.errors import ComityError
@@ -14,20 +15,34 @@ EXACT = ("-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact")
 """No date and no version in the file."""
 
 
-def has_ffmpeg() -> bool:
-    """Whether the program is on the path."""
-    return shutil.which("ffmpeg") is not None
+INSTALL = "Debian: apt-get install ffmpeg; anywhere: pip install imageio-ffmpeg"
+"""What brings ffmpeg."""
 
 
-def write_mp4(gif: Path, path: Path) -> None:
+def ffmpeg_program() -> str | None:
+    """The program: that on the path, else that of imageio-ffmpeg; None where there is neither."""
+    if (found := shutil.which("ffmpeg")) is not None:
+        return found
+    try:
+        return str(import_module("imageio_ffmpeg").get_ffmpeg_exe())
+    except (ImportError, RuntimeError):  # it is not installed, or has no program for this platform
+        return None
+
+
+def write_mp4(program: str, gif: Path, path: Path) -> None:
     """Convert a GIF for players and survey programs that take none.
+
+    Args:
+        program: That of ffmpeg.
+        gif: The film as it is.
+        path: Of the MP4: the same frames at the same rate. The last frame is not held, as the GIF's is.
 
     Raises:
         ComityError: ffmpeg could not.
     """
     plays_anywhere = ("-pix_fmt", "yuv420p", "-movflags", "+faststart")
     words = [
-        "ffmpeg",
+        program,
         "-y",
         "-loglevel",
         "error",

@@ -17,7 +17,7 @@ from comity.replay import replay_page
 from comity.replay.pictures import film_stimulus
 from comity.replay.saved_run import read_run
 from comity.study.clips.confounds import ClipFacts, Confound, clip_facts, confounds_of
-from comity.study.clips.film import has_ffmpeg, write_mp4
+from comity.study.clips.film import ffmpeg_program, write_mp4
 from comity.study.clips.variation import opaque_name
 from comity.study.tasks import task_of
 from comity.study.worker import installation, prepared_of
@@ -126,10 +126,11 @@ def _filmed(run: Path, out: Path, speed: float) -> Sequence[str]:
     with writing(out / gif), written_whole(out / gif) as part:
         film_stimulus(read_run(folder), part, speed)
     write_whole(out / page, replay_page(folder).encode())
-    if not has_ffmpeg():
+    program = ffmpeg_program()
+    if program is None:
         return (gif, page)
     with writing(out / mp4), written_whole(out / mp4) as part:
-        write_mp4(out / gif, part)
+        write_mp4(program, out / gif, part)
     return (gif, mp4, page)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers.study_with_people import ClipAnswer, ConfoundAnswer, StudyClipsAnswer
 from comity.report.text import number, table, unbroken, words
+from comity.study.clips.film import INSTALL
 from comity.study.clips.making import CONFOUNDS, KEY, PAGES, ClipSet
 
 if TYPE_CHECKING:
@@ -71,6 +72,6 @@ def clips_text(answer: StudyClipsAnswer) -> Iterator[RenderableType]:
     if (more := len(answer.confounds) - SHOWN) > 0:
         yield f"  {more} more in {CONFOUNDS}"
     if not any(file.endswith(".mp4") for file in answer.files):
-        yield "  No MP4: ffmpeg was not found"
+        yield f"  No MP4: ffmpeg was not found. Install it ({INSTALL}) and film again"
     yield unbroken(f"Clips  {answer.folder}")
     yield f"  {KEY} says which is which, and {PAGES} show all values: keep both from participants"
