@@ -137,6 +137,8 @@ class ReportedFieldAnswer(Record):
     """As Markdown; null where the lab has to fill it in."""
     asks: str | None
     """What the lab is to write."""
+    applies: bool
+    """False where the study cannot have it, as a simulated one has no recruitment: `value` says why."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,5 +148,7 @@ class StudyFieldsAnswer(Record):
     study: str
     filled: int
     blank: int
+    inapplicable: int
+    """Fields that a study of this kind does not have."""
     fields: tuple[ReportedFieldAnswer, ...]
     file: str | None

@@ -50,7 +50,7 @@ def report(
     from comity.study.report.reporting import write_report
     from comity.study.report.telling import report_text
 
-    found = _loaded(directory)
+    found = loaded_study(directory)
     folder = out or directory / REPORT
     answer = write_report(
         found,
@@ -70,7 +70,7 @@ REPORT = "report"
 """Folder inside the study's."""
 
 
-def _loaded(directory: Path) -> Study:
+def loaded_study(directory: Path) -> Study:
     """The study, with a note where it was begun again and is not done."""
     from comity.study import Study
 
@@ -102,7 +102,7 @@ def compare(
     from comity.study.report.outcomes import outcomes_of, pictured
     from comity.study.report.telling import compare_text
 
-    found = _loaded(directory)
+    found = loaded_study(directory)
     visits = StudyVisits.of(found)
     compared = comparison_named(visits, factors_of_visits(visits), *factor)
     drawn = pictured(outcomes_of(visits), outcome)
@@ -136,7 +136,7 @@ def show(
     from comity.study.report.telling import show_text
     from comity.system.own_files import make_folder
 
-    found = _loaded(directory)
+    found = loaded_study(directory)
     replayer = RowReplayer.of(found, study or file_of(found))
     folder = out
     if folder is None:

@@ -27,11 +27,18 @@ class ReportedField:
     """What is known; None where the lab has to fill it in. Lines are kept."""
     asks: str = ""
     """What the lab is to write."""
+    applies: bool = True
+    """Whether the study can have it; else `value` says why not."""
 
 
 def blank(section: Section, name: str, asks: str) -> ReportedField:
     """A field that only the lab can fill."""
     return ReportedField(section, name, None, asks)
+
+
+def inapplicable(section: Section, name: str, why: str) -> ReportedField:
+    """A field that a study of this kind does not have."""
+    return ReportedField(section, name, f"does not apply: {why}", applies=False)
 
 
 BLANKS: tuple[ReportedField, ...] = (

@@ -25,10 +25,17 @@ def fields_answer(study: str, fields: Sequence[ReportedField], file: str | None)
     """
     return StudyFieldsAnswer(
         study=study,
-        filled=sum(one.value is not None for one in fields),
+        filled=sum(one.value is not None and one.applies for one in fields),
         blank=sum(one.value is None for one in fields),
+        inapplicable=sum(not one.applies for one in fields),
         fields=tuple(
-            ReportedFieldAnswer(section=one.section, field=one.name, value=one.value, asks=one.asks or None)
+            ReportedFieldAnswer(
+                section=one.section,
+                field=one.name,
+                value=one.value,
+                asks=one.asks or None,
+                applies=one.applies,
+            )
             for one in fields
         ),
         file=file,

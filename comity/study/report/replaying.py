@@ -43,14 +43,7 @@ class RowReplayer:
         Raises:
             InputError: if the file is not there any more, or cannot be read.
         """
-        if not file.is_file():
-            raise InputError(
-                expected="the file that the study was run from, beside its population and scenarios",
-                got=f"no such file: {file}",
-                remedy="Name it: --study FILE. The copy in the study's folder has no population beside it.",
-                where=Where(str(study.path)),
-            )
-        return cls(study, load_study(file))
+        return cls(study, plan_of(study, file))
 
     def play(self, number: int, out: Path) -> StudyShowAnswer:
         """Play a row's episode again, into a run folder with its page.
@@ -119,6 +112,22 @@ def _differs(row: Mapping[str, str], code: str, fingerprint: str) -> str:
     if fingerprint != row["fingerprint"]:
         return f"the platform: {row['fingerprint']} then, {fingerprint} now"
     return "the study's file, its population, a scenario or a rulebook: changed since it was run"
+
+
+def plan_of(study: Study, file: Path) -> StudyPlan:
+    """What the file describes that a study was run from.
+
+    Raises:
+        InputError: if the file is not there any more, or cannot be read.
+    """
+    if not file.is_file():
+        raise InputError(
+            expected="the file that the study was run from, beside its population and scenarios",
+            got=f"no such file: {file}",
+            remedy="Name it: --study FILE. The copy in the study's folder has no population beside it.",
+            where=Where(str(study.path)),
+        )
+    return load_study(file)
 
 
 def file_of(study: Study) -> Path:
