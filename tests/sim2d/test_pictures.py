@@ -519,6 +519,20 @@ def test_a_label_lies_on_no_wall_of_a_narrow_room(across: float, along: float, r
     assert not any(label.overlap(line) for line in page.lines)
 
 
+@pytest.mark.parametrize(("x", "y"), [(1.2, 1.0), (3.0, 2.0), (5.5, 4.0), (5.8, 0.4)])
+def test_labels_have_the_same_places_at_every_resolution(x: float, y: float) -> None:
+    """PNG has pixels of any size, and SVG and PDF have points."""
+    places = []
+    for dpi in (72, 200):
+        figure = Figure(figsize=(6.0, 4.5), dpi=dpi)
+        canvas, ax = FigureCanvasAgg(figure), figure.add_axes((0, 0, 1, 1))
+        labels = MapLabels(ax, canvas)
+        draw_place(ax, SCENE)
+        labels.avoid_walls(SCENE)
+        places.append(labels.near((x, y), 0.2, "name", size=10, colour=WALL, prefer_rad=0.4).get_position())
+    assert places[0] == pytest.approx(places[1], abs=4.0), "letters are hinted to whole pixels"
+
+
 def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:
     """A door that is shut in the middle of an animation is drawn open before, and shut from then on."""
 

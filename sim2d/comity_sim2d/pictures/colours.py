@@ -11,6 +11,8 @@ INK, GREY = "#22252B", "#5F646C"
 """Of words, and of small print."""
 FAINT = "#B9BDC4"
 """Of lines alone: too light for words."""
+HALO = "#FFFFFF"
+"""Around words on a map."""
 LEAST_CONTRAST = 4.5
 
 

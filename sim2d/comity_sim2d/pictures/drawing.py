@@ -30,11 +30,11 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 PALETTE, INK, GREY, FAINT = colours.PALETTE, colours.INK, colours.GREY, colours.FAINT
+HALO = colours.HALO
 ROBOT = "#22252B"
 FAINT_INK = "#7A808A"
 """Of thin lines; words are darker."""
 FLOOR, WALL, FURNITURE, FURNITURE_EDGE = "#FBFAF7", "#4A4E57", "#E9E5DC", "#C9C2B4"
-HALO = "#FFFFFF"
 DASHES = (0, (5.0, 3.5))
 NOSE = 1.42
 """How far a person's nose is from the centre, in radii of the disc."""

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.room import Furniture
     from comity_sim2d.scene.scene import Scene
 
+PX_PER_IN = 100.0
+"""Of this file, whatever a page has: words have the same places in every form and size of a picture."""
 EDGE_PX = 10.0
 LINE_PX = 3.0
 WALL_PX = 7.0
@@ -36,8 +38,8 @@ MUCH = 30
 """Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
 BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
 """Of a line: in a bubble the first, unless a narrower one has a better place."""
-NARROWER = 0.3
-"""What each narrower shape of a bubble costs: as much as being 18 px farther away (our choice)."""
+NARROWER = 0.5
+"""What each narrower shape of a bubble costs: as much as being 30 px farther away (our choice)."""
 MOST_LINES = 8
 """Of a bubble; the rest is left to the page of the run: it would hide who is spoken to (our choice)."""
 RIM = 0.8
@@ -51,10 +53,14 @@ class MapLabels:
     """The labels of one map. First say what to avoid; then every label avoids all that came before it."""
 
     def __init__(self, ax: Axes, canvas: FigureCanvasAgg) -> None:
+        from matplotlib.transforms import Affine2D
+
         self.ax = ax
         untyped: Any = canvas  # its drawing calls carry no types
         self._renderer = untyped.get_renderer()
-        area = ax.get_window_extent(self._renderer)
+        self._to_px = canvas.figure.dpi_scale_trans.inverted() + Affine2D().scale(PX_PER_IN)
+        self._metres_to_px = ax.transData + self._to_px
+        area = ax.get_window_extent(self._renderer).transformed(self._to_px)
         self._page = Page(Box(area.x0, area.y0, area.x1, area.y1).grown(-EDGE_PX), [], [])
         self._bodies: list[Box] = []
 
@@ -131,7 +137,7 @@ class MapLabels:
         outline, middle = self._outline(piece)
         left, bottom, right, top = outline.bounds
         reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
-        x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()
+        x, y = self._metres_to_px.inverted().transform((middle.x, middle.y)).tolist()
         self.near((x, y), reach_m, d.short(piece.name, NAME_CHARACTERS), size=NAME_PT, colour=d.GREY)
 
     def _outline(self, piece: Furniture) -> tuple[Polygon, Point]:
@@ -200,7 +206,10 @@ class MapLabels:
             found.append(((hides, cost + NARROWER * narrower), narrower, box, text))
         *_, box, text = min(found)
         self._page.labels.append(box)
-        return [*_bubble(box, anchor, radius, colour), self._label(box.centre, text, 10.0, d.INK, "normal")]
+        parts = _bubble(box, anchor, radius, colour)
+        for part in parts:
+            part.set_transform(self._to_px.inverted())
+        return [*parts, self._label(box.centre, text, 10.0, d.INK, "normal")]
 
     def _wrapped(self, deeds: Sequence[str]) -> list[tuple[str, XY]]:
         """The lines of a bubble, wider and narrower, each with its size in pixels; none wider than the page.
@@ -233,17 +242,16 @@ class MapLabels:
 
     def _label(self, at: XY, text: str, size: float, colour: str, weight: str) -> Text:
         from matplotlib.text import Text
-        from matplotlib.transforms import IdentityTransform
 
         label = Text(*at, text, size=size, color=colour, weight=weight, ha="center", va="center", zorder=11)
         label.set_linespacing(LINE_SPACING)
-        label.set_transform(IdentityTransform())
+        label.set_transform(self._to_px.inverted())
         return label
 
     def _size(self, text: str, size: float, weight: str = "bold") -> XY:
         label = self._label((0.0, 0.0), text, size, d.INK, weight)
         label.set_figure(self.ax.figure)
-        extent = label.get_window_extent(self._renderer)
+        extent = label.get_window_extent(self._renderer).transformed(self._to_px)
         return (extent.width, extent.height)
 
     def _along(self, points: Sequence[XY]) -> list[Box]:
@@ -264,7 +272,7 @@ class MapLabels:
         return Box(left, bottom, right, top)
 
     def _at(self, xy: XY) -> XY:
-        x, y = self.ax.transData.transform(xy).tolist()
+        x, y = self._metres_to_px.transform(xy).tolist()
         return (x, y)
 
     def _px(self, metres: float) -> float:
@@ -274,7 +282,6 @@ class MapLabels:
 def _bubble(box: Box, anchor: XY, radius: float, colour: str) -> list[Artist]:
     """The tail, which points from the box to the rim of a disc, and the box itself, in pixels."""
     from matplotlib.patches import FancyBboxPatch, Polygon
-    from matplotlib.transforms import IdentityTransform
 
     along = direction_to(box.centre, anchor)
     gap = math.dist(box.centre, anchor) - radius - 3.0
@@ -287,6 +294,4 @@ def _bubble(box: Box, anchor: XY, radius: float, colour: str) -> list[Artist]:
         (inner.left, inner.bottom), inner.right - inner.left, inner.top - inner.bottom,
         boxstyle="round,pad=4,rounding_size=7", fc="#FFFFFF", ec=colour, lw=1.5, zorder=9.6,
     )  # fmt: skip
-    tail.set_transform(IdentityTransform())
-    body.set_transform(IdentityTransform())
     return [tail, body]

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
+from comity_sim2d.pictures.colours import HALO
 from comity_sim2d.pictures.lettering import lettering
 
 if TYPE_CHECKING:
@@ -86,5 +87,6 @@ def _halos_apart(figure: Figure) -> None:
             halo.set_rotation(word.get_rotation())
             halo.set_linespacing(LINE_SPACING)
             halo.set_zorder(word.get_zorder() - 1e-3)
+            halo.set_color(HALO)
             word.set_path_effects([])
             word.axes.add_artist(halo)
