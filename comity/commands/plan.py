@@ -193,7 +193,7 @@ def _more(
     return {
         "why": step_why(answer, prepared, why) if why is not None else None,
         "diff": plan_diff(written, prepared) if written else None,
-        "stability": stability_of(prepared) if stability else None,
+        "stability": stability_of(prepared.asked.request, prepared.plan) if stability else None,
     }
 
 

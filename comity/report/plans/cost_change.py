@@ -13,10 +13,11 @@ from comity.report.text import number
 from comity_domain import visits_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from comity.preparation import Prepared
-    from comity_domain import PlanStep
+    from comity_domain import Plan, PlanStep
+    from comity_fis import Inference
 
 TRAVEL, NEARNESS, WAITING = "travel", "nearness", "waiting"
 Because = Callable[[str, "PlanStep | None", "PlanStep | None"], str]
@@ -32,7 +33,7 @@ def cost_changes(before: Prepared, after: Prepared) -> Iterator[StepCostChangeAn
         before: The scenario as it is written.
         after: The same with other profiles, or another rulebook.
     """
-    was, is_ = _by_key(before), _by_key(after)
+    was, is_ = _by_key(before.plan), _by_key(after.plan)
     for key in dict.fromkeys((*is_, *was)):
         old, new = was.get(key), is_.get(key)
         step = new or old
@@ -63,10 +64,10 @@ def step_change(
         )
 
 
-def _by_key(prepared: Prepared) -> dict[Key, PlanStep]:
+def _by_key(plan: Plan) -> dict[Key, PlanStep]:
     found: dict[Key, PlanStep] = {}
     count = Counter[tuple[str, str]]()
-    for step in prepared.plan.steps:
+    for step in plan.steps:
         name = (step.action, step.arguments[2] if step.companions else step.person)
         found[*name, count[name]] = step
         count[name] += 1
@@ -93,23 +94,24 @@ def _because(
     if part == TRAVEL:
         return why_this_leg(old, new, before, after)
     if part == WAITING:
-        return f"greeted before are {_earlier(old, before)}, and now {_earlier(new, after)}"
+        return f"greeted before are {_earlier(old, before.plan)}, and now {_earlier(new, after.plan)}"
     if part == NEARNESS:
         moved = f", and now before {new.person}" if old.person != new.person else ""
-        return f"the robot stands before {old.person}{moved}; {_likings(new, before, after)}"
+        preferred = _preferences(new, before.values, after.values)
+        return f"the robot stands before {old.person}{moved}; {preferred}"
     return f"before, {old.why.chosen}; now, {new.why.chosen}"
 
 
-def _earlier(step: PlanStep, prepared: Prepared) -> str:
-    """Who is greeted before a person."""
-    stops = [visit.spot.place for visit in visits_of(prepared.plan)]
+def _earlier(step: PlanStep, plan: Plan) -> str:
+    """The people that are greeted before a person."""
+    stops = [visit.spot.place for visit in visits_of(plan)]
     return ", ".join(stops[: stops.index(step.person)]) or "nobody"
 
 
-def _likings(step: PlanStep, before: Prepared, after: Prepared) -> str:
-    """How near to them each of a company would like the robot to stand."""
-    name, likes = "conversational_distance", []
-    for who in step.people:
-        was, is_ = (number(prepared.values[who][name].number, "m") for prepared in (before, after))
-        likes.append(f"{who} likes {was}" + (f", and now {is_}" if was != is_ else ""))
-    return "; ".join(likes)
+def _preferences(step: PlanStep, before: Mapping[str, Inference], after: Mapping[str, Inference]) -> str:
+    """The distance [m] that each person of a company prefers between the robot and themselves."""
+    name, preferred = "conversational_distance", []
+    for person in step.people:
+        was, is_ = (number(values[person][name].number, "m") for values in (before, after))
+        preferred.append(f"{person} likes {was}" + (f", and now {is_}" if was != is_ else ""))
+    return "; ".join(preferred)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from comity.report.text import number
@@ -13,7 +13,9 @@ from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
-    from comity_domain import PlanStep
+    from comity_domain import Plan, PlanStep
+    from comity_fis import Inference
+    from comity_sim2d import Pose, Scene
 
 HERE = (START.place, START.side)
 BEARING = "approach_bearing"
@@ -31,11 +33,12 @@ def why_this_leg(old: PlanStep, new: PlanStep, before: Prepared, after: Prepared
         before: What the first was planned for.
         after: What the other was planned for.
     """
-    reasons = [*_begins(old, new, before, after), *_ends(old, new), *_bends(new, before, after)]
+    begins, bends = _begins(old, new, before.plan, after.plan), _bends(new, before.values, after)
+    reasons = [*begins, *_ends(old, new), *bends]
     return "; ".join(reasons) or "the free places to stand before people are others"
 
 
-def _begins(old: PlanStep, new: PlanStep, before: Prepared, after: Prepared) -> Iterator[str]:
+def _begins(old: PlanStep, new: PlanStep, before: Plan, after: Plan) -> Iterator[str]:
     if old.origin != new.origin:
         yield f"from {_place(old.origin)}, and now from {_place(new.origin)}"
         return
@@ -71,20 +74,21 @@ def _moved(old: PlanStep, new: PlanStep) -> Iterator[str]:
             yield f"{name.replace('_', ' ')} {number(was, unit)} → {number(is_, unit)}"
 
 
-def _stand(step: PlanStep, prepared: Prepared) -> PlanStep | None:
+def _stand(step: PlanStep, plan: Plan) -> PlanStep | None:
     """The step that brought the robot where this one sets out; None where nobody is there."""
-    earlier = prepared.plan.steps[: prepared.plan.steps.index(step)]
+    earlier = plan.steps[: plan.steps.index(step)]
     stands = [one for one in earlier if BEARING in one.parameters]
     stood = stands[-1] if stands else None
     return stood if stood and step.origin == (stood.person, stood.arguments[-1]) else None
 
 
-def _bends(new: PlanStep, before: Prepared, after: Prepared) -> Iterator[str]:
-    """Who stands beside the way and likes to be passed at another distance than before."""
-    stood, start, goal = _stand(new, after), _start(new, after), _goal(new, after)
+def _bends(new: PlanStep, before: Mapping[str, Inference], after: Prepared) -> Iterator[str]:
+    """The people next to the path that prefer to be passed at another distance than before."""
+    stood, start = _stand(new, after.plan), _start(new, after)
+    goal = _goal(new, after.scene, after.asked.places)
     ends = {new.person} | ({stood.person} if stood else set())
     length = after.route_map.length(start, goal)
-    for name, values in before.values.items():
+    for name, values in before.items():
         was, is_ = values[DISTANCE].number, after.values[name][DISTANCE].number
         if name in ends or abs(was - is_) < SHOWN["m"]:
             continue
@@ -94,16 +98,16 @@ def _bends(new: PlanStep, before: Prepared, after: Prepared) -> Iterator[str]:
 
 
 def _start(step: PlanStep, prepared: Prepared) -> XY:
-    stood = _stand(step, prepared)
+    stood, places = _stand(step, prepared.plan), prepared.asked.places
     if stood is not None:
-        return _goal(stood, prepared)
+        return _goal(stood, prepared.scene, places)
     place = step.origin[0] if step.origin else ""
-    fetched = prepared.asked.places.get(place) if step.origin != HERE else None
+    fetched = places.get(place) if step.origin != HERE else None
     return prepared.scene.robot.pose.xy if fetched is None else fetched.xy
 
 
-def _goal(step: PlanStep, prepared: Prepared) -> XY:
+def _goal(step: PlanStep, scene: Scene, places: Mapping[str, Pose]) -> XY:
     distance, bearing = step.parameters.get(DISTANCE), step.parameters.get(BEARING)
     if not isinstance(distance, float) or not isinstance(bearing, float):
-        return prepared.asked.places[step.arguments[-1]].xy
-    return spot_pose(prepared.scene, step.person, distance, bearing).xy
+        return places[step.arguments[-1]].xy
+    return spot_pose(scene, step.person, distance, bearing).xy

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
+    from comity_sim2d import RobotBody
 
 
 def plan_answer(prepared: Prepared) -> PlanAnswer:
@@ -48,7 +49,11 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
         ),
         unmet=prepared.unmet,
         already=_already(prepared.file),
-        notes=(*notes_of_unread(prepared.rulebook), *_unverified(prepared), *_unheard(prepared)),
+        notes=(
+            *notes_of_unread(prepared.rulebook),
+            *_unverified(plan, prepared.scene.robot),
+            *_unheard(plan, prepared.values),
+        ),
     )
 
 
@@ -57,10 +62,9 @@ def quality_of(plan: Plan) -> dict[str, Any]:
     return {name: getattr(plan, name) for name in ("engine", "optimal", "reproducible", "killed")}
 
 
-def _unverified(prepared: Prepared) -> Iterator[str]:
-    """The people whom the sensor would not show from the target distance, with why."""
-    robot = prepared.scene.robot
-    for step in prepared.plan.steps:
+def _unverified(plan: Plan, robot: RobotBody) -> Iterator[str]:
+    """The people that the sensor would not show from the target distance, with why."""
+    for step in plan.steps:
         distance_m = step.parameters.get("conversational_distance")
         if step.action == "Reach_user" and isinstance(distance_m, float):
             reason = too_short_for(robot.sensor, robot.radius_m + distance_m)
@@ -68,11 +72,11 @@ def _unverified(prepared: Prepared) -> Iterator[str]:
                 yield f"{step.person}: {reason}"
 
 
-def _unheard(prepared: Prepared) -> Iterator[str]:
+def _unheard(plan: Plan, values: Mapping[str, Inference]) -> Iterator[str]:
     """The people who are to be told something and do not hear."""
-    visited = {name for step in prepared.plan.steps for name in step.people}
-    for name in prepared.values:
-        if name in visited and NOTE_OF_SAY in prepared.values[name].notes:
+    visited = {name for step in plan.steps for name in step.people}
+    for name, inferred in values.items():
+        if name in visited and NOTE_OF_SAY in inferred.notes:
             yield f"{name}: {NOTE_OF_SAY}"
 
 

@@ -10,12 +10,13 @@ from comity.report.text import number, words
 from comity.report.values.inference import because
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
     from comity.preparation import Prepared
-    from comity_domain import PlanStep
+    from comity_domain import Plan, PlanStep
+    from comity_fis import Inference
 
 SAME = 1e-9
 """Numbers nearer to each other are the same, relative to the larger one of them and 1."""
@@ -30,9 +31,9 @@ def plan_diff(before: Prepared, after: Prepared) -> DiffAnswer:
     """
     return DiffAnswer(
         cost=(before.plan.cost, after.plan.cost),
-        order=(_order(before), _order(after)),
-        parameters=tuple(_parameters(before, after)),
-        choices=tuple(_choices(before, after)),
+        order=(_order(before.plan), _order(after.plan)),
+        parameters=tuple(_parameters(before.values, after.values)),
+        choices=tuple(_choices(before.plan, after.plan)),
         costs=tuple(cost_changes(before, after)),
     )
 
@@ -92,13 +93,15 @@ def _named(step: StepCostChangeAnswer, *, plain: bool) -> str:
     return f"{step.action}({', '.join(step.people)}: {' → '.join(dict.fromkeys(ways))})"
 
 
-def _order(prepared: Prepared) -> tuple[str, ...]:
-    return tuple(step.person for step in prepared.plan.steps if step.action == "Reach_user")
+def _order(plan: Plan) -> tuple[str, ...]:
+    return tuple(step.person for step in plan.steps if step.action == "Reach_user")
 
 
-def _parameters(before: Prepared, after: Prepared) -> Iterator[ParameterChangeAnswer]:
-    for person, values in before.values.items():
-        others = after.values[person]
+def _parameters(
+    before: Mapping[str, Inference], after: Mapping[str, Inference]
+) -> Iterator[ParameterChangeAnswer]:
+    for person, values in before.items():
+        others = after[person]
         for name, value in values.parameters.items():
             other = others.parameters.get(name)
             if other is not None and not same(value.value, other.value):
@@ -113,7 +116,7 @@ def _parameters(before: Prepared, after: Prepared) -> Iterator[ParameterChangeAn
                 )
 
 
-def _choices(before: Prepared, after: Prepared) -> Iterator[ChoiceChangeAnswer]:
+def _choices(before: Plan, after: Plan) -> Iterator[ChoiceChangeAnswer]:
     """Sides and greetings by person: a company that is greeted at once is a greeting of each of them."""
     was, is_ = _chosen(before), _chosen(after)
     for person, action in dict.fromkeys((*was, *is_)):
@@ -130,11 +133,11 @@ def _choices(before: Prepared, after: Prepared) -> Iterator[ChoiceChangeAnswer]:
         )
 
 
-def _chosen(prepared: Prepared) -> dict[tuple[str, str], tuple[tuple[str, ...], PlanStep]]:
+def _chosen(plan: Plan) -> dict[tuple[str, str], tuple[tuple[str, ...], PlanStep]]:
     """What is chosen for each person, and the step that says why."""
     return {
         (person, "greeting" if step.action.startswith("Greet_") else step.action): (step.arguments[2:], step)
-        for step in prepared.plan.steps
+        for step in plan.steps
         for person in step.people
     }
 

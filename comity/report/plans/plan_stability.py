@@ -13,15 +13,15 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.preparation import Prepared
+    from comity_domain import Plan, VisitRequest
 
 
-def stability(prepared: Prepared) -> StabilityAnswer | None:
+def stability(request: VisitRequest, plan: Plan) -> StabilityAnswer | None:
     """The answer of `comity plan --stability`; None for too many people."""
-    found = flips(prepared.asked.request, prepared.plan)
+    found = flips(request, plan)
     if found is None:
         return None
-    visits = visits_of(prepared.plan)
+    visits = visits_of(plan)
     return StabilityAnswer(
         lowest=LOWEST,
         highest=HIGHEST,

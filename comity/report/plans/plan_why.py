@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from comity.answers.plan import PlanAnswer, StepValueAnswer
     from comity.preparation import Prepared
+    from comity_domain import Plan, VisitRequest
 
 PARTS = {
     "travel": "of way",
@@ -44,26 +45,24 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
     """
     place = asked_step(answer.steps, asked, _name)
     step = answer.steps[place - 1]
-    instead = (
-        next_instead(prepared.asked.request, prepared.plan, _stop(answer, place))
-        if step.action == "Reach_user"
-        else ()
-    )
+    request, plan = prepared.asked.request, prepared.plan
+    is_visit = step.action == "Reach_user"
+    limit_s = prepared.file.scenario.limits.planning_s
     return StepWhyAnswer(
         number=place,
         step=step,
         values=tuple(step_values(step, prepared.values)),
-        next_instead=instead,
-        contrast=tuple(_contrast(prepared, step)) if step.action == "Reach_user" else (),
+        next_instead=next_instead(request, plan, _stop(answer, place)) if is_visit else (),
+        contrast=tuple(_contrast(step, request, plan, time_limit_s=limit_s)) if is_visit else (),
         skipping=skipping(prepared, step.people[0]) if step.action == SKIP else None,
     )
 
 
-def _contrast(prepared: Prepared, step: StepAnswer) -> Iterator[ContrastAnswer]:
+def _contrast(
+    step: StepAnswer, request: VisitRequest, plan: Plan, *, time_limit_s: float
+) -> Iterator[ContrastAnswer]:
     sides = [other.arguments[-1] for other in step.why.alternatives]
-    limit_s = prepared.file.scenario.limits.planning_s
-    request, plan = prepared.asked.request, prepared.plan
-    for one in from_other_sides(request, plan, step.arguments[1], sides, time_limit_s=limit_s):
+    for one in from_other_sides(request, plan, step.arguments[1], sides, time_limit_s=time_limit_s):
         steps = one.plan.steps if one.plan else ()
         named = tuple(f"{each.action}({', '.join(each.arguments)})" for each in steps)
         yield ContrastAnswer(side=one.side, extra_cost=one.extra_cost, steps=named)
