@@ -34,7 +34,8 @@ def margin_facts(
 ) -> dict[str, MarginFacts]:
     """By person; empty where the scenario sets no reduced margin.
 
-    What the scenario tells later of a person counts from the start: the least favourable of it.
+    What the scenario tells later of a person counts from the start: the least favourable of it. So does a
+    posture that a profile declares, where the scenario has the person stand.
 
     Args:
         scenario: With what holds around people.
@@ -67,8 +68,10 @@ def margin_facts_of(
         situation: Facts of the person here and now, which go before the profile.
         later: Facts of the person by each later change.
     """
-    now = {**profile.facts(day or date.today()), **situation}
-    each = [_facts({**now, **told}) for told in (NOTHING, *later)]
+    declared = profile.facts(day or date.today())
+    now = {**declared, **situation}
+    posture = {name: fact for name, fact in declared.items() if name == "posture"}
+    each = [_facts({**now, **told}) for told in (NOTHING, posture, *later)]
     known = [one.age_years for one in each if one.age_years is not None]
     return MarginFacts(
         age_years=min(known) if len(known) == len(each) else None,

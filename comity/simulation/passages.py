@@ -20,7 +20,7 @@ SLACK_M = 1e-3
 
 
 def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Disturbance]:
-    """Each passage nearer than the full margin, and each answer that did not lead to leave, with why.
+    """Each passage nearer than the full margin, and each answer that did not lead to one, with why.
 
     Args:
         frames: Where all bodies were.
@@ -39,3 +39,7 @@ def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Di
             start_s, end_s = float(time_s[near[0]]), float(time_s[near[-1]])
             text = f"the robot passes {one.person}, who lets it pass, at {gap_m[near].min():.2f} m"
             yield Disturbance(start_s, end_s, "passage", one.person, text)
+        else:
+            kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {one.person}, who lets it pass"
+            text = f"{kept}: it did not come by while it might come nearer"
+            yield Disturbance(one.t, one.end_s, "passage", one.person, text)

@@ -107,6 +107,17 @@ def test_a_person_who_declared_too_little_keeps_the_full_margin_and_it_is_said_w
     assert passages(ran) == [f"the robot keeps 0.30 m from anna, who lets it pass: {reason}"]
 
 
+def test_leave_of_which_no_use_was_made_is_told(written):
+    """The robot sees ahead only, and loses the person beside it from view before it passes."""
+    text = corridor(anna="lets_pass: true", more="limits: {time_s: 30}\n")
+    text = text.replace("at_m: [4, 0.635]", "at_m: [4, 0.25]")
+    ran = front_door.run(
+        written(text.replace("margin_m: 0.25", "margin_m: 0.25, sensor: {field_of_view_deg: 60}"))
+    )
+    assert gaps_m(ran).min() >= 0.299
+    assert {one.about for one in ran.disturbances if one.kind == "passage"} == {"anna"}
+
+
 def test_without_the_keys_nothing_is_passed_nearer_and_no_fact_is_read(written):
     stage = staged(load_scenario(written(corridor(margin_m=None, anna="posture: standing"))))
     assert [person.margin_facts for person in stage.scene.people] == [MarginFacts()] * 2
@@ -162,6 +173,12 @@ def test_only_words_that_say_so_say_that_nothing_is_wrong(word):
         assert margin_facts_of(Profile(name="anna"), None, {**fit, name: word}) != MarginFacts(
             40.0, True, True, True
         )
+
+
+@pytest.mark.parametrize("posture", ["seated", "lying"])
+def test_a_posture_that_a_profile_declares_counts_where_the_scenario_has_the_person_stand(posture):
+    profile = Profile(name="anna", age=40, hearing="good", sight="good", mobility="full", posture=posture)
+    assert not margin_facts_of(profile, None, {"posture": "standing"}).stands
 
 
 def test_who_sits_declares_all_the_rest():
