@@ -188,29 +188,44 @@ export class World {
       put(ring, "r", ((radius + value) * SCALE).toFixed(1));
       say(title, `${name} would like ${measured(value, "m")}`);
     }
-    const taken = [];
+    const [names, bodies] = [[], new Map(this.wishes.map(({ name, radius }) => [name, this.bodyBox(name, radius)]))];
     for (const { name, radius } of this.wishes) {
       const { value } = values[name].parameters.conversational_distance;
-      this.placeName(name, (radius + value) * SCALE, taken);
+      const others = [...bodies].filter(([other]) => other !== name).map(([, box]) => box);
+      this.placeName(name, (radius + value) * SCALE, names, others);
     }
   }
 
-  /** Put a name where it is on the drawing and over no other name; hide it where there is no such place. */
-  placeName(name, ring, taken) {
+  bodyBox(name, radius) {
+    const pose = this.episode.track.pose(name, this.t);
+    const [x, y] = this.projection.at(pose.x, pose.y);
+    const half = radius * SCALE;
+    return { left: x - half, right: x + half, top: y - half, bottom: y + half };
+  }
+
+  /**
+   * Put a name where it is on the drawing and over no other name, and if it can be over nobody; else hide it.
+   *
+   * @param {string} name of the person
+   * @param {number} ring radius of the wanted distance
+   * @param {object[]} names boxes of the names before it; its own is added
+   * @param {object[]} bodies boxes of the others
+   */
+  placeName(name, ring, names, bodies) {
     const { text, ...about } = this.names.get(name);
     if (about.half === undefined) return;
     const pose = this.episode.track.pose(name, this.t);
     const [x, y] = this.projection.at(pose.x, pose.y);
     const [px, margin, { height }] = [1 / this.perUnit, MARGIN_M * SCALE, this.projection];
     const lines = nameLines({ ...about, ring, px }, { over: y - margin, under: height - y - margin });
-    const boxes = lines.map((line) => nameBox(x, y + line, about.half, px));
-    const free = boxes.findIndex(
-      (box) => box.top >= 0 && box.bottom <= height && !taken.some((other) => overlap(box, other)),
-    );
-    put(text, "visibility", free < 0 ? "hidden" : "inherit");
-    if (free < 0) return;
-    taken.push(boxes[free]);
-    put(text, "y", lines[free].toFixed(1));
+    const apart = lines
+      .map((line) => ({ line, box: nameBox(x, y + line, about.half, px) }))
+      .filter(({ box }) => box.top >= 0 && box.bottom <= height && !names.some((other) => overlap(box, other)));
+    const best = apart.find(({ box }) => !bodies.some((other) => overlap(box, other))) ?? apart[0];
+    put(text, "visibility", best ? "inherit" : "hidden");
+    if (!best) return;
+    names.push(best.box);
+    put(text, "y", best.line.toFixed(1));
   }
 
   /** A line between robot and person as long as their visit lasts. */

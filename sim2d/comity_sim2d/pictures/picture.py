@@ -241,14 +241,20 @@ class _Picture:
 
     def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
         """How far those who are only passed like robots to be, where that is known."""
-        visited = {ring.person for ring in self._rings}
-        for person in self._scene.people:
-            if person.name in visited or person.personal_distance_m is None:
-                continue
-            radius_m = person.radius_m + person.personal_distance_m
-            circle = d.dashed_circle(self._stands[person.name].xy, radius_m, self._colours[person.name])
+        for name, radius_m in self._own_distances.items():
+            circle = d.dashed_circle(self._stands[name].xy, radius_m, self._colours[name])
             ax.add_patch(circle)
             circle.set_clip_path(floor)
+
+    @cached_property
+    def _own_distances(self) -> dict[str, float]:
+        """Radii of the rings of those who are only passed [m], by name."""
+        visited = {ring.person for ring in self._rings}
+        return {
+            person.name: person.radius_m + person.personal_distance_m
+            for person in self._scene.people
+            if person.name not in visited and person.personal_distance_m is not None
+        }
 
     def _draw_way(self, ax: Axes, size: float) -> None:
         """The driven path, its arrows so many times as large as usual: they are seen on a large map, too."""
@@ -277,6 +283,10 @@ class _Picture:
             labels.avoid_circle(self._met[ring.person].xy, radius)
             if ring.person in self._reached:
                 labels.avoid_line(self._gap(ring))
+        for name, radius_m in self._own_distances.items():
+            labels.avoid_circle(self._stands[name].xy, radius_m)
+        for space in self._o_spaces:
+            labels.avoid_disc(space.xy, space.radius_m)
         labels.avoid_walls(self._scene)
         for track in self._tracks.values():
             labels.avoid_line([(x, y) for x, y in track[::8, :2].tolist()])
