@@ -11,7 +11,7 @@ from unified_planning.engines.mixins.oneshot_planner import OptimalityGuarantee
 from unified_planning.environment import Environment, get_environment
 from unified_planning.model import AbstractProblem, Problem, ProblemKind
 
-from comity_domain.classical.solving import solve_or_prove
+from comity_domain.classical.solving import solved
 from comity_domain.classical.visit_domain import empty_problem
 from comity_domain.errors import NoPlan, PlanningFailed
 
@@ -51,14 +51,14 @@ class ComityEngine(Engine, OneshotPlannerMixin):  # type: ignore[misc]
     ) -> PlanGenerationResult:
         assert isinstance(problem, Problem)
         try:
-            plan, proven = solve_or_prove(problem, time_limit_s=timeout or 30.0)
+            plan, order = solved(problem, time_limit_s=timeout or 30.0)
         except NoPlan:
             return PlanGenerationResult(PlanGenerationResultStatus.UNSOLVABLE_PROVEN, None, NAME)
         except PlanningFailed:
             return PlanGenerationResult(PlanGenerationResultStatus.TIMEOUT, None, NAME)
         status = PlanGenerationResultStatus
         return PlanGenerationResult(
-            status.SOLVED_OPTIMALLY if proven else status.SOLVED_SATISFICING, plan, NAME
+            status.SOLVED_OPTIMALLY if order.proven else status.SOLVED_SATISFICING, plan, NAME
         )
 
 

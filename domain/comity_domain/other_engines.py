@@ -23,7 +23,7 @@ from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
-from comity_domain.tours.tour import PlannedVisit, Stop, best_tour, tour_cost
+from comity_domain.tours.tour import PlannedVisit, best_tour, tour_cost
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
@@ -87,8 +87,7 @@ def _solved(engine: str, choices: Options, names: PddlNames, time_limit_s: float
 
 def _tied(visits: Sequence[PlannedVisit], choices: Options) -> Sequence[PlannedVisit]:
     """Where the engine took one of several choices that cost the same, the one that ties go to."""
-    stops = [Stop(visit.spot.place, visit.company, visit.bringing) for visit in visits]
-    ours = best_tour(stops, choices)
+    ours = best_tour([visit.stop for visit in visits], choices)
     return ours if tour_cost(ours, choices) == tour_cost(visits, choices) else visits
 
 

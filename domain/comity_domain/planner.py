@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from time import monotonic
 
 from comity_domain.choices.options import Options
+from comity_domain.classical.order_of import order_of
 from comity_domain.explanation.around import options_around
 from comity_domain.labelling.skipping import leaving, skip_steps
-from comity_domain.ordering.best_order import best_order
 from comity_domain.ordering.measuring import measured_options
 from comity_domain.ordering.order import Order
 from comity_domain.ordering.settling import settled
@@ -46,7 +46,7 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
     ends_s = monotonic() + time_limit_s
     left = leaving(request, ends_s=ends_s - time_limit_s / 2)
     served = request.without(left.names) if left.names else request
-    found = settled(served, best_order, time_limit_s=time_limit_s, ends_s=ends_s)
+    found = settled(served, order_of, time_limit_s=time_limit_s, ends_s=ends_s)
     bounded, choices = found.choices, measured_options(found.choices, found.request)
     visits = best_tour(found.order.stops, choices)
     in_time = left.in_time and monotonic() <= ends_s

@@ -106,7 +106,7 @@ def _choices(steps: Sequence[PlanStep]) -> list[tuple[tuple[str, ...], object, o
 def _stops(plan: Plan) -> Iterator[Stop]:
     """The person whom the plan reaches, and whether it greets their company at once."""
     for visit in visits_of(plan):
-        yield Stop(visit.spot.place, visit.company, visit.bringing)
+        yield visit.stop
 
 
 def _rebound(stops: Sequence[Stop], request: VisitRequest) -> tuple[PlanStep, ...]:

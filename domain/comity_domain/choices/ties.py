@@ -24,3 +24,9 @@ def tie_break(desirability: float, departures: int = 0) -> int:
         departures: The number of its values that differ from the inferred ones.
     """
     return (_WHOLE - round(_WHOLE * desirability)) * _DEPARTURES + departures
+
+
+def untied(tie: int) -> tuple[float, int]:
+    """The desirability, to six decimals, and the departures of a `tie_break`."""
+    missing, departures = divmod(tie, _DEPARTURES)
+    return (_WHOLE - missing) / _WHOLE, departures

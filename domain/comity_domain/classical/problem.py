@@ -17,11 +17,12 @@ from comity_domain.problem.request import VisitRequest
 from comity_domain.tours.tour import PlannedVisit
 
 if TYPE_CHECKING:
+    from unified_planning.environment import Environment
     from unified_planning.model import Problem
     from unified_planning.plans import SequentialPlan
 
 
-def problem_of(request: VisitRequest) -> Problem:
+def problem_of(request: VisitRequest, environment: Environment | None = None) -> Problem:
     """The visits as a problem that unified-planning's engines, compilers and validator take.
 
     Who is left out at a price is decided before, and is not in it. Deadlines are not in it, either: its
@@ -29,12 +30,15 @@ def problem_of(request: VisitRequest) -> Problem:
 
     Args:
         request: What is asked; what is not measured of it yet is measured.
+        environment: Where its parts live; None: unified-planning's global one, which loads all engines; it is
+            the only one in which release 1.3 grounds actions, as its validator does. For `solve` a
+            `classical.light_environment.LightEnvironment()` is enough.
 
     Raises:
         ValueError: The request holds a person whom no plan can serve.
     """
     choices = _choices(request)
-    return problem_with(choices, visit_names(choices))
+    return problem_with(choices, visit_names(choices), environment)
 
 
 def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, SequentialPlan]:
@@ -62,7 +66,7 @@ def sequential_plan(
         ActionInstance(problem.action(name), [make(problem.object(names.ids[word])) for word in words])
         for name, words in grounded(visits, choices)
     ]
-    return SequentialPlan(actions)
+    return SequentialPlan(actions, problem.environment)
 
 
 def _choices(request: VisitRequest) -> Options:
@@ -70,15 +74,21 @@ def _choices(request: VisitRequest) -> Options:
     return options(fully_measured(request.without(left_out(request))))
 
 
-def problem_with(choices: Options, names: PddlNames) -> Problem:
-    """The problem whose plans are made of some choices, its objects called by their names."""
+def problem_with(choices: Options, names: PddlNames, environment: Environment | None = None) -> Problem:
+    """The problem whose plans are made of some choices.
+
+    Args:
+        choices: What a plan may be made of.
+        names: What the problem calls them.
+        environment: Where its parts live; None: unified-planning's global one.
+    """
     from unified_planning.model import Object
 
     from comity_domain.classical.visit_domain import empty_problem
 
-    problem = empty_problem("visit")
+    problem = empty_problem("visit", environment)
     for id_, word in names.words.items():
-        problem.add_object(Object(id_, problem.user_type(word.kind)))
+        problem.add_object(Object(id_, problem.user_type(word.kind), problem.environment))
     for fact in initial_state(choices):
         problem.set_initial_value(_atom(problem, fact, names), fact.value)
     for goal in goals(choices):

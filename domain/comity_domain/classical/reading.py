@@ -14,6 +14,7 @@ from comity_domain.choices.companies import CompanyOptions
 from comity_domain.choices.greeting import Greeting
 from comity_domain.choices.options import Options, PersonOptions, Priced
 from comity_domain.choices.side import Side
+from comity_domain.choices.ties import untied
 from comity_domain.classical.initial_state import (
     brought,
     goals,
@@ -89,7 +90,7 @@ class _Stated:
     def choices(self, timing: Timing) -> Options:
         """See `choices_of`."""
         people = {user: self._person(user, timing) for user in self._users}
-        companies = {name: self._company(name, people) for (name,) in self._by_fluent["whole"]}
+        companies = {name: self._company(name, timing) for (name,) in self._by_fluent["whole"]}
         spots = [spot for person in people.values() for spot in person.spots()]
         robot = next((name for name, kind in self._kinds.items() if kind == "robot"), "")
         legs = dict(self._legs())
@@ -141,7 +142,7 @@ class _Stated:
         sides.sort(key=lambda side: (SIDES.index(side) if side in SIDES else len(SIDES), side))
         agenda: Agenda = tuple(self._task(task, timing) for task in self._agendas[user])
         things = [thing for task in self._agendas[user] if (thing := self._one("brings", task))]
-        greetings, priority = self._greetings(user)
+        greetings, priority = self._greetings(user, timing)
         bringing = {
             greeting: cost
             for greeting, cost in greetings.items()
@@ -150,7 +151,7 @@ class _Stated:
         return PersonOptions(
             user,
             NO_VALUES,
-            {side: Side(side, 0.0, 1.0, inferred=True) for side in sides},
+            {side: _side(side, timing.ties.get((user, side), 0)) for side in sides},
             {},
             greetings,
             {},
@@ -164,15 +165,20 @@ class _Stated:
             is_told=user in timing.announced,
         )
 
-    def _greetings(self, user: str) -> tuple[Priced, int]:
-        """What each costs as the first one, and what each person costs who is greeted before."""
+    def _greetings(self, user: str, timing: Timing) -> tuple[Priced, int]:
+        """What each costs as the first one, and what each person costs who is greeted before.
+
+        Of equal costs the one comes first that is stated first.
+        """
         costs = self._by_fluent["greet_cost"]
         first, *later = self._turns or [""]
         prices = {
-            Greeting(modality, gesture, 1.0, 0): costs.get((user, modality, gesture, first), 0)
+            Greeting(modality, gesture, *untied(timing.ties.get((user, modality, gesture), 0))): costs.get(
+                (user, modality, gesture, first), 0
+            )
             for (modality, gesture), _ in self._facts("permitted", user)
         }
-        sorted_prices = dict(sorted(prices.items(), key=lambda priced: (priced[1], priced[0].rank)))
+        sorted_prices = dict(sorted(prices.items(), key=lambda priced: priced[1]))
         if not later or not prices:
             return sorted_prices, 0
         modality, gesture = next(iter(prices)).way
@@ -187,7 +193,7 @@ class _Stated:
                 return kind.read(timing.details.get(task, task), numbers)
         return TakeLeave()
 
-    def _company(self, name: str, people: Mapping[str, PersonOptions]) -> CompanyOptions:
+    def _company(self, name: str, timing: Timing) -> CompanyOptions:
         members = tuple(user for (user, company) in self._by_fluent["member"] if company == name)
         spots = [Spot(user, side) for (user, side), _ in self._facts("overlooks", name)]
         ways = [(modality, gesture) for (modality, gesture), _ in self._facts("welcome", name)]
@@ -201,14 +207,24 @@ class _Stated:
         least = next(iter(prices.items()), None)
         beyond = {way: cost(least[0], way) - least[1] if least else 0 for way in ways}
         return CompanyOptions(
-            name, members, prices, dict(sorted(beyond.items(), key=lambda priced: (priced[1], priced[0])))
+            name,
+            members,
+            prices,
+            dict(sorted(beyond.items(), key=lambda priced: priced[1])),
+            {spot: timing.ties.get((name, spot.place, spot.side), 0) for spot in prices},
+            {way: timing.ties.get((name, *way), 0) for way in ways},
         )
+
+
+def _side(name: str, tie: int) -> Side:
+    desirability, departures = untied(tie)
+    return Side(name, 0.0, desirability, inferred=not departures)
 
 
 def _require_visit_domain(problem: Problem) -> None:
     from comity_domain.classical.visit_domain import empty_problem
 
-    ours = empty_problem("visit")
+    ours = empty_problem("visit", problem.environment)
     for what, theirs, known in (
         ("fluent", problem.fluents, ours.fluents),
         ("action", problem.actions, ours.actions),

@@ -8,6 +8,7 @@ from comity_domain.classical.problem import sequential_plan
 from comity_domain.classical.reading import choices_of
 from comity_domain.classical.timing import NO_TIMING, Timing
 from comity_domain.ordering.best_order import best_order
+from comity_domain.ordering.order import Order
 from comity_domain.tours.tour import best_tour
 
 if TYPE_CHECKING:
@@ -16,9 +17,9 @@ if TYPE_CHECKING:
 
 
 def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0) -> SequentialPlan:
-    """The cheapest plan of a visit problem; its actions cost as much as those of `make_plan`.
+    """The cheapest plan of a visit problem: with its timing, the plan of `make_plan`.
 
-    Of several plans that cost the same, it is one: a problem does not say which is the most desirable.
+    A problem does not say which of several plans that cost the same is the most desirable; its timing does.
 
     Args:
         problem: As `problem_of` makes it.
@@ -30,14 +31,14 @@ def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float =
         NoPlan: There is none.
         PlanningFailed: None was found; `cut_off` where the limit is the reason.
     """
-    return solve_or_prove(problem, timing, time_limit_s=time_limit_s)[0]
+    return solved(problem, timing, time_limit_s=time_limit_s)[0]
 
 
-def solve_or_prove(
+def solved(
     problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0
-) -> tuple[SequentialPlan, bool]:
-    """The same, and whether it is proven that no plan costs less."""
+) -> tuple[SequentialPlan, Order]:
+    """The same, and what the search knows about it."""
     choices, names = choices_of(problem, timing)
     order = best_order(choices, time_limit_s)
     visits = best_tour(order.stops, choices)
-    return sequential_plan(problem, visits, choices, names), order.proven
+    return sequential_plan(problem, visits, choices, names), order

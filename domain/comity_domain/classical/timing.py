@@ -1,4 +1,4 @@
-"""What no classical problem can say of the visits: deadlines, and how long everything takes."""
+"""What no classical problem can say of the visits: deadlines, durations, and what decides ties."""
 
 from __future__ import annotations
 
@@ -6,8 +6,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from comity_domain.choices.options import Options, options
-from comity_domain.classical.initial_state import tasks, visit_names
-from comity_domain.classical.naming import PddlWord
+from comity_domain.classical.initial_state import (
+    COMPANY,
+    SIDE,
+    USER,
+    spot_words,
+    tasks,
+    visit_names,
+    way_words,
+)
+from comity_domain.classical.naming import PddlNames, PddlWord
 from comity_domain.labelling.skipping import left_out
 from comity_domain.problem.agenda import PlainTask
 from comity_domain.problem.request import VisitRequest
@@ -27,6 +35,9 @@ class Timing:
     """By task, what decides how long it takes and no problem says: the text of a message."""
     announced: frozenset[str] = frozenset()
     """Users who are told in words that the robot comes, which takes longer."""
+    ties: Mapping[tuple[str, ...], int] = field(default_factory=dict)
+    """By user and side; by user, modality and gesture; the same of companies. Of plans that cost the same the
+    one with the least sum is made (`choices.ties`); >= 0, and 0 where there is no entry."""
 
     def __bool__(self) -> bool:
         """Whether it restricts the plans: no other engine keeps it then."""
@@ -39,7 +50,12 @@ NO_TIMING = Timing()
 def timing_of(request: VisitRequest) -> Timing:
     """What `problem_of(request)` leaves out."""
     choices = options(request.without(left_out(request)))
-    names, people = visit_names(choices), choices.people
+    return timing_with(choices, visit_names(choices))
+
+
+def timing_with(choices: Options, names: PddlNames) -> Timing:
+    """The same of choices whose problem calls them by these names."""
+    people = choices.people
     ids = {name: names.id("user", name) for name in people}
     places = ids | {at.place: names.id("location", at.place) for at in choices.locations}
     return Timing(
@@ -51,7 +67,23 @@ def timing_of(request: VisitRequest) -> Timing:
         },
         dict(_details(choices, names.ids)),
         frozenset(ids[name] for name, person in people.items() if person.is_told),
+        {tuple(names.ids[word] for word in words): tie for words, tie in _ties(choices) if tie},
     )
+
+
+def _ties(choices: Options) -> Iterator[tuple[tuple[PddlWord, ...], int]]:
+    for person in choices.people.values():
+        user = PddlWord(USER, person.name)
+        for side in person.sides.values():
+            yield (user, PddlWord(SIDE, side.name)), side.tie_break
+        for greeting in person.greetings:
+            yield (user, *way_words(greeting.way)), greeting.tie_break
+    for company in choices.companies.values():
+        together = PddlWord(COMPANY, company.name)
+        for spot, tie in company.spot_ties.items():
+            yield (together, *spot_words(spot)), tie
+        for way, tie in company.greeting_ties.items():
+            yield (together, *way_words(way)), tie
 
 
 def _details(choices: Options, ids: Mapping[PddlWord, str]) -> Iterator[tuple[str, str]]:

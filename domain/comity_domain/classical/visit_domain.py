@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
 
-from unified_planning.environment import get_environment
+from unified_planning.environment import Environment, get_environment
 from unified_planning.model import Fluent, InstantaneousAction, Problem, Variable
 from unified_planning.model.metrics import MinimizeActionCosts
 
@@ -98,19 +98,23 @@ Priced = tuple[InstantaneousAction, Any]
 NOTHING = 0
 
 
-def empty_problem(name: str) -> Problem:
+def empty_problem(name: str, environment: Environment | None = None) -> Problem:
     """The domain with nobody in it yet.
 
-    unified-planning 1.3 grounds actions in its global environment only, so that is where it lives.
+    Args:
+        name: Of the problem.
+        environment: Where its parts live; None: unified-planning's global one, the only one in which its
+            release 1.3 grounds actions.
     """
-    return _Domain().problem(name)
+    return _Domain(get_environment(environment)).problem(name)
 
 
 class _Domain:
     """What the actions are written with: types, fluents and how conditions are joined."""
 
-    def __init__(self) -> None:
-        types, number = get_environment().type_manager, get_environment().type_manager.IntType()
+    def __init__(self, environment: Environment) -> None:
+        types, number = environment.type_manager, environment.type_manager.IntType()
+        self._environment = environment
         self._types: dict[str, Any] = {}
         for name, above in TYPES.items():
             self._types[name] = types.UserType(name, None if above is None else self._types[above])
@@ -119,11 +123,11 @@ class _Domain:
         self.fluents = {**states, **numbers}
         self._is = SimpleNamespace(**self.fluents)
         """`self._is.greeted(u)` is the condition that `u` was greeted."""
-        join = get_environment().expression_manager
+        join = environment.expression_manager
         self._and, self._or, self._not = join.And, join.Or, join.Not
 
     def problem(self, name: str) -> Problem:
-        problem = Problem(name, get_environment())
+        problem = Problem(name, self._environment)
         for fluent in self.fluents.values():
             problem.add_fluent(fluent, default_initial_value=0 if fluent.name in NUMBERS else False)
         actions = (
@@ -138,19 +142,21 @@ class _Domain:
         )
         priced = dict(actions)
         problem.add_actions(priced)
-        problem.add_quality_metric(MinimizeActionCosts(priced))
+        problem.add_quality_metric(MinimizeActionCosts(priced, environment=self._environment))
         return problem
 
     def _fluent(self, name: str, kind: Any, of: str) -> Fluent:
-        return Fluent(name, kind, OrderedDict((f"x{i}", self._types[t]) for i, t in enumerate(of.split())))
+        arguments = OrderedDict((f"x{i}", self._types[t]) for i, t in enumerate(of.split()))
+        return Fluent(name, kind, arguments, environment=self._environment)
 
     def _action(self, name: str, **parameters: str) -> tuple[InstantaneousAction, Sequence[Any]]:
         """An action and its parameters, each given by its type."""
-        action = InstantaneousAction(name, OrderedDict((p, self._types[t]) for p, t in parameters.items()))
+        types = OrderedDict((p, self._types[t]) for p, t in parameters.items())
+        action = InstantaneousAction(name, types, self._environment)
         return action, action.parameters
 
     def _any(self, name: str, kind: str) -> Variable:
-        return Variable(name, self._types[kind])
+        return Variable(name, self._types[kind], self._environment)
 
     def _reach_user(self) -> Priced:
         """Go to a person and dock at their conversational distance, from one of their sides.

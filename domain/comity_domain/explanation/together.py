@@ -45,7 +45,7 @@ def one_by_one(index: int, visits: Sequence[PlannedVisit], options: Options) -> 
         visits: All.
         options: What may be chosen.
     """
-    stops = [Stop(visit.spot.place, visit.company, visit.bringing) for visit in visits]
+    stops = [visit.stop for visit in visits]
     company = visits[index].company
     assert company is not None
     found: dict[Tour, tuple[bool, int]] = {}

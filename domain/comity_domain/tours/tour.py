@@ -37,6 +37,11 @@ class PlannedVisit:
     """The modality and the gesture of the farewell; None where there is none."""
 
     @property
+    def stop(self) -> Stop:
+        """The stop without its choices."""
+        return Stop(self.spot.place, self.company, self.bringing)
+
+    @property
     def last_spot(self) -> Spot:
         """Where the visit ends."""
         return (self.spot, *self.returns)[-1]

@@ -1,0 +1,43 @@
+"""An environment of unified-planning that loads its engines at first use: models and plans need none.
+
+`Environment()` of unified-planning 1.3 imports all engines for its factory, a second of computing, before the
+first fluent can be named.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from unified_planning.environment import Environment
+from unified_planning.model import ExpressionManager, FreeVarsOracle
+from unified_planning.model.type_manager import TypeManager
+from unified_planning.model.walkers import (
+    FreeVarsExtractor,
+    NamesExtractor,
+    Simplifier,
+    Substituter,
+    TypeChecker,
+)
+
+
+class LightEnvironment(Environment):  # type: ignore[misc]
+    """The same parts as `Environment`, with the factory made when it is asked for."""
+
+    def __init__(self) -> None:
+        self._type_manager = TypeManager()
+        self._tc = TypeChecker(self)
+        self._expression_manager = ExpressionManager(self)
+        self._free_vars_oracle = FreeVarsOracle()
+        self._simplifier = Simplifier(self)
+        self._substituter = Substituter(self)
+        self._free_vars_extractor = FreeVarsExtractor()
+        self._names_extractor = NamesExtractor()
+        self._credits_stream = None
+        self._error_used_name = True
+
+    @cached_property
+    def factory(self) -> object:
+        """The engines that are installed."""
+        from unified_planning.engines import Factory
+
+        return Factory(self)
