@@ -15,7 +15,7 @@ from comity_domain.ordering.order import Order
 
 
 def order_of(choices: Options, time_limit_s: float) -> Order:
-    """The stops of the best plan that is found; what the problem and its timing do not state has no part in it.
+    """The stops of the best plan that is found; what the problem does not state has no part in it.
 
     Args:
         choices: What may be chosen.
