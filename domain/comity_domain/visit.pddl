@@ -60,6 +60,7 @@
     (welcome ?c - company ?m - modality ?g - gesture)          ; each of them accepts this greeting
 
     ; the counting of people
+    (lasts ?k - turn)                  ; no other turn follows: how many were greeted is no matter
     (then ?k - turn ?next - turn)
     (then_together ?c - company ?k - turn ?next - turn))
 
@@ -118,7 +119,7 @@
       (then ?k ?next))
     :effect (and
       (greeted ?u)
-      (not (now ?k))
+      (when (not (lasts ?k)) (not (now ?k)))
       (now ?next)
       (when (only_greeted ?u) (free ?r))
       (forall (?t - task) (when (opens ?u ?t) (due ?t)))
@@ -139,7 +140,7 @@
     :effect (and
       (not (whole ?c))
       (free ?r)
-      (not (now ?k))
+      (when (not (lasts ?k)) (not (now ?k)))
       (now ?next)
       (forall (?v - user) (when (member ?v ?c) (greeted ?v)))
       (forall (?v - user ?w - user) (when (and (member ?w ?c) (after ?v ?w)) (not (waits ?v))))

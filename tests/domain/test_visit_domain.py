@@ -115,6 +115,7 @@ def test_no_object_may_be_called_like_a_word_of_the_domain(stated):
         *(a.name.lower() for a in stated.actions),
     }
     syntax = set(re.findall(r"[a-z]+", "and or not imply exists forall when either object number visit"))
+    syntax |= {"start", "end", "over", "all"}
     syntax |= set(re.findall(r"[a-z]+", "define domain problem increase decrease assign minimize maximize"))
     assert words == RESERVED - syntax
 

@@ -17,6 +17,8 @@ ROBOT, PLACE, USER, LOCATION = "robot", "place", "user", "location"
 SIDE, MODALITY, GESTURE = "side", "modality", "gesture"
 COMPANY, TURN, TASK, THING = "company", "turn", "task", "thing"
 NOTHING = PddlWord(THING, "nothing")
+ENTRANCE = PddlWord(PLACE, "entrance")
+"""Where the robot sets out, `START` in a plan: `start` is a word of PDDL 2.1, no name for ENHSP."""
 
 
 class Fact(NamedTuple):
@@ -34,7 +36,7 @@ def visit_names(options: Options) -> PddlNames:
     things = [thing for person in options.people.values() for _, thing in brought(person)]
     return name_all(
         [
-            PddlWord(PLACE, START.place),
+            ENTRANCE,
             NOTHING,
             *(PddlWord(SIDE, side) for side in sides),
             *(PddlWord(MODALITY, modality) for modality in sorted(modalities)),
@@ -95,6 +97,8 @@ def state_and_costs(options: Options) -> Iterator[Fact]:
     yield Fact("empty", (NOTHING,))
     yield from (Fact("leaves_open", (NOTHING, PddlWord(GESTURE, gesture))) for gesture in _gestures(options))
     yield Fact("now", turns[:1])
+    if len(turns) == 1:
+        yield Fact("lasts", turns)
     yield from (Fact("then", pair) for pair in _steps(turns, 1))
     for person in options.people.values():
         yield from _person(person, turns)
@@ -223,8 +227,9 @@ def way_words(way: tuple[str, str]) -> tuple[PddlWord, PddlWord]:
 
 def spot_words(spot: Spot) -> tuple[PddlWord, PddlWord]:
     """A place and a side."""
-    kind = PLACE if spot == START else LOCATION if spot.side == THERE else USER
-    return PddlWord(kind, spot.place), PddlWord(SIDE, spot.side)
+    kind = LOCATION if spot.side == THERE else USER
+    place = ENTRANCE if spot == START else PddlWord(kind, spot.place)
+    return place, PddlWord(SIDE, spot.side)
 
 
 def _thousandths(value: float) -> int:

@@ -28,7 +28,17 @@ RESERVED = frozenset(
         *("at", "docked", "free", "holds", "greeted", "due", "done", "whole", "waits", "now", "begun"),
         *("reachable", "permitted", "route", "after", "way_to", "empty", "suits", "leaves_open"),
         *("only_greeted", "opens", "follows", "last", "of", "farewell"),
-        *("brings", "first_brought", "kept", "member", "overlooks", "welcome", "then", "then_together"),
+        *(
+            "brings",
+            "first_brought",
+            "kept",
+            "member",
+            "overlooks",
+            "welcome",
+            "lasts",
+            "then",
+            "then_together",
+        ),
         *("travel_cost", "fetch_cost", "greet_cost", "greet_together_cost", "leave_cost"),
         *("distance_mm", "speed_mm_s", "direction_mdeg"),
         *("reach_user", "greet_person", "greet_company", "fetch", "return_to_user"),
@@ -36,6 +46,7 @@ RESERVED = frozenset(
         *(word for kind in PLAIN for word in (kind.action.lower(), kind.fact, *kind.thousandths)),
         *("and", "or", "not", "imply", "exists", "forall", "when", "either", "object", "number"),
         *("define", "domain", "problem", "increase", "decrease", "assign", "minimize", "maximize"),
+        *("start", "end", "over", "all"),
     )
 )
 """Words that no object may have: those of `visit.pddl`, which a test compares, and those of PDDL itself.

@@ -16,6 +16,7 @@ from comity_domain.choices.options import Options, PersonOptions, Priced
 from comity_domain.choices.side import Side
 from comity_domain.choices.ties import untied
 from comity_domain.classical.initial_state import (
+    ENTRANCE,
     brought,
     goals,
     state_and_costs,
@@ -25,7 +26,7 @@ from comity_domain.classical.initial_state import (
 from comity_domain.classical.naming import PddlNames, PddlWord
 from comity_domain.classical.timing import NO_TIMING, Timing
 from comity_domain.problem.agenda import PLAIN, Agenda, Offer, TakeLeave, Task
-from comity_domain.problem.spot import Spot
+from comity_domain.problem.spot import START, Spot
 from comity_fis.errors import InputError, Where
 from comity_fis.inference.value import Inference
 
@@ -133,9 +134,11 @@ class _Stated:
     def _legs(self) -> Iterator[tuple[tuple[Spot, Spot], int]]:
         numbers = self._by_fluent
         for start, side, user, to in numbers["route"]:
-            yield (Spot(start, side), Spot(user, to)), numbers["travel_cost"].get((start, side, user, to), 0)
+            cost = numbers["travel_cost"].get((start, side, user, to), 0)
+            yield (_origin(start, side), Spot(user, to)), cost
         for start, side, place, there in numbers["way_to"]:
-            yield (Spot(start, side), Spot(place, there)), numbers["fetch_cost"].get((start, side, place), 0)
+            cost = numbers["fetch_cost"].get((start, side, place), 0)
+            yield (_origin(start, side), Spot(place, there)), cost
 
     def _person(self, user: str, timing: Timing) -> PersonOptions:
         sides = [side for (side,), _ in self._facts("reachable", user)]
@@ -214,6 +217,10 @@ class _Stated:
             {spot: timing.ties.get((name, spot.place, spot.side), 0) for spot in prices},
             {way: timing.ties.get((name, *way), 0) for way in ways},
         )
+
+
+def _origin(place: str, side: str) -> Spot:
+    return START if place == ENTRANCE.name else Spot(place, side)
 
 
 def _side(name: str, tie: int) -> Side:

@@ -74,6 +74,7 @@ STATES: Mapping[str, str] = {
     "overlooks": "company user side",
     "welcome": "company modality gesture",
     # the counting of people
+    "lasts": "turn",
     "then": "turn turn",
     "then_together": "company turn turn",
 }
@@ -204,7 +205,7 @@ class _Domain:
         act.add_precondition(holds.now(k))
         act.add_precondition(holds.then(k, following))
         act.add_effect(holds.greeted(u), True)
-        act.add_effect(holds.now(k), False)
+        act.add_effect(holds.now(k), False, self._not(holds.lasts(k)))
         act.add_effect(holds.now(following), True)
         act.add_effect(holds.free(r), True, holds.only_greeted(u))
         act.add_effect(holds.due(t), True, holds.opens(u, t), forall=[t])
@@ -228,7 +229,7 @@ class _Domain:
         act.add_precondition(holds.then_together(c, k, following))
         act.add_effect(holds.whole(c), False)
         act.add_effect(holds.free(r), True)
-        act.add_effect(holds.now(k), False)
+        act.add_effect(holds.now(k), False, self._not(holds.lasts(k)))
         act.add_effect(holds.now(following), True)
         act.add_effect(holds.greeted(v), True, holds.member(v, c), forall=[v])
         first = self._and(holds.member(w, c), holds.after(v, w))
