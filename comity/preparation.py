@@ -24,12 +24,15 @@ from comity.simulation.faults import Faults
 from comity.simulation.placement import placed
 from comity.simulation.scenery import require_margin, scene_of
 from comity.specification.goals import agenda_of
-from comity_domain import ENGINE, NoPlan, Plan, PlanningFailed, Visitee, plan_with
+from comity_domain import ENGINE, NoPlan, Plan, PlanningFailed, Visitee, plan_with, to_unified_planning
 from comity_executor import Limits, Speaker, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
 
 if TYPE_CHECKING:
+    from unified_planning.model import Problem
+    from unified_planning.plans import SequentialPlan
+
     from comity.parameters.which_rulebook import ChosenRulebook
     from comity.scenario import Scenario, ScenarioFile
     from comity.schedule import Happening
@@ -71,6 +74,13 @@ class Prepared:
     """Who plans, also when things change."""
     without_visit: tuple[tuple[UnservedCase, str], ...]
     """Those whom no plan can serve, each with the reason; the plan is for the others."""
+
+    def to_unified_planning(self) -> tuple[Problem, SequentialPlan]:
+        """The visits as a problem of unified-planning, and the plan for it: its validator takes both.
+
+        Deadlines are not in the problem, nor is who is left out at a price.
+        """
+        return to_unified_planning(self.plan, self.asked.request)
 
     @property
     def unmet(self) -> tuple[Unmet, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from importlib.resources import files
 
@@ -50,6 +51,17 @@ def test_an_optimal_engine_finds_the_same_cost_with_parameters_and_reasons(
         assert step.why.text
         same = [one for one in ours.steps if (one.action, one.arguments) == (step.action, step.arguments)]
         assert all(one.parameters == step.parameters for one in same)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_enhsp_reads_the_problem_too(agenda_request, random_request, seed):
+    """It takes no object called `start`, and a fact that an action adds and takes back for taken back."""
+    pytest.importorskip("up_enhsp")
+    if shutil.which("java") is None:
+        pytest.skip("needs Java")
+    for make in (agenda_request, random_request):
+        request = without_deadlines(make(2, seed))
+        assert plan_with("enhsp-opt", request).cost == make_plan(request).cost
 
 
 @needs_fast_downward
@@ -128,7 +140,7 @@ def test_an_engine_that_is_a_script_finds_its_modules_where_python_does_not_look
 
 
 def test_that_there_is_no_plan_is_not_believed_where_there_is_one(rich_request, monkeypatch):
-    """As of ENHSP, which does not read all of the domain."""
+    """As an engine says that does not read all of the domain."""
 
     def says_none(*_, **__):
         raise NoPlan("no plan reaches all goals, says fast-downward-opt", remedy="Look for a goal.")

@@ -1,16 +1,35 @@
-"""The exact search is an engine of unified-planning: a problem in, a plan out, at the cost of `make_plan`."""
+"""The exact search is an engine of unified-planning: a problem in, a plan out, and so every plan is made."""
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from unified_planning.engines import PlanGenerationResultStatus, SequentialPlanValidator
+from unified_planning.environment import Environment
 from unified_planning.io import PDDLReader
 from unified_planning.shortcuts import OneshotPlanner, get_environment
 
-from comity_domain import NoPlan, Timing, make_plan, plan_pddl, problem_of, solve, timing_of
+from comity_domain import (
+    NoPlan,
+    PlanningFailed,
+    Timing,
+    make_plan,
+    plan_pddl,
+    problem_of,
+    solve,
+    timing_of,
+    to_unified_planning,
+)
+from comity_domain.choices.options import options
+from comity_domain.classical.light_environment import LightEnvironment
+from comity_domain.classical.order_of import order_of
 from comity_domain.engine import register
+from comity_domain.ordering.best_order import best_order
 from comity_fis import InputError
 
 SEEDS = range(6)
@@ -34,13 +53,75 @@ def served(request):
     return replace(request, visitees=tuple(replace(each, skip_m=None) for each in request.visitees))
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("people", [1, 3])
-def test_a_problem_is_solved_at_the_cost_of_the_plan(agenda_request, rich_request, people, seed):
-    for make in (agenda_request, rich_request):
-        request = served(make(people, seed))
-        problem = problem_of(request)
-        assert cost(problem, solve(problem, timing_of(request))) == make_plan(request).cost
+@st.composite
+def requests(draw):
+    """By name of the fixture that makes it, the arguments of a request; and whether visits are under way."""
+    kind = draw(st.sampled_from(("random_request", "rich_request", "agenda_request")))
+    options_of_it = {"deadlines": draw(st.booleans())} if kind != "random_request" else {}
+    return kind, draw(st.integers(1, 4)), draw(st.integers(0, 10_000)), options_of_it, draw(st.booleans())
+
+
+@pytest.fixture
+def made(request):
+    """A request from the arguments that `requests` draws."""
+
+    def make(drawn):
+        kind, people, seed, more, under_way = drawn
+        asked = served(request.getfixturevalue(kind)(people, seed, **more))
+        if not under_way:
+            return asked
+        first, *others = asked.visitees
+        begun = replace(first, greeted=bool(first.agenda))
+        return replace(asked, visitees=(begun, *others), companies=())
+
+    return make
+
+
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(drawn=requests())
+def test_the_problem_and_its_timing_say_all_that_the_search_looks_at(made, drawn):
+    """Ties, deadlines and proofs included: the choices themselves would give the same order."""
+    choices = options(made(drawn))
+    assert outcome(order_of, choices, 30.0) == outcome(best_order, choices, 30.0)
+
+
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(drawn=requests())
+def test_a_problem_is_solved_by_the_plan_that_is_made_at_its_cost(made, drawn):
+    asked = made(drawn)
+    plan = outcome(make_plan, asked)
+    if plan is NoPlan:
+        with pytest.raises(PlanningFailed):
+            solve(problem_of(asked), timing_of(asked))
+        return
+    problem, actions = to_unified_planning(plan, asked)
+    assert solve(problem_of(asked), timing_of(asked)) == actions
+    assert cost(problem, actions) == plan.cost
+
+
+def outcome(make, *arguments):
+    """What is made, or that there is none."""
+    try:
+        return make(*arguments)
+    except PlanningFailed:
+        return NoPlan
+
+
+def test_planning_visits_loads_no_engine():
+    """Which would take a second of computing; the parts of an environment are there all the same."""
+    light, whole = LightEnvironment(), Environment()
+    parts = [name for name, part in vars(Environment).items() if isinstance(part, property)]
+    assert {name: type(getattr(light, name)) for name in parts if name != "credits_stream"} == {
+        name: type(getattr(whole, name)) for name in parts if name != "credits_stream"
+    }
+    code = """
+import sys
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+prepare(load_scenario("johanna"))
+sys.exit(("unified_planning.model" in sys.modules) + 2 * ("unified_planning.engines" in sys.modules))
+"""
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 1
 
 
 def test_a_deadline_is_kept_that_the_problem_cannot_say(rich_request):

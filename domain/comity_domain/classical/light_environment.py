@@ -6,7 +6,7 @@ first fluent can be named.
 
 from __future__ import annotations
 
-from functools import cached_property
+from typing import TYPE_CHECKING
 
 from unified_planning.environment import Environment
 from unified_planning.model import ExpressionManager, FreeVarsOracle
@@ -19,12 +19,16 @@ from unified_planning.model.walkers import (
     TypeChecker,
 )
 
+if TYPE_CHECKING:
+    from unified_planning.engines import Factory
+
 
 class LightEnvironment(Environment):  # type: ignore[misc]
     """The same parts as `Environment`, with the factory made when it is asked for."""
 
     def __init__(self) -> None:
         self._type_manager = TypeManager()
+        self._factory: Factory | None = None
         self._tc = TypeChecker(self)
         self._expression_manager = ExpressionManager(self)
         self._free_vars_oracle = FreeVarsOracle()
@@ -35,9 +39,11 @@ class LightEnvironment(Environment):  # type: ignore[misc]
         self._credits_stream = None
         self._error_used_name = True
 
-    @cached_property
-    def factory(self) -> object:
+    @property
+    def factory(self) -> Factory:
         """The engines that are installed."""
-        from unified_planning.engines import Factory
+        if self._factory is None:
+            from unified_planning.engines import Factory
 
-        return Factory(self)
+            self._factory = Factory(self)
+        return self._factory
