@@ -1,4 +1,4 @@
-"""From a request to a plan: its problem, solved exactly, and each step with full precision and its reasons."""
+"""From a request to a plan: its problem, solved exactly; each step with full precision and its reasons."""
 
 from __future__ import annotations
 
