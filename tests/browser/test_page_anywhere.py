@@ -120,6 +120,18 @@ def test_paper_shows_the_moment_without_what_one_would_click(reader, odd):
     assert rows["y"] + rows["height"] <= panel["y"] + panel["height"] + 1  # nothing is cut off
 
 
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_paper_is_white_and_shows_every_chart_whole(reader, odd, scheme):
+    """As wide as A4, and also where the screen is dark."""
+    reader.page.set_viewport_size({"width": 794, "height": 1123})
+    page = reader.open(odd / "replay.html", "#t=7.00")
+    page.emulate_media(media="print", color_scheme=scheme)
+    ground = page.evaluate("getComputedStyle(document.querySelector('.panel')).backgroundColor")
+    assert ground == "rgb(255, 255, 255)"
+    chart, panel = page.locator(".chart").last.bounding_box(), page.locator(".series").bounding_box()
+    assert chart["y"] + chart["height"] <= panel["y"] + panel["height"] + 1
+
+
 def test_everything_can_be_reached_with_the_keyboard_alone(reader, odd):
     """Tab leads to every kind of control, and Enter and space work there."""
     page = reader.open(odd / "replay.html", "#t=7.00")
