@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures import panel
@@ -42,19 +42,23 @@ class Layout:
     @property
     def filled(self) -> float:
         """The share of the page, its header aside, that something is on."""
-        used = self.map[2] * self.map[3] + sum(
-            panel.WIDTH_IN * column.height_in for _, column in self.columns
-        )
+        used = self.map[2] * self.map[3] + sum(place[2] * column.height_in for place, column in self.columns)
         return used / (self.width * (self.height - HEADER_IN))
 
 
 def layout(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
-    """The page for a scene: with its panel beside the map, unless that leaves much of it empty."""
-    beside = _panel_beside(scene, CardColumn(tuple(cards), legend))
+    """The page for a scene: with its panel beside the map, unless that leaves much of it empty.
+
+    Below a map that is lower than its panel there is place for the legend.
+    """
+    whole = _panel_beside(scene, CardColumn(tuple(cards), legend))
+    parted = _panel_beside(scene, CardColumn(tuple(cards)), legend)
+    beside = min(whole, parted, key=lambda page: page.height)
     return beside if beside.filled >= LEAST_FILLED else _panel_below(scene, cards, legend)
 
 
-def _panel_beside(scene: Scene, column: CardColumn) -> Layout:
+def _panel_beside(scene: Scene, column: CardColumn, below: Legend | None = None) -> Layout:
+    """With a column beside the map, and with a legend below the map where one is given."""
     wide, high = d.extent_m(scene)
     free_m = d.beside_m(scene)
     wide += 2 * free_m
@@ -62,7 +66,9 @@ def _panel_beside(scene: Scene, column: CardColumn) -> Layout:
     scale = min(most / wide, TALLEST_MAP_IN / high)
     map_in, tall = wide * scale, high * scale
     width = max(NARROWEST_IN, map_in + panel.WIDTH_IN + 2 * EDGE_IN)
-    height = HEADER_IN + max(tall + SCALE_IN, column.height_in) + EDGE_IN
+    legend = None if below is None else replace(below, columns=max(int(map_in // panel.WIDTH_IN), 1))
+    under_in = 0.0 if legend is None else SCALE_IN + legend.height_in
+    height = HEADER_IN + max(tall + SCALE_IN + under_in, column.height_in) + EDGE_IN
     left = EDGE_IN + (width - panel.WIDTH_IN - 2 * EDGE_IN - map_in) / 2
     return Layout(
         width=width,
@@ -71,8 +77,20 @@ def _panel_beside(scene: Scene, column: CardColumn) -> Layout:
         in_per_m=scale,
         beside_m=free_m,
         above_m=0.0,
-        columns=(((width - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, height - HEADER_IN), column),),
+        columns=(
+            ((width - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, height - HEADER_IN), column),
+            *_below_map(legend, (left, height - HEADER_IN - tall - SCALE_IN, map_in)),
+        ),
     )
+
+
+def _below_map(legend: Legend | None, top_left: tuple[float, float, float]) -> list[tuple[Place, CardColumn]]:
+    """The place of a legend by its left edge, its top and the width of the map [in]."""
+    if legend is None:
+        return []
+    left, top, width = top_left
+    wide = max(width, panel.WIDTH_IN)
+    return [((left, top - legend.height_in, wide, legend.height_in), CardColumn((), legend))]
 
 
 def _panel_below(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:

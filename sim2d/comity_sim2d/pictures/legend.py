@@ -21,7 +21,10 @@ LEFT_IN, RIGHT_IN, WORDS_IN = 0.08, 0.48, 0.62
 """Where the marks begin and end, and where the words begin."""
 MIDDLE_IN = (LEFT_IN + RIGHT_IN) / 2
 
-Mark = Callable[["Axes", float], None]
+COLUMN_IN = 3.5
+
+Mark = Callable[["Axes", float, float], None]
+"""Draws a mark whose row begins at x, at the height y."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,18 +37,26 @@ class Legend:
     groups: bool = False
     met: bool = False
     """Whether a person is elsewhere than when the robot had docked."""
+    columns: int = 1
+    """Of `COLUMN_IN` each, filled one after the other."""
 
     @property
     def height_in(self) -> float:
         """How much it takes."""
-        return ABOVE_IN + ROW_IN * len(self._rows) + BELOW_IN
+        return ABOVE_IN + ROW_IN * self._lines + BELOW_IN
+
+    @property
+    def _lines(self) -> int:
+        """Rows below each other."""
+        return math.ceil(len(self._rows) / self.columns)
 
     def draw(self, ax: Axes, top: float) -> None:
         """Write it below a height, on axes that are as large in inches as on the page."""
         for i, (words, mark) in enumerate(self._rows):
-            y = top + ABOVE_IN + ROW_IN * i
-            ax.text(WORDS_IN, y, words, size=9.5, color=d.INK, va="center")
-            mark(ax, y)
+            column, line = divmod(i, self._lines)
+            x, y = COLUMN_IN * column, top + ABOVE_IN + ROW_IN * line
+            ax.text(x + WORDS_IN, y, words, size=9.5, color=d.INK, va="center")
+            mark(ax, x, y)
 
     @property
     def _rows(self) -> list[tuple[str, Mark]]:
@@ -60,42 +71,42 @@ class Legend:
         return rows
 
 
-def _robot(ax: Axes, y: float) -> None:
-    d.add_all(ax, d.robot_artists(Pose(MIDDLE_IN, y, 0.0), 0.10))
+def _robot(ax: Axes, x: float, y: float) -> None:
+    d.add_all(ax, d.robot_artists(Pose(x + MIDDLE_IN, y, 0.0), 0.10))
 
 
-def _way(ax: Axes, y: float) -> None:
-    ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.ROBOT, lw=1.7, alpha=0.75)
-    ax.plot(MIDDLE_IN, y, marker=">", ms=6, mfc=d.ROBOT, mec="#FFFFFF", mew=0.8)
+def _way(ax: Axes, x: float, y: float) -> None:
+    ax.plot([x + LEFT_IN, x + RIGHT_IN], [y, y], color=d.ROBOT, lw=1.7, alpha=0.75)
+    ax.plot(x + MIDDLE_IN, y, marker=">", ms=6, mfc=d.ROBOT, mec="#FFFFFF", mew=0.8)
 
 
-def _planned(ax: Axes, y: float) -> None:
-    draw_planned(ax, [(LEFT_IN, y), (RIGHT_IN, y)])
+def _planned(ax: Axes, x: float, y: float) -> None:
+    draw_planned(ax, [(x + LEFT_IN, y), (x + RIGHT_IN, y)])
 
 
-def _wanted(ax: Axes, y: float) -> None:
-    ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.GREY, lw=1.5, ls=d.DASHES)
+def _wanted(ax: Axes, x: float, y: float) -> None:
+    ax.plot([x + LEFT_IN, x + RIGHT_IN], [y, y], color=d.GREY, lw=1.5, ls=d.DASHES)
 
 
-def _reached(ax: Axes, y: float) -> None:
-    ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.GREY, lw=2.4)
-    ax.plot(RIGHT_IN, y, marker="o", ms=6.5, mfc=d.GREY, mec="#FFFFFF", mew=1.2)
+def _reached(ax: Axes, x: float, y: float) -> None:
+    ax.plot([x + LEFT_IN, x + RIGHT_IN], [y, y], color=d.GREY, lw=2.4)
+    ax.plot(x + RIGHT_IN, y, marker="o", ms=6.5, mfc=d.GREY, mec="#FFFFFF", mew=1.2)
 
 
-def _side(ax: Axes, y: float) -> None:
+def _side(ax: Axes, x: float, y: float) -> None:
     from matplotlib.patches import Rectangle
 
-    ax.add_patch(Rectangle((LEFT_IN, y - 0.08), RIGHT_IN - LEFT_IN, 0.16, fc=d.GREY, alpha=0.16))
+    ax.add_patch(Rectangle((x + LEFT_IN, y - 0.08), RIGHT_IN - LEFT_IN, 0.16, fc=d.GREY, alpha=0.16))
 
 
-def _met(ax: Axes, y: float) -> None:
-    d.add_all(ax, d.robot_artists(Pose(MIDDLE_IN - 0.12, y, 0.0), 0.08, ghost=True))
-    d.add_all(ax, d.person_artists(Pose(MIDDLE_IN + 0.12, y, math.pi), 0.07, d.GREY, ghost=True))
+def _met(ax: Axes, x: float, y: float) -> None:
+    d.add_all(ax, d.robot_artists(Pose(x + MIDDLE_IN - 0.12, y, 0.0), 0.08, ghost=True))
+    d.add_all(ax, d.person_artists(Pose(x + MIDDLE_IN + 0.12, y, math.pi), 0.07, d.GREY, ghost=True))
 
 
-def _track(ax: Axes, y: float) -> None:
-    d.draw_track(ax, np.array([(LEFT_IN, y), (RIGHT_IN, y)]), d.GREY)
+def _track(ax: Axes, x: float, y: float) -> None:
+    d.draw_track(ax, np.array([(x + LEFT_IN, y), (x + RIGHT_IN, y)]), d.GREY)
 
 
-def _o_space(ax: Axes, y: float) -> None:
-    d.draw_o_space(ax, (MIDDLE_IN, y), 0.10)
+def _o_space(ax: Axes, x: float, y: float) -> None:
+    d.draw_o_space(ax, (x + MIDDLE_IN, y), 0.10)

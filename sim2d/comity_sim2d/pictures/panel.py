@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_sim2d.pictures import drawing as d
-from comity_sim2d.pictures.legend import ABOVE_IN, Legend
+from comity_sim2d.pictures.legend import ABOVE_IN, COLUMN_IN, Legend
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-WIDTH_IN, MARGIN_IN, INDENT_IN = 3.5, 0.25, 0.28
+WIDTH_IN, MARGIN_IN, INDENT_IN = COLUMN_IN, 0.25, 0.28
 CARD_IN, LINE_IN = 0.98, 0.18
 CHARACTERS, NAME_CHARACTERS = 46, 20
 """Of a line of small print, and of a name, which shares its line with the side."""
@@ -97,9 +97,9 @@ def draw_column(ax: Axes, column: CardColumn, longest_m: float) -> None:
     from matplotlib.transforms import Bbox
 
     box: Bbox = ax.get_position()
-    tall = box.height * ax.figure.get_figheight()  # type: ignore[union-attr]
+    wide, tall = (box.size * ax.figure.get_size_inches()).tolist()  # type: ignore[union-attr]
     ax.set_axis_off()
-    ax.set_xlim(0.0, WIDTH_IN)
+    ax.set_xlim(0.0, wide)
     ax.set_ylim(tall, 0.0)
     top = 0.0
     for card in column.cards:
