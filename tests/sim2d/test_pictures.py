@@ -19,7 +19,7 @@ from matplotlib.patches import FancyBboxPatch, Patch
 from matplotlib.text import Text
 from numpy.typing import NDArray
 from PIL import Image
-from shapely import MultiPoint, Polygon, box
+from shapely import LineString, MultiPoint, Point, Polygon, box
 
 from comity_executor import ActGoal
 from comity_sim2d import (
@@ -606,6 +606,16 @@ def test_a_bubble_lies_on_the_page_and_hides_nobody_where_it_has_room(
     assert sum(bubble.covers(*body) for body in bodies) == min(
         sum(box.covers(*body) for body in bodies) for box in tries
     )
+
+
+def test_the_tail_of_a_bubble_crosses_nobody_where_it_has_another_place() -> None:
+    """The robot is below a person: the place above both is free, and its tail would lie over the person."""
+    page, person = Page(Box(0.0, 0.0, 600.0, 600.0), [], []), ((300.0, 300.0), 20.0)
+    page.labels += [Box(0.0, 0.0, 600.0, 190.0), Box(0.0, 200.0, 200.0, 330.0)]
+    bubble = page.place(
+        (300.0, 220.0), 30.0, (120.0, 40.0), math.pi / 2, keep_off=[((300.0, 220.0), 20.0), person]
+    )
+    assert not LineString([bubble.centre, (300.0, 220.0)]).intersects(Point(person[0]).buffer(person[1]))
 
 
 def test_a_large_bubble_moves_off_a_small_body_that_a_label_would_cover_lightly() -> None:

@@ -15,11 +15,13 @@ DIRECTIONS = 24
 APART_PX = 6.0
 """Nearer to each other, two labels look as if one covered the other's end (our choice)."""
 REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0)
+TAIL = 0.1
+"""What a body under a bubble's tail counts, where one under the bubble counts 1 (our choice)."""
 PIECE = 0.5
 """What a covered piece of a wall or a path costs: as much as 30 px more distance (our choice)."""
 
 Cost = tuple[float, float]
-"""How many labels and bodies a place hides, and what it costs besides; the first counts first."""
+"""How many labels and bodies a place hides, which counts first, and what it costs besides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +136,7 @@ class Page:
             crossed = PIECE * _count_covered(box.grown(1.0), lines)
             crowded = _covered(box.grown(APART_PX), labels) > 0.0
             covers = sum(box.covers(*disc) for disc in keep_off or ())
+            covers += TAIL * sum(_between(box.centre, anchor, *disc) for disc in keep_off or ())
             cost = (crowded + covers, hidden / (size[0] * size[1]) + crossed + reach / 60.0 + 0.6 * aside)
             if cost < cheapest:
                 best, cheapest = box, cost
@@ -153,6 +156,15 @@ class Page:
                 yield box, angle, reach
                 if self.room is not None and 0.0 < box.overlap(self.room) < width * height:
                     yield box.moved_into(self.room), angle, reach
+
+
+def _between(start: XY, end: XY, centre: XY, radius: float) -> bool:
+    """Whether a line from a bubble crosses a disc; the one that it leads to does not count."""
+    along, across = complex(*end) - complex(*start), complex(*centre) - complex(*start)
+    if along == 0.0 or centre == end:
+        return False
+    share = min(max((across * along.conjugate()).real / abs(along) ** 2, 0.0), 1.0)
+    return abs(across - share * along) < radius
 
 
 def _shift(low: float, high: float, least: float, most: float) -> float:
