@@ -135,7 +135,7 @@ class Page:
             hidden += box.outside(self.area) * 200.0
             crossed = PIECE * _count_covered(box.grown(1.0), lines)
             crowded = _covered(box.grown(APART_PX), labels) > 0.0
-            covers = sum(box.covers(*disc) for disc in keep_off or ())
+            covers = float(sum(box.covers(*disc) for disc in keep_off or ()))
             covers += TAIL * sum(_between(box.centre, anchor, *disc) for disc in keep_off or ())
             cost = (crowded + covers, hidden / (size[0] * size[1]) + crossed + reach / 60.0 + 0.6 * aside)
             if cost < cheapest:

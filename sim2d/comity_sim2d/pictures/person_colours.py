@@ -58,7 +58,7 @@ def _legible(hue: float, brightness: float, ground: str, *, darker: bool) -> str
     """A hue at the nearest brightness that words need; paler where full brightness does not do."""
     from matplotlib.colors import hsv_to_rgb, to_hex
 
-    saturation = SATURATION[ground]
+    saturation, colour = SATURATION[ground], ground
     for i in range(50):
         value = brightness + (-i if darker else i) / 50
         paler = saturation * (1.0 - max(value - 1.0, 0.0))
