@@ -163,6 +163,7 @@ def run_text(answer: StudyRunAnswer) -> Iterator[RenderableType]:
             "journal: kept there, not in the table"
         )
     if answer.lost_workers:
-        yield f"  {answer.lost_workers} workers were lost; their episodes were given to others"
+        lost = counted(answer.lost_workers, "worker")
+        yield f"  Lost {lost}; their episodes were given to others"
     yield unbroken(f"  {answer.rows} rows in {answer.folder}: {', '.join(answer.files)}")
     yield f"  {answer.statement}"
