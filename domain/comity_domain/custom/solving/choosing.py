@@ -131,7 +131,7 @@ def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
     """
     factory = problem.environment.factory
     lacks = _lacking(problem, name)
-    able = [one for one in installed(factory) if _plans(factory, one) and not _lacking(problem, one)]
+    able = [one for one in installed(factory) if not _lacking(problem, one)]
     instead = f"one of: {', '.join(able)}" if able else "another engine"
     if not lacks:
         return PlanningFailed(f"{name} broke off ({text})", remedy=f"Plan with {instead}.")
@@ -156,8 +156,8 @@ def _plans(factory: Factory, name: str) -> bool:
 
 
 def installed(factory: Factory) -> list[str]:
-    """The engines that unified-planning finds, without those that are made of others."""
-    return sorted(name for name in factory.engines if "[" not in name)
+    """The planners that unified-planning finds, without those that are made of others."""
+    return sorted(name for name in factory.engines if "[" not in name and _plans(factory, name))
 
 
 def optimizes(engine: Any) -> bool:
@@ -195,8 +195,7 @@ def _sees_metric(problem: Problem, name: str) -> bool:
 
 
 def _can(problem: Problem, name: str) -> bool:
-    factory = problem.environment.factory
-    return _plans(factory, name) and bool(factory.engine(name).supports(problem.kind))
+    return bool(problem.environment.factory.engine(name).supports(problem.kind))
 
 
 def _refuse(problem: Problem) -> NoReturn:
