@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -44,3 +45,7 @@ def is_locked(folder: Path) -> bool:
             return False
     except (Timeout, PermissionError):  # no permission: the file is another user's, whose process may run
         return True
+    except OSError as error:
+        if error.errno == errno.EROFS:  # nothing on this machine writes there
+            return False
+        raise

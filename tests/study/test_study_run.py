@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import json
 import os
 import signal
@@ -26,6 +27,7 @@ from comity.study.running import run_study
 from comity.study.study_plan import load_study
 from comity.study.tasks import task_of
 from comity.study.worker import TaskDone, carried_out, installation
+from comity.system.locks import is_locked
 from comity_fis import InputError
 
 resource = pytest.importorskip("resource", reason="limits of POSIX")
@@ -357,6 +359,17 @@ def test_two_commands_do_not_write_to_one_folder(comity, here, noisy):
     process.communicate()
     assert said.code == 2
     assert "written to now" in said.err
+
+
+def test_a_copy_on_a_read_only_disk_is_not_taken_for_running(tmp_path, monkeypatch):
+    """No test may mount a disk: the system's answer stands in for one."""
+
+    def refused(*_, **__):
+        raise OSError(errno.EROFS, "Read-only file system")
+
+    (tmp_path / ".lock").touch()
+    monkeypatch.setattr("comity.system.locks.locked", refused)
+    assert not is_locked(tmp_path)
 
 
 def test_processes_and_a_cluster_are_not_asked_for_at_once(comity, noisy):
