@@ -77,7 +77,7 @@ class _Steps:
         yield from self._agenda(agenda)
 
     def _why(self, told: Callable[[Options], Why]) -> Why:
-        return Why.begun(lambda: told(self.around()))
+        return Why.lazy(lambda: told(self.around()))
 
     def _why_back(self, offer: Offer, trip: int) -> Why:
         return self._why(lambda options: why_this_return(offer, trip, self.index, self.visits, options))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from comity_domain.plans.deferred import Deferred
+from comity_domain.plans.lazy_record import LazyRecord
 from comity_fis.html_table import html_table
 from comity_fis.record import Record
 
@@ -33,7 +33,7 @@ class RuledOut(Record):
 
 
 @dataclass(frozen=True, slots=True)
-class Why(Deferred):
+class Why(LazyRecord):
     """Why a step is done this way and not the next best: worked out when it is read."""
 
     text: str

@@ -1,7 +1,7 @@
-"""Records that are filled in when they are read.
+"""Lazy records: the rest of their fields is computed when the first of them is read.
 
-An inference needs the number, and seldom all of the why: texts, curves and lists of rules wait until a person
-asks for them. To its reader such a record is frozen like any other.
+A plan needs its steps, and seldom all of the why: texts and alternatives wait until a person asks for them.
+To its reader such a record is frozen like any other.
 """
 
 from __future__ import annotations
@@ -9,21 +9,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-Record = TypeVar("Record", bound="Deferred")
+Record = TypeVar("Record", bound="LazyRecord")
 
 
-class Deferred:
-    """Base of a frozen, slotted dataclass that may begin with some of its fields only.
+class LazyRecord:
+    """Base of a frozen, slotted dataclass whose records may be made with some of their fields only.
 
-    The others are worked out together when the first of them is read. Threads that read at the same time work
-    out the same.
+    The others are computed together when the first of them is read. Threads compute the same.
     """
 
     __slots__ = ("_whole",)
     _whole: Callable[[], Any]
 
     @classmethod
-    def begun(cls: type[Record], whole: Callable[[], Record], **fields: object) -> Record:
+    def lazy(cls: type[Record], whole: Callable[[], Record], **fields: object) -> Record:
         """A record with some fields.
 
         Args:
