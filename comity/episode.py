@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from comity.data_frames import Table
     from comity.monitoring.parameter_updates import ParameterUpdate
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import PlanStep
     from comity_executor import LoopReport
     from comity_fis import Inference
@@ -47,7 +47,7 @@ FRAME_PX = 720
 class Episode:
     """What happened, all of it."""
 
-    prepared: Prepared
+    prepared: PlannedEpisode
     seed: int
     outcome: Outcome
     visits: tuple[Visit, ...]

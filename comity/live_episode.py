@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
     from comity.environment import Environment
     from comity.live.operator import Operator
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.schedule import Happening
     from comity_domain import Plan
     from comity_executor import LoopReport, MapRobot, Planner
@@ -98,7 +98,7 @@ class LiveEpisode:
 
     def __init__(
         self,
-        prepared: Prepared,
+        prepared: PlannedEpisode,
         *,
         seed: int = 0,
         happenings: Iterable[Happening] = (),
@@ -355,7 +355,7 @@ class LiveEpisode:
 
 
 def execute(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     *,
     seed: int = 0,
     acts: Mapping[str, MakeAct] = NO_ACTS,
@@ -385,7 +385,7 @@ STATE_AGES = (
 )
 
 
-def _refuse_children(prepared: Prepared) -> None:
+def _refuse_children(prepared: PlannedEpisode) -> None:
     """Let no real robot meet a child, or somebody who may be one, but in a study with consent."""
     scenario = prepared.file.scenario
     for name in scenario.visited():
@@ -411,7 +411,7 @@ def _refuse(operator: Operator | None) -> None:
         )
 
 
-def _check_acts(prepared: Prepared, acts: Iterable[str]) -> None:
+def _check_acts(prepared: PlannedEpisode, acts: Iterable[str]) -> None:
     gestures = prepared.rulebook.parameters.get("greeting_gesture")
     categories = getattr(gestures, "categories", ())
     known = (SAY_ACT, *(each.name for each in categories if each.name != NO_GESTURE))
@@ -439,7 +439,7 @@ def _come_to_rest(world: World, execution: Execution) -> None:
         before = here
 
 
-def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
+def _outcome(prepared: PlannedEpisode, execution: Execution) -> Outcome:
     """Partial where somebody was greeted and somebody could not be served to the end, or only late."""
     if execution.status == "stop_unconfirmed":
         return execution.status

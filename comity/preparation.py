@@ -42,7 +42,7 @@ ATTEND_S = 4.0
 
 
 @dataclass(frozen=True, slots=True)
-class Prepared:
+class PlannedEpisode:
     """A scenario with all its questions answered; every input was valid."""
 
     file: ScenarioFile
@@ -89,7 +89,7 @@ class Prepared:
 
 
 @dataclass(frozen=True, slots=True)
-class Staged:
+class ResolvedScenario:
     """A scenario with all its questions answered that take no planning."""
 
     file: ScenarioFile
@@ -101,7 +101,7 @@ class Staged:
     changes: tuple[Happening, ...]
 
 
-def staged(
+def resolved(
     file: ScenarioFile,
     *,
     profiles: Mapping[str, ProfileGiven] | None = None,
@@ -109,7 +109,7 @@ def staged(
     at: date | None = None,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
     seed: int = 0,
-) -> Staged:
+) -> ResolvedScenario:
     """Who is where, what they would like and what happens on the way, checked without a plan.
 
     Args:
@@ -134,7 +134,7 @@ def staged(
     file.goal_check.places(places(scene))
     changes = Changes(cast, scene).happenings()
     Faults(file, scene, leaves=()).require_doors()
-    return Staged(file, cast, values, visitees, scene, changes)
+    return ResolvedScenario(file, cast, values, visitees, scene, changes)
 
 
 def require_seed(seed: object) -> None:
@@ -159,7 +159,7 @@ def prepare(
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
     seed: int = 0,
     engine: str = ENGINE,
-) -> Prepared:
+) -> PlannedEpisode:
     """Answer all questions of a scenario and plan.
 
     Args:
@@ -177,14 +177,14 @@ def prepare(
         InputError: if anything that a user wrote cannot be used.
         GoalsUnmet: if no plan meets the goals, or none was found.
     """
-    stage = staged(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt, seed=seed)
+    stage = resolved(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt, seed=seed)
     file, cast, values, scene = stage.file, stage.cast, stage.values, stage.scene
     visitees, route_map = stage.visitees, RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     asked, plan = _plan(asked, scene, route_map, file, engine)
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
-    return Prepared(
+    return PlannedEpisode(
         file=file,
         chosen=cast.chosen,
         rulebook=cast.rulebook,

@@ -24,7 +24,7 @@ from comity_sim2d import Frames, FramesFile
 
 if TYPE_CHECKING:
     from comity.live.operator import Operator
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_executor import MapRobot
 
 View = Literal["page", "picture", "gif"]
@@ -43,7 +43,7 @@ class Recorded:
 
 
 def record(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     *,
     seed: int = 0,
     out: Path | None = None,
@@ -94,7 +94,7 @@ def record(
 
 
 def _recorded(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     folder: RunFolder,
     live: LiveEpisode,
     account: RunAnswer,

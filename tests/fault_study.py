@@ -32,7 +32,7 @@ from studying import studied
 
 from comity.episode import Episode
 from comity.live_episode import LiveEpisode
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity.schedule import Happening
 from comity.simulation.faults import Faults
@@ -102,7 +102,7 @@ def random_room(number: int) -> str:
 class Place:
     """Where schedules are tried, and how long the visits take there while nothing goes wrong."""
 
-    prepared: Prepared
+    prepared: PlannedEpisode
     leaves: tuple[NodeId, ...]
     faultless_s: float
 
@@ -177,7 +177,7 @@ def played(there: Place, faults: list[dict[str, Any]], seed: int) -> Episode:
     return _ran(there.prepared, Faults(file, there.prepared.scene, there.leaves).happenings(), seed)
 
 
-def _ran(prepared: Prepared, happenings: tuple[Happening, ...], seed: int = 0) -> Episode:
+def _ran(prepared: PlannedEpisode, happenings: tuple[Happening, ...], seed: int = 0) -> Episode:
     live = LiveEpisode(prepared, seed=seed, happenings=happenings)
     live.run()
     return live.so_far()

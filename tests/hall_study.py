@@ -19,7 +19,7 @@ from judging import contacts_with_people
 from studying import studied
 
 from comity.live_episode import execute
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 
 HALL = """\
@@ -55,7 +55,7 @@ class Crossing:
 
 
 @cache
-def hall(kind: str) -> Prepared:
+def hall(kind: str) -> PlannedEpisode:
     """A hall of 8 x 5 m with somebody to greet at the other end."""
     robot, passing = KINDS[kind]
     with TemporaryDirectory() as folder:

@@ -25,7 +25,7 @@ class Body:
 
 
 @dataclass(frozen=True)
-class Stop:
+class Rest:
     """The robot at rest near a person."""
 
     t: float
@@ -46,7 +46,7 @@ def read_tracks(frames_csv: Path) -> dict[str, list[Body]]:
     return tracks
 
 
-def nearest_stop(tracks: dict[str, list[Body]], person: str, robot: str = "robot") -> Stop:
+def nearest_stop(tracks: dict[str, list[Body]], person: str, robot: str = "robot") -> Rest:
     """The first rest (slower than 2 cm/s for 0.3 s) where the robot stood nearest to a person."""
     rests = [(tracks[robot][i], tracks[person][i]) for i in _rests(tracks[robot])]
     assert rests, f"the robot never came to rest near {person}"
@@ -54,7 +54,7 @@ def nearest_stop(tracks: dict[str, list[Body]], person: str, robot: str = "robot
     body, met = next(pair for pair in rests if gap(*pair) < closest + 0.01)
     towards_robot = math.atan2(body.y - met.y, body.x - met.x)
     towards_person = math.atan2(met.y - body.y, met.x - body.x)
-    return Stop(
+    return Rest(
         t=body.t,
         distance_m=gap(body, met),
         bearing_deg=turn_deg(met.heading_rad, towards_robot),

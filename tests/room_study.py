@@ -24,7 +24,7 @@ from judging import contacts_with_people
 from studying import studied
 
 from comity.live_episode import execute
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity_fis.errors import ComityError
 from comity_sim2d import Frames, RobotBody, Sensor, World
@@ -142,7 +142,7 @@ def _walk(dice: random.Random, spot: Any) -> str:
     )
 
 
-def prepared(kind: str, seed: int, profile: str | None = None) -> Prepared:
+def prepared(kind: str, seed: int, profile: str | None = None) -> PlannedEpisode:
     """The planned episode of the first draw that is a room."""
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"{kind}{seed}.scenario.yaml"

@@ -16,10 +16,10 @@ from comity_fis.learning.signals import SAID
 if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.people.learnt_file import Observation
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
 
 
-def refuse_nobody_kept(prepared: Prepared) -> None:
+def refuse_nobody_kept(prepared: PlannedEpisode) -> None:
     """Refuse to learn where there is nobody to learn about.
 
     Raises:

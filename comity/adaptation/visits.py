@@ -14,7 +14,7 @@ from comity.parameters.which_rulebook import which_rulebook
 from comity.people.learnt_file import Learning, Observation, comfort_on, learnt_on
 from comity.people.profile import load_profile
 from comity.people.remembered import remembered
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import ComfortSpec, ScenarioFile, load_scenario
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
@@ -29,7 +29,7 @@ STAGE, PERSON = "acquaintance", "guest"
 
 
 @dataclass(frozen=True, slots=True)
-class Meeting:
+class VisitRecord:
     """One visit, and what was known before it."""
 
     days: int
@@ -65,7 +65,7 @@ class Acquaintance:
 
     def prepared(
         self, comfort: ComfortSpec | None = None, day: date | None = None, learnt: Learnt | None = None
-    ) -> Prepared:
+    ) -> PlannedEpisode:
         """The scenario with this person in it, planned.
 
         Raises:
@@ -147,7 +147,7 @@ def likes(acquaintance: Acquaintance) -> ComfortSpec:
     return ComfortSpec(wants_m=(round(middle_m - half_m, 3), round(middle_m + half_m, 3)))
 
 
-def meet(acquaintance: Acquaintance, comfort: ComfortSpec, times: int) -> Iterator[Meeting]:
+def meet(acquaintance: Acquaintance, comfort: ComfortSpec, times: int) -> Iterator[VisitRecord]:
     """Visit a person again and again.
 
     Args:
@@ -186,7 +186,7 @@ def _meet(
     visit: int,
     known: tuple[Learning, ...],
     parameter: NumericParameter,
-) -> Meeting:
+) -> VisitRecord:
     days = visit * acquaintance.every_days
     day = acquaintance.begin + timedelta(days=days)
     prepared = acquaintance.prepared(comfort, day, learnt_on(day, known, parameter.spread))
@@ -199,7 +199,7 @@ def _meet(
     visits, stops = episode.visits, episode.metrics.stopping
     off_m = stops[PERSON].stop_distance_error_m if PERSON in stops else None
     situation = situation_of(prepared.file.scenario.people[PERSON])
-    return Meeting(
+    return VisitRecord(
         days=days,
         model_m=model,
         interval_m=(model + float(low), model + float(high)),
@@ -236,7 +236,7 @@ def _parameter(rulebook: Rulebook) -> NumericParameter:
     )
 
 
-def _refuse_setting(prepared: Prepared) -> None:
+def _refuse_setting(prepared: PlannedEpisode) -> None:
     asked = prepared.values[PERSON][DISTANCE].start
     if asked.origin == "setting":
         raise InputError(

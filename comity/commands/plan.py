@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.answers.plan import PlanAnswer
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.scenario import Scenario
 
 
@@ -183,7 +183,12 @@ def _what_takes_time(scenario: Scenario) -> str:
 
 
 def _more(
-    answer: PlanAnswer, prepared: Prepared, *, why: str | None, written: Prepared | None, stability: bool
+    answer: PlanAnswer,
+    prepared: PlannedEpisode,
+    *,
+    why: str | None,
+    written: PlannedEpisode | None,
+    stability: bool,
 ) -> dict[str, Any]:
     """What else was asked about a plan."""
     from comity.report.plans.plan_diff import plan_diff

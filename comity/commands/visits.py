@@ -11,7 +11,7 @@ import typer
 from comity.commands.options import AsJson, At, PersonsRulebookName, day, print_json
 
 if TYPE_CHECKING:
-    from comity.adaptation.visits import Acquaintance, Meeting
+    from comity.adaptation.visits import Acquaintance, VisitRecord
     from comity.answers.visits import VisitsAnswer
     from comity.scenario import ComfortSpec
 
@@ -98,7 +98,7 @@ def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
         refuse_foreign({picture: MARK})
 
 
-def _met(acquaintance: Acquaintance, comfort: ComfortSpec, times: int, *, quiet: bool) -> list[Meeting]:
+def _met(acquaintance: Acquaintance, comfort: ComfortSpec, times: int, *, quiet: bool) -> list[VisitRecord]:
     """All meetings, with a word on how far they are where a person watches."""
     from comity.adaptation.visits import meet
     from comity.commands.progress import watching
@@ -113,7 +113,7 @@ def _met(acquaintance: Acquaintance, comfort: ComfortSpec, times: int, *, quiet:
     return meetings
 
 
-def _remembered(kept_as: str | None, meetings: Sequence[Meeting]) -> bool:
+def _remembered(kept_as: str | None, meetings: Sequence[VisitRecord]) -> bool:
     """Remember what was seen, marked as simulated; whether the person is kept still."""
     from comity.people.remembered import remember, require_kept
 

@@ -13,11 +13,11 @@ from comity.specification.goals import agenda_of
 from comity_domain.problem.bound_parameters import DISTANCE
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_fis import Inference
 
 
-def consenting(prepared: Prepared, own: Inference, person: str, *, given: bool, t: float) -> Inference:
+def consenting(prepared: PlannedEpisode, own: Inference, person: str, *, given: bool, t: float) -> Inference:
     """A person's parameters once they consent to touch, or do not.
 
     Args:

@@ -18,7 +18,7 @@ from comity_domain.problem.bound_parameters import DISTANCE, SPEED
 from comity_fis import InputError
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.schedule import Listener
     from comity_executor import FaultError
     from comity_fis import Inference
@@ -32,7 +32,7 @@ class Guarding:
         planner: Who plans.
     """
 
-    def __init__(self, prepared: Prepared, planner: Listener) -> None:
+    def __init__(self, prepared: PlannedEpisode, planner: Listener) -> None:
         self._prepared = prepared
         self._planner = planner
         self._own = dict(prepared.values)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from comity.monitoring.parameter_updates import ParameterUpdate
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import Plan
     from comity_executor import PlanUpdate, TraceEvent, Visit
     from comity_sim2d import Frames, Scene, Touch
@@ -32,7 +32,7 @@ TAKES_OVER = ("rebound", "replanned")
 
 
 def figures(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     frames: Frames,
     touches: Sequence[Touch],
     visits: Sequence[Visit],
@@ -68,7 +68,7 @@ def figures(
 
 
 def known_of(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
     *,
@@ -114,7 +114,7 @@ def contacts(scene: Scene, people: Collection[str], touches: Iterable[Touch]) ->
 
 
 def _wanted(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
     revisions: Sequence[PlanUpdate],
@@ -149,7 +149,7 @@ def _wanted(
         )
 
 
-def _own_m(prepared: Prepared, told: Sequence[ParameterUpdate], visit: Visit) -> float | None:
+def _own_m(prepared: PlannedEpisode, told: Sequence[ParameterUpdate], visit: Visit) -> float | None:
     """The distance of a person when the robot docked last; None where it never did, or none is known."""
     if visit.docked_s is None:
         return None
@@ -233,7 +233,7 @@ def is_of(event: TraceEvent, action: str, person: str) -> bool:
     return (event.action, event.person) == (action, person)
 
 
-def _shortest_m(prepared: Prepared, frames: Frames, visits: Sequence[Visit]) -> float | None:
+def _shortest_m(prepared: PlannedEpisode, frames: Frames, visits: Sequence[Visit]) -> float | None:
     """The shortest way through the places where the robot docked, around people at the safety margin."""
     times = [visit.docked_s for visit in visits if visit.docked_s is not None]
     rows = frames.time_s.searchsorted([0.0, *sorted(times)])

@@ -15,7 +15,7 @@ from comity_fis import InputError
 if TYPE_CHECKING:
     from comity.monitoring.guarding import Guarding
     from comity.monitoring.replanning import WorldPlanner
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.schedule import Schedule
     from comity_executor import Execution, ExecutionState, NoPlanUpdate, Planner
 
@@ -43,7 +43,7 @@ class Operating:
         schedule: Schedule,
         execution: Execution,
         *,
-        prepared: Prepared,
+        prepared: PlannedEpisode,
         tolerance_m: float,
     ) -> None:
         self._operator = operator

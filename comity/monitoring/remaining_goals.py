@@ -11,7 +11,7 @@ from comity.planning.request import PlanningRequest, ask
 from comity_sim2d import PastPeople, Scene
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import Visitee
     from comity_executor import ExecutionState
     from comity_fis import Inference
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class RemainingGoals:
     """What holds now, in the place of what held at the scenario's start."""
 
-    prepared: Prepared
+    prepared: PlannedEpisode
     values: Mapping[str, Inference]
     carried: str | None
     """What the robot has fetched."""

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterable
 
     from comity.environment import Environment
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_fis import Inference
 
 
@@ -57,7 +57,7 @@ class WorldPlanner:
         world: Its robot knows where everybody is, and which doors are shut.
     """
 
-    def __init__(self, prepared: Prepared, world: Environment) -> None:
+    def __init__(self, prepared: PlannedEpisode, world: Environment) -> None:
         self._prepared = prepared
         self._world = world
         self._values = dict(prepared.values)

@@ -10,12 +10,12 @@ from comity.system.own_files import make_folder, refuse_foreign, write_whole
 from comity_domain import plan_pddl
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
 
 DOMAIN, PROBLEM = "domain.pddl", "problem.pddl"
 
 
-def write_pddl(prepared: Prepared, folder: Path) -> None:
+def write_pddl(prepared: PlannedEpisode, folder: Path) -> None:
     """Write `domain.pddl` and `problem.pddl`, which the user alone may read: they tell of people.
 
     Raises:
@@ -25,7 +25,7 @@ def write_pddl(prepared: Prepared, folder: Path) -> None:
     write_texts(domain, "".join(f"; {line}\n" for line in _not_stated(prepared)) + problem, folder)
 
 
-def _not_stated(prepared: Prepared) -> Iterator[str]:
+def _not_stated(prepared: PlannedEpisode) -> Iterator[str]:
     """What of a scenario the problem leaves out, so that nobody takes it for all of it."""
     for person, reason in prepared.asked.unreachable.items():
         yield f"not stated below: no plan can serve {person!a} ({ascii(reason)[1:-1]})"

@@ -20,20 +20,20 @@ from comity_sim2d.maps.file import FurniturePiece
 if TYPE_CHECKING:
     from pydantic import BaseModel
 
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_fis import Population, PopulationTable, Rulebook
 
 FIRST = ("name", "profile")
 """People write who or what a person or something is, and then where."""
 
 
-def resolved_files(prepared: Prepared) -> dict[str, str]:
+def resolved_files(prepared: PlannedEpisode) -> dict[str, str]:
     """Text by name in the run folder: `scenario.yaml`, and the tables of scores that its rulebook names."""
     kept = kept_tables(prepared.rulebook).values()
     return {SCENARIO: resolved_yaml(prepared), **{name: table.text for name, table in kept}}
 
 
-def resolved_yaml(prepared: Prepared) -> str:
+def resolved_yaml(prepared: PlannedEpisode) -> str:
     """The text of `scenario.yaml` in a run folder: keys in the order of the schema, as people write them."""
     scenario = prepared.file.scenario
     content: dict[str, Any] = scenario.model_dump(
@@ -65,7 +65,7 @@ def resolved_yaml(prepared: Prepared) -> str:
     return dump_yaml(_ordered(content, Scenario))
 
 
-def _withkept_tables(prepared: Prepared) -> Any:
+def _withkept_tables(prepared: PlannedEpisode) -> Any:
     """The rulebook as it was read, but that it names the copies of its tables."""
     data = deepcopy(prepared.chosen.file.data)
     for (*way, key), (name, _) in kept_tables(prepared.rulebook).items():

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity.parameters.passing import own_distance_m
 from comity.planning.agenda import places_for
 from comity.planning.request import spots_of
-from comity.preparation import staged
+from comity.preparation import resolved
 from comity.replay.plans_data import stages_of
 from comity.simulation.scene_later import scene_at
 from comity_domain import Spot
@@ -39,7 +39,7 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
         return ()
     try:
         file = replace(run.file, real_robot=run.account.robot is not None)
-        stage = staged(file, seed=run.account.seed)
+        stage = resolved(file, seed=run.account.seed)
     except InputError:
         return ()
     values = dict(stage.values)

@@ -98,7 +98,7 @@ def _is_ros_map(path: Path) -> bool:
 
 
 def _scenario(name: str, seed: int) -> Drawing:
-    from comity.preparation import staged
+    from comity.preparation import resolved
     from comity.scenario import load_scenario
     from comity.system.library import looks_like_a_file, shipped
     from comity.system.scenario_sets import instead
@@ -111,7 +111,7 @@ def _scenario(name: str, seed: int) -> Drawing:
             remedy=f"{closest(name, [*shipped_maps(), *shipped('scenario')])} "
             "`comity maps` and `comity scenarios` list them.",
         )
-    stage = staged(load_scenario(name), seed=seed)
+    stage = resolved(load_scenario(name), seed=seed)
     scenario = stage.file.scenario
     rings = {person: value["conversational_distance"].number for person, value in stage.values.items()}
     return Drawing(scenario.name, "scenario", scenario.about, stage.scene, rings, seed)

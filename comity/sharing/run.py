@@ -30,7 +30,7 @@ from comity_fis.validation.yaml_file import dump_yaml
 from comity_sim2d import FramesFile
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.scenario import PersonSpec
     from comity_executor import TraceEvent
 
@@ -98,7 +98,7 @@ def share(
 
 
 def record_shared(
-    prepared: Prepared,
+    prepared: PlannedEpisode,
     *,
     out: Path | None = None,
     extras: Collection[Extra] = (),

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from comity.answers.run import VisitAnswer
     from comity.episode import Episode
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.scenario import ComfortSpec
     from comity.sharing.extra import Extra
 
@@ -68,7 +68,7 @@ def failed_rows(persons: Collection[str], outcome: str, reason: str) -> Iterator
         yield {"person": person, "outcome": outcome, **told}
 
 
-def facts_used(prepared: Prepared, person: str, filtered: Collection[Extra] | None) -> dict[str, Any]:
+def facts_used(prepared: PlannedEpisode, person: str, filtered: Collection[Extra] | None) -> dict[str, Any]:
     """What the rulebook used of a person's facts and wishes, as columns."""
     used = used_of(Declared(prepared.profiles[person], None), prepared.rulebook, prepared.day).profile
     words = plain_words(prepared.rulebook)

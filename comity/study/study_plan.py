@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from comity.parameters.cast import rulebook_of
 from comity.parameters.values import infer_for
 from comity.people.profile import declared_by
-from comity.preparation import staged
+from comity.preparation import resolved
 from comity.scenario import ScenarioFile, load_scenario
 from comity.study.base import EpisodeBase, base_of, digest_of
 from comity.study.design import StudyCondition, conditions_of, refuse_repeated
@@ -215,7 +215,7 @@ def _based(
 
     def made(one: StudyCondition) -> tuple[EpisodeBase, ScenarioFile]:
         base, changed = base_of(scenario, one, roles, folder=file.path.parent, at=written.at)
-        staged(changed)
+        resolved(changed)
         return base, changed
 
     try:

@@ -23,7 +23,7 @@ from comity_fis import shipped_rulebooks
 from comity_fis.validation.yaml_file import YamlFile
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.sharing.extra import Extra
 
 KEPT = 64
@@ -94,7 +94,7 @@ def _rows(task: StudyTask) -> tuple[StudyRow, ...]:
     return tuple(episode_rows(episode, task.person, filtered=task.filtered))
 
 
-def prepared_of(task: StudyTask) -> Prepared:
+def prepared_of(task: StudyTask) -> PlannedEpisode:
     """An episode of a study, planned."""
     file = _scenario(task.base)
     profiles = {}

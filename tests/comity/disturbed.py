@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity_executor import Execution, History, Intervention, Limits
 from comity_sim2d import Sensor, World
@@ -95,7 +95,7 @@ def _move(world: World, walk: Walk) -> None:
 
 
 @cache
-def prepared_for(scenario: str | int) -> Prepared:
+def prepared_for(scenario: str | int) -> PlannedEpisode:
     """A scenario of the project by its name, a random one by its number; planned once."""
     if isinstance(scenario, str):
         return prepare(load_scenario(str(EVERY[scenario])))

@@ -9,7 +9,7 @@ import pytest
 
 from comity.episode import Episode
 from comity.live_episode import LiveEpisode
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity.schedule import Stage
 
@@ -45,12 +45,12 @@ class BacksAway:
 
 
 @pytest.fixture
-def room(here) -> Prepared:
+def room(here) -> PlannedEpisode:
     (here / "room.scenario.yaml").write_text(ROOM)
     return prepare(load_scenario("room.scenario.yaml"))
 
 
-def greeted(prepared: Prepared, *happenings: BacksAway) -> Episode:
+def greeted(prepared: PlannedEpisode, *happenings: BacksAway) -> Episode:
     live = LiveEpisode(prepared, happenings=happenings)
     live.run()
     episode = live.so_far()

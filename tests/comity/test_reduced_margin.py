@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import comity as front_door
 from comity.parameters.margin import MARGIN_FACTS, UNIMPAIRED, margin_facts_of
 from comity.people.profile import Profile
-from comity.preparation import prepare, staged
+from comity.preparation import prepare, resolved
 from comity.recording import record
 from comity.scenario import load_scenario
 from comity_fis import InputError, countries
@@ -119,7 +119,7 @@ def test_leave_of_which_no_use_was_made_is_told(written):
 
 
 def test_without_the_keys_nothing_is_passed_nearer_and_no_fact_is_read(written):
-    stage = staged(load_scenario(written(corridor(margin_m=None, anna="posture: standing"))))
+    stage = resolved(load_scenario(written(corridor(margin_m=None, anna="posture: standing"))))
     assert [person.margin_facts for person in stage.scene.people] == [MarginFacts()] * 2
     ran = front_door.run(
         written(corridor(margin_m=None, anna="posture: standing", more="limits: {time_s: 30}\n"))
@@ -190,7 +190,7 @@ def test_who_sits_declares_all_the_rest():
 
 def test_what_is_told_later_counts_from_the_start(written):
     more = "changes: [{at_s: 20, person: anna, situation: {hearing: none}}]\n"
-    stage = staged(load_scenario(written(corridor(more=more))))
+    stage = resolved(load_scenario(written(corridor(more=more))))
     assert stage.scene.person("anna").margin_facts == MarginFacts(40.0, True, False, True)
 
 

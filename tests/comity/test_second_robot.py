@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity_executor import Execution, History, Limits, ScriptedRobot, switches
 from tests.executor.btcpp_structure import faults
@@ -12,11 +12,11 @@ from tests.scenarios.every import SCENARIOS
 
 
 @pytest.fixture(params=sorted(SCENARIOS))
-def prepared(request: pytest.FixtureRequest) -> Prepared:
+def prepared(request: pytest.FixtureRequest) -> PlannedEpisode:
     return prepare(load_scenario(str(SCENARIOS[request.param])))
 
 
-def test_the_scripted_robot_carries_out_the_plan_of_every_scenario(prepared: Prepared) -> None:
+def test_the_scripted_robot_carries_out_the_plan_of_every_scenario(prepared: PlannedEpisode) -> None:
     """The same plan and tree with other eyes and wheels; every switch has its cause, and BT.CPP its file."""
     robot = ScriptedRobot(dict.fromkeys(prepared.values, 3.0), name=prepared.file.scenario.robot.name)
     execution = Execution(prepared.plan, robot, prepared.values, Limits.attentive(prepared.attend_s))

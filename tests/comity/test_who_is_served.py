@@ -14,7 +14,7 @@ from sampling import sampled
 
 from comity.live_episode import execute
 from comity.planning.diagnosis import GoalsUnmet
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity_sim2d.scene_error import SceneError
 
@@ -66,7 +66,7 @@ def room(seed: int) -> dict[str, object]:
     }
 
 
-def prepared(scenario: dict[str, object], profiles: dict[str, str]) -> Prepared:
+def prepared(scenario: dict[str, object], profiles: dict[str, str]) -> PlannedEpisode:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "room.scenario.yaml")
         path.write_text(yaml.safe_dump(scenario), encoding="utf-8")
@@ -123,7 +123,7 @@ goals:
 """
 
 
-def in_a_niche(profile: str) -> Prepared:
+def in_a_niche(profile: str) -> PlannedEpisode:
     path = Path("niche.scenario.yaml")
     path.write_text(NICHE % profile, encoding="utf-8")
     return prepare(load_scenario(str(path)))

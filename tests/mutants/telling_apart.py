@@ -26,7 +26,7 @@ from tests.mutants.reach import executed, forget
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
 
 FILE = "random"
 ANSWER = "apart.json"
@@ -180,7 +180,7 @@ def _digests(number: int) -> dict[str, str]:
     return {what: _digest(*parts) for what, parts in _told_of(prepared, episode)}
 
 
-def _told_of(prepared: Prepared, episode: Episode) -> Iterator[tuple[str, tuple[Any, ...]]]:
+def _told_of(prepared: PlannedEpisode, episode: Episode) -> Iterator[tuple[str, tuple[Any, ...]]]:
     """All that is compared: numbers but for rounding, the trace with its reasons, and no text of a plan's."""
     plan = prepared.plan
     values = [

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.live_episode import LiveEpisode
     from comity.output.run_folder import RunFolder
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_executor import LoopReport, Visit
     from comity_fis import ParameterValue
     from comity_sim2d import ActEvent
@@ -55,7 +55,7 @@ SAME_CM = 0.05
 
 
 def account_before(
-    prepared: Prepared, folder: RunFolder, seed: int, *, robot: str | None = None
+    prepared: PlannedEpisode, folder: RunFolder, seed: int, *, robot: str | None = None
 ) -> RunAnswer:
     """What can be said before the world moves; of a real robot how it is called."""
     return RunAnswer(
@@ -86,7 +86,7 @@ def account_before(
     )
 
 
-def _command(prepared: Prepared, folder: RunFolder, seed: int) -> list[str]:
+def _command(prepared: PlannedEpisode, folder: RunFolder, seed: int) -> list[str]:
     """What runs it again."""
     engine = [] if prepared.engine == ENGINE else ["--engine", prepared.engine]
     return ["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed), *engine]

@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.adaptation.visits import Acquaintance, Meeting
+    from comity.adaptation.visits import Acquaintance, VisitRecord
     from comity.scenario import ComfortSpec
 
 
 def visits_answer(
     acquaintance: Acquaintance,
     comfort: ComfortSpec,
-    meetings: Sequence[Meeting],
+    meetings: Sequence[VisitRecord],
     *,
     rulebook: str,
     remembered_as: str | None,
@@ -45,7 +45,7 @@ def visits_answer(
     )
 
 
-def _meeting(visit: int, meeting: Meeting, liked_m: float) -> MeetingAnswer:
+def _meeting(visit: int, meeting: VisitRecord, liked_m: float) -> MeetingAnswer:
     reached = meeting.reached_m
     return MeetingAnswer(
         visit=visit,

@@ -15,7 +15,7 @@ from comity_domain import visits_of
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
 
@@ -26,7 +26,7 @@ Key = tuple[str, str, int]
 """An action, the person or the company that it is for, and how many such steps come before it."""
 
 
-def cost_changes(before: Prepared, after: Prepared) -> Iterator[StepCostChangeAnswer]:
+def cost_changes(before: PlannedEpisode, after: PlannedEpisode) -> Iterator[StepCostChangeAnswer]:
     """Every step that is not made of the same costs in both plans, in the order of the plans.
 
     Args:
@@ -83,7 +83,7 @@ def _parts(old: PlanStep | None, new: PlanStep | None, because: Because) -> Iter
 
 
 def _because(
-    part: str, old: PlanStep | None, new: PlanStep | None, *, before: Prepared, after: Prepared
+    part: str, old: PlanStep | None, new: PlanStep | None, *, before: PlannedEpisode, after: PlannedEpisode
 ) -> str:
     if old is None and new is not None:
         return (

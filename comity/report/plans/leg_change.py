@@ -12,7 +12,7 @@ from comity_sim2d import spot_pose
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
     from comity_sim2d import Pose, Scene
@@ -24,7 +24,7 @@ SHOWN = {"m": 0.0005, "deg": 0.05}
 """Less than this is not seen in print."""
 
 
-def why_this_leg(old: PlanStep, new: PlanStep, before: Prepared, after: Prepared) -> str:
+def why_this_leg(old: PlanStep, new: PlanStep, before: PlannedEpisode, after: PlannedEpisode) -> str:
     """What of two ways to the same person or place is not the same.
 
     Args:
@@ -82,7 +82,7 @@ def _stand(step: PlanStep, plan: Plan) -> PlanStep | None:
     return stood if stood and step.origin == (stood.person, stood.arguments[-1]) else None
 
 
-def _bends(new: PlanStep, before: Mapping[str, Inference], after: Prepared) -> Iterator[str]:
+def _bends(new: PlanStep, before: Mapping[str, Inference], after: PlannedEpisode) -> Iterator[str]:
     """The people next to the path that prefer to be passed at another distance than before."""
     stood, start = _stand(new, after.plan), _start(new, after)
     goal = _goal(new, after.scene, after.asked.places)
@@ -97,7 +97,7 @@ def _bends(new: PlanStep, before: Mapping[str, Inference], after: Prepared) -> I
             yield f"past {name}, who likes to be passed at {number(was, 'm')}, and now at {number(is_, 'm')}"
 
 
-def _start(step: PlanStep, prepared: Prepared) -> XY:
+def _start(step: PlanStep, prepared: PlannedEpisode) -> XY:
     stood, places = _stand(step, prepared.plan), prepared.asked.places
     if stood is not None:
         return _goal(stood, prepared.scene, places)

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
     from comity.answers.plan import Unmet
     from comity.planning.diagnosis import GoalsUnmet
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity.scenario import ScenarioFile
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
     from comity_sim2d import RobotBody
 
 
-def plan_answer(prepared: Prepared) -> PlanAnswer:
+def plan_answer(prepared: PlannedEpisode) -> PlanAnswer:
     """The answer of `comity plan --json`, and `plan.json` in the run folder."""
     plan = prepared.plan
     return PlanAnswer(

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
 
@@ -22,7 +22,7 @@ SAME = 1e-9
 """Numbers nearer to each other are the same, relative to the larger one of them and 1."""
 
 
-def plan_diff(before: Prepared, after: Prepared) -> DiffAnswer:
+def plan_diff(before: PlannedEpisode, after: PlannedEpisode) -> DiffAnswer:
     """The answer of `comity plan --diff`.
 
     Args:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.answers.plan import PlanAnswer, StepValueAnswer
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import Plan, VisitRequest
 
 PARTS = {
@@ -32,7 +32,7 @@ PARTS = {
 }
 
 
-def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswer:
+def step_why(answer: PlanAnswer, prepared: PlannedEpisode, asked: str) -> StepWhyAnswer:
     """The answer of `comity plan --why STEP`.
 
     Args:

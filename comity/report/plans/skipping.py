@@ -12,10 +12,10 @@ from comity_domain import SKIP, cost_of_serving
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
 
 
-def skipping(prepared: Prepared, name: str) -> SkippingAnswer:
+def skipping(prepared: PlannedEpisode, name: str) -> SkippingAnswer:
     """The price of leaving a person out, and what serving them would have cost instead.
 
     Args:

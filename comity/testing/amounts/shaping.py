@@ -15,7 +15,7 @@ from comity_sim2d.paths.personal_space import FRONT
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
 
 HEAD = "goes by   "
 """How these lines begin: each says all of one parameter, so that a text need not say it twice."""
@@ -69,7 +69,7 @@ def _in_words(each: Held, name: str) -> str:
     return f"{told(value.value, value.unit)}{since}: {in_brief(value, each.values.inputs)}"
 
 
-def _planned_with(prepared: Prepared, person: str | None) -> Iterator[tuple[str, str]]:
+def _planned_with(prepared: PlannedEpisode, person: str | None) -> Iterator[tuple[str, str]]:
     """A person and one of their parameters, for every step."""
     for step in prepared.plan.steps:
         if person is None or person in step.people:

@@ -18,7 +18,7 @@ from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_domain import PlanStep
 
 SIDES = ("front", "left", "right")
@@ -126,7 +126,7 @@ class OtherChoice(Expectation):
         yield from shaping_price(episode, self.person)
 
 
-def require_choice(prepared: Prepared, person: str, choice: str) -> None:
+def require_choice(prepared: PlannedEpisode, person: str, choice: str) -> None:
     """Refuse a choice that no plan has: it would fail without a word about its typo.
 
     Raises:

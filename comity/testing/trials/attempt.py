@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity.live_episode import execute
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -31,7 +31,7 @@ def _attempted(case: Case) -> Episode:
     return execute(prepared_case(case), seed=case.seed)
 
 
-def prepared_case(case: Case) -> Prepared:
+def prepared_case(case: Case) -> PlannedEpisode:
     """A case with its plan, before the world moves."""
     return prepare(
         case.file,

@@ -15,7 +15,7 @@ from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity.preparation import Prepared
+    from comity.preparation import PlannedEpisode
     from comity_executor import Node, TraceEvent
 
 FORMER_NODES: Mapping[str, str] = {"utter": SAY_ACT}
@@ -76,7 +76,7 @@ def _require_possible(episode: Episode, word: str) -> None:
         raise InputError(expected="a node of the behaviour tree", got=repr(word), remedy=remedy)
 
 
-def _of_other_trees(prepared: Prepared) -> Iterator[str]:
+def _of_other_trees(prepared: PlannedEpisode) -> Iterator[str]:
     """What the nodes of another profile's tree do, or would do if everybody could be visited."""
     gestures = prepared.rulebook.parameters["greeting_gesture"]
     yield from (SAY_ACT, *GREETINGS)
@@ -85,7 +85,7 @@ def _of_other_trees(prepared: Prepared) -> Iterator[str]:
         yield from node_names()
 
 
-def _served(prepared: Prepared) -> set[str]:
+def _served(prepared: PlannedEpisode) -> set[str]:
     """The people for whom the plan has more than to drop their visit."""
     steps = (step for step in prepared.plan.steps if step.action != SKIP)
     return {person for step in steps for person in step.people}

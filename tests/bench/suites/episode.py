@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 from typing import TypeVar
 
 from comity.live_episode import LiveEpisode
-from comity.preparation import Prepared, prepare
+from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import load_scenario
 from comity_executor import ReadingsFile, TraceFile
 from comity_sim2d import FramesFile
@@ -46,7 +46,7 @@ def _rows(name: str, rounds: int) -> list[Row]:
     return rows
 
 
-def _turn(prepared: Prepared) -> tuple[float, float, float]:
+def _turn(prepared: PlannedEpisode) -> tuple[float, float, float]:
     """Seconds per simulated second: of all, of the tree with its recorder, of writing once a second."""
     stopwatch, disk = Stopwatch(), Stopwatch()
     with (

@@ -16,7 +16,7 @@ import comity as front_door
 from comity.live.reduced_margin_check import kept_margin_m, require_reduced_margin
 from comity.live.robot_on_map import RobotOnMap
 from comity.live.start import with_reduced_margin
-from comity.preparation import staged
+from comity.preparation import resolved
 from comity.scenario import load_scenario
 from comity_executor import (
     ActGoal,
@@ -229,7 +229,7 @@ def test_culture_never_lowers_a_margin(tmp_path_factory, culture, facts):
 
     def kept(profile: dict[str, object]) -> list[tuple[ReducedPassage, ...]]:
         path.write_text(corridor(profile=json.dumps({"name": "Anna", **profile})), encoding="utf-8")
-        return passages_of(RobotOnMap(base := Careful(), staged(load_scenario(str(path))).scene), base)
+        return passages_of(RobotOnMap(base := Careful(), resolved(load_scenario(str(path))).scene), base)
 
     fit = facts == {"age": 40, "hearing": "good", "sight": "good", "mobility": "full"}
     found = kept({**culture, **facts})
