@@ -25,7 +25,7 @@ import numpy as np
 from encounter_study import judged, random_scene
 from studying import studied
 
-from comity_domain import Plan, PlanStep, Why
+from comity_domain import Plan, PlanStep, StepExplanation
 from comity_executor import Execution
 from comity_fis import load_rulebook
 from comity_sim2d import DockingPose, Frames, PassersBy, Scene, SceneError, Walk, World
@@ -75,7 +75,7 @@ def plan_of_one_visit(distance_m: float) -> Plan:
     """To reach the first person, and greet them in words and with a wave."""
     parameters = {"conversational_distance": distance_m, "approach_bearing": 0.0, "approach_speed": 0.4}
     parameters = {**parameters, "volume": 0.5, "speech_rate": 1.0}
-    why = Why("by hand", ())
+    why = StepExplanation("by hand", ())
     steps = (
         PlanStep("Reach_user", ("robot", "p0", "front"), None, parameters, 0, why),
         PlanStep("Greet_person", ("robot", "p0", "both", "wave"), None, parameters, 0, why),

@@ -25,7 +25,7 @@ from comity_domain.other_engines import plan_with
 from comity_domain.planner import ENGINE, make_plan
 from comity_domain.plans.actions import SKIP
 from comity_domain.plans.permission import not_permitted, without
-from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, Why
+from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, StepExplanation
 from comity_domain.plans.rest import VisitProgress, renumbered, rest_of
 from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
@@ -66,6 +66,7 @@ __all__ = [
     "Say",
     "Side",
     "Spot",
+    "StepExplanation",
     "Survey",
     "TakeLeave",
     "Task",
@@ -78,7 +79,6 @@ __all__ = [
     "Wait",
     "Way",
     "Weights",
-    "Why",
     "cost_of_serving",
     "differences",
     "distance_desirability",

@@ -24,7 +24,7 @@ from comity_domain.plans.actions import (
     RETURN,
     TOLD,
 )
-from comity_domain.plans.plan import PlanStep, Why
+from comity_domain.plans.plan import PlanStep, StepExplanation
 from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import PlannedVisit, farewell_cost, greeting_parts, served
@@ -76,10 +76,10 @@ class _Steps:
             yield self._greet(self.visit.way, greeting)
         yield from self._agenda(agenda)
 
-    def _why(self, told: Callable[[Options], Why]) -> Why:
-        return Why.lazy(lambda: told(self.around()))
+    def _why(self, told: Callable[[Options], StepExplanation]) -> StepExplanation:
+        return StepExplanation.lazy(lambda: told(self.around()))
 
-    def _why_back(self, offer: Offer, trip: int) -> Why:
+    def _why_back(self, offer: Offer, trip: int) -> StepExplanation:
         return self._why(lambda options: why_this_return(offer, trip, self.index, self.visits, options))
 
     def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
@@ -109,7 +109,11 @@ class _Steps:
                 return self._leave()
 
     def _act(
-        self, action: str, choice: tuple[str, ...], parameters: Mapping[str, float | str], why: Why
+        self,
+        action: str,
+        choice: tuple[str, ...],
+        parameters: Mapping[str, float | str],
+        why: StepExplanation,
     ) -> PlanStep:
         """Something that is done before the person; it costs nothing, as there is no other way to do it."""
         return PlanStep(
@@ -135,7 +139,7 @@ class _Steps:
             cost_parts={"travel": cost},
         )
 
-    def _reach(self, start: Spot, spot: Spot, action: str, why: Why) -> PlanStep:
+    def _reach(self, start: Spot, spot: Spot, action: str, why: StepExplanation) -> PlanStep:
         person = self.choices.people[spot.place]
         values = person.values
         return PlanStep(

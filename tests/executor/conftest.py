@@ -14,7 +14,7 @@ from functools import partial
 
 import pytest
 
-from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_domain.plans.plan import Plan, PlanStep, StepExplanation
 from comity_executor import (
     ActGoal,
     ActStatus,
@@ -363,7 +363,7 @@ def infer(distance_m: float = 1.01) -> Inference:
 
 def plan_for(*people: str, modality: str = "both", gesture: str = "nod", distance_m: float = 1.01) -> Plan:
     """Reach and greet everybody in this order."""
-    nothing = Why("", ())
+    nothing = StepExplanation("", ())
     reach = {
         "conversational_distance": distance_m,
         "approach_direction": 0.0,

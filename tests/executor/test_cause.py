@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from comity_executor.nodes.cause import Account, Grounds, chain
+from comity_executor.nodes.cause import Account, Provenance, chain
 from comity_fis.inference.value import FiredRule
 from comity_fis.rules.rule import Is, Rule
 
@@ -26,32 +26,32 @@ def kinds(causes) -> list[str]:
     return [cause.kind for cause in causes]
 
 
-def grounds_of(episode: Callable) -> Grounds:
+def grounds_of(episode: Callable) -> Provenance:
     visits = episode()
-    return Grounds(visits.plan.steps[1], visits.values["johanna"])
+    return Provenance(visits.plan.steps[1], visits.values["johanna"])
 
 
 def test_for_a_word_the_rule_that_concludes_it_is_named(episode) -> None:
     """Not the strongest one, which may conclude another word."""
-    grounds = grounds_of(episode)
+    provenance = grounds_of(episode)
     fired = (concluding("bow", 0.9), concluding("nod", 0.6))
-    nod = replace(grounds.values["greeting_gesture"], fired=fired)
-    values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
-    causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
+    nod = replace(provenance.values["greeting_gesture"], fired=fired)
+    values = replace(provenance.values, parameters={**provenance.values.parameters, "greeting_gesture": nod})
+    causes = chain("c", Account("a", parameter="greeting_gesture"), Provenance(provenance.step, values))
     assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
     assert causes[-1].text == "gender female"
 
 
 def test_a_rule_that_rests_on_something_disclosed_goes_before_a_stronger_one_that_does_not(episode) -> None:
-    grounds = grounds_of(episode)
+    provenance = grounds_of(episode)
     only_possible = concluding("nod", 1.0).rule
     only_possible = replace(
         only_possible, text="if age is old then greeting_gesture is nod", antecedent=Is("age", "old")
     )
     fired = (FiredRule(only_possible, 1.0), concluding("nod", 0.6))
-    nod = replace(grounds.values["greeting_gesture"], fired=fired)
-    values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
-    causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
+    nod = replace(provenance.values["greeting_gesture"], fired=fired)
+    values = replace(provenance.values, parameters={**provenance.values.parameters, "greeting_gesture": nod})
+    causes = chain("c", Account("a", parameter="greeting_gesture"), Provenance(provenance.step, values))
     assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
 
 

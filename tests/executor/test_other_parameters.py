@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from comity_domain import PlanStep, Why
+from comity_domain import PlanStep, StepExplanation
 from comity_executor import Execution, other_parameters
 from comity_executor.trees import task_tree
 from comity_fis import load_rulebook
@@ -40,7 +40,7 @@ def test_an_act_of_the_agenda_receives_the_parameters_of_its_step_besides_its_th
     monkeypatch.setattr(task_tree, "SUBTREES", others)
     plan, hall = plan_for("johanna"), Hall({"johanna": Stander(3.0, 0.0)})
     given = {"thing": "a song", "cap_s": 4.0, "until": "speaks"}
-    step = PlanStep("Wait", ("robot", "johanna", "4 s"), None, given, 0, Why("", ()))
+    step = PlanStep("Wait", ("robot", "johanna", "4 s"), None, given, 0, StepExplanation("", ()))
     execution = Execution(replace(plan, steps=(*plan.steps, step)), hall, {"johanna": infer()})
     while execution.tick() == "running":
         hall.step()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from comity_domain.choices.options import Options
 from comity_domain.explanation.evidence import because
-from comity_domain.plans.plan import Alternative, RuledOut, Why
+from comity_domain.plans.plan import Alternative, RuledOut, StepExplanation
 from comity_domain.problem.agenda import Offer, PlainTask, offers
 from comity_domain.problem.circumstances import FREE_OF_HANDS
 from comity_domain.problem.spot import Spot
@@ -19,12 +19,14 @@ _HANDS_FULL = f"with full hands only {' or '.join(sorted(FREE_OF_HANDS - {'none'
 BEFORE, AFTER = "before the greeting", "after the greeting"
 
 
-def why_this_fetching(offer: Offer, index: int, visits: Sequence[PlannedVisit], options: Options) -> Why:
+def why_this_fetching(
+    offer: Offer, index: int, visits: Sequence[PlannedVisit], options: Options
+) -> StepExplanation:
     """Why a thing is fetched before its person is greeted, or after; of a later one there is no choice."""
     visit = visits[index]
     person = options.people[visit.spot.place]
     if offer is not offers(person.agenda)[0]:
-        return Why(
+        return StepExplanation(
             "the robot carries one thing at a time: fetched after the one before, without a choice", ()
         )
     now, other = (BEFORE, AFTER) if visit.bringing else (AFTER, BEFORE)
@@ -34,11 +36,11 @@ def why_this_fetching(offer: Offer, index: int, visits: Sequence[PlannedVisit], 
         extra = _no_greeting(offer, options, person.name)
     if extra is None or isinstance(extra, str):
         out = RuledOut((*start, other), extra or "no route allows it")
-        return Why(f"fetched {now}: {other} is not possible", (), (out,))
+        return StepExplanation(f"fetched {now}: {other} is not possible", (), (out,))
     because_of = (
         "one way more, hands free for any greeting" if visit.bringing else f"one way less, {_HANDS_FULL}"
     )
-    return Why(
+    return StepExplanation(
         f"fetched {now}; {other} would cost {extra} cm more",
         (Alternative((*start, other), extra, because_of),),
     )
@@ -70,7 +72,7 @@ def _no_greeting(offer: Offer, options: Options, name: str) -> str:
     return f"with {offer.thing} in the hands no greeting is left ({reasons})"
 
 
-def why_this_task(task: PlainTask, person: str, values: Inference) -> Why:
+def why_this_task(task: PlainTask, person: str, values: Inference) -> StepExplanation:
     """Where the manner of a task without a choice comes from; the task itself is the scenario's."""
     told = [
         f"{name.replace('_', ' ')}: {because(values, name)}"
@@ -80,12 +82,12 @@ def why_this_task(task: PlainTask, person: str, values: Inference) -> Why:
     if task.shaped_by and not told:
         unknown = " and no ".join(name.replace("_", " ") for name in task.shaped_by)
         told = [f"the rulebook has no {unknown}, so the normal one holds"]
-    return Why("; ".join((task.reason(person), *told)), ())
+    return StepExplanation("; ".join((task.reason(person), *told)), ())
 
 
-def why_this_offer(offer: Offer, spot: Spot, options: Options) -> Why:
+def why_this_offer(offer: Offer, spot: Spot, options: Options) -> StepExplanation:
     """Where a thing is handed over."""
     values = options.people[spot.place].values
     distance = because(values, "conversational_distance")
     at = f"at {values['conversational_distance'].number:.2f} m ({distance}), {spot.side}"
-    return Why(f"handed over where the robot stands, without a choice: {at}; {NO_SOURCE}", ())
+    return StepExplanation(f"handed over where the robot stands, without a choice: {at}; {NO_SOURCE}", ())

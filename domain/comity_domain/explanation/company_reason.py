@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from comity_domain.choices.options import Options
 from comity_domain.explanation.reason import in_words, liked_side, waited, wishes_at_rest
 from comity_domain.explanation.together import MOST_ORDERS_OF, from_elsewhere, one_by_one
-from comity_domain.plans.plan import Alternative, RuledOut, Why
+from comity_domain.plans.plan import Alternative, RuledOut, StepExplanation
 from comity_domain.tours.lateness import late
 from comity_domain.tours.tour import PlannedVisit, greeting_cost, tour_cost
 
@@ -15,7 +15,9 @@ ONE_BY_ONE = "one by one"
 """What stands in the place of a choice where nobody is greeted at once."""
 
 
-def why_this_company(index: int, visits: Sequence[PlannedVisit], options: Options, cost: int) -> Why:
+def why_this_company(
+    index: int, visits: Sequence[PlannedVisit], options: Options, cost: int
+) -> StepExplanation:
     """Why a company is greeted in this way at once, and not otherwise, from elsewhere or one by one.
 
     Args:
@@ -46,7 +48,7 @@ def why_this_company(index: int, visits: Sequence[PlannedVisit], options: Option
     parts += [f"{name}: {wish}" for name in company.members for wish in wishes_at_rest(options.people[name])]
     parts += [*waited(cost - own), _runner_up(alternatives, reached)]
     ruled_out = (*_not_for_all(visit, options), *too_late)
-    return Why("; ".join(parts), tuple(alternatives), ruled_out, chosen=parts[0])
+    return StepExplanation("; ".join(parts), tuple(alternatives), ruled_out, chosen=parts[0])
 
 
 def _otherwise(

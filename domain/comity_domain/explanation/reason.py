@@ -9,14 +9,14 @@ from comity_domain.choices.greeting import BOTH, NO_GESTURE, VERBAL, Greeting, k
 from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.choices.side import Side
 from comity_domain.explanation.evidence import because
-from comity_domain.plans.plan import Alternative, RuledOut, Why
+from comity_domain.plans.plan import Alternative, RuledOut, StepExplanation
 from comity_domain.problem.agenda import Offer
 from comity_domain.problem.spot import Spot
 from comity_domain.tours.tour import PlannedVisit, tour_cost
 from comity_fis.defuzzification.curve import Choice
 
 
-def why_this_side(index: int, visits: Sequence[PlannedVisit], options: Options) -> Why:
+def why_this_side(index: int, visits: Sequence[PlannedVisit], options: Options) -> StepExplanation:
     """Why the visit at this index is on its side; with another one, the next leg changes, too."""
     visit = visits[index]
     tours = {
@@ -28,7 +28,7 @@ def why_this_side(index: int, visits: Sequence[PlannedVisit], options: Options) 
 
 def why_this_return(
     offer: Offer, trip: int, index: int, visits: Sequence[PlannedVisit], options: Options
-) -> Why:
+) -> StepExplanation:
     """Why the robot comes back on this side.
 
     Args:
@@ -51,7 +51,7 @@ def why_this_return(
     return replace(why, text=f"back with {offer.thing}; {why.text}")
 
 
-def _why_here(here: Spot, tours: Mapping[Spot, Sequence[PlannedVisit]], options: Options) -> Why:
+def _why_here(here: Spot, tours: Mapping[Spot, Sequence[PlannedVisit]], options: Options) -> StepExplanation:
     """Why the robot stands here and not on another side.
 
     Args:
@@ -73,10 +73,10 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[PlannedVisit]], options:
     )
     reason = f"{here.side}: {liked_side(person.sides[here.side], person)}"
     text = f"{reason}; {runner_up(alternatives, 'side', 2)}"
-    return Why(text, tuple(alternatives), ruled_out, chosen=reason)
+    return StepExplanation(text, tuple(alternatives), ruled_out, chosen=reason)
 
 
-def why_this_greeting(visit: PlannedVisit, options: Options, cost: int) -> Why:
+def why_this_greeting(visit: PlannedVisit, options: Options, cost: int) -> StepExplanation:
     """Why a person is greeted this way.
 
     Args:
@@ -93,10 +93,10 @@ def why_this_greeting(visit: PlannedVisit, options: Options, cost: int) -> Why:
     parts = [f"{chosen.words}: {_greeting(chosen, person)}", *wishes_at_rest(person)]
     parts += waited(cost - priced[chosen])
     parts.append(runner_up(alternatives, "greeting", 2))
-    return Why("; ".join(parts), alternatives, _out(ruled_out, start), chosen=parts[0])
+    return StepExplanation("; ".join(parts), alternatives, _out(ruled_out, start), chosen=parts[0])
 
 
-def why_this_farewell(visit: PlannedVisit, options: Options) -> Why:
+def why_this_farewell(visit: PlannedVisit, options: Options) -> StepExplanation:
     """Why leave is taken this way: as a person would be greeted, with what is in the hands by then."""
     person = options.people[visit.spot.place]
     chosen = next(greeting for greeting in person.greetings if greeting.way == visit.farewell)
@@ -108,7 +108,7 @@ def why_this_farewell(visit: PlannedVisit, options: Options) -> Why:
         runner_up(alternatives, "farewell", 2),
         "that the rules of greeting hold for a farewell is a design choice without a source",
     )
-    return Why("; ".join(parts), alternatives, _out(person.ruled_out, start), chosen=parts[0])
+    return StepExplanation("; ".join(parts), alternatives, _out(person.ruled_out, start), chosen=parts[0])
 
 
 def _others(

@@ -16,7 +16,7 @@ from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.labelling.alike import ANY_GREETING, ANY_SIDE
 from comity_domain.labelling.search import Cheapest, cheapest
 from comity_domain.plans.actions import SKIP
-from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_domain.plans.plan import Plan, PlanStep, StepExplanation
 from comity_domain.problem.agenda import offers
 from comity_domain.problem.measuring import measured, unmeasured_ways
 from comity_domain.problem.request import Visitee, VisitRequest
@@ -85,7 +85,7 @@ def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep,
             origin=None,
             parameters={},
             cost=travel_cost(price),
-            why=Why(reasons[name], ()),
+            why=StepExplanation(reasons[name], ()),
             cost_parts={"skip": travel_cost(price)},
         )
         for name, price in {**prices, **request.out_of_reach}.items()

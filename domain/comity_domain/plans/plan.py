@@ -33,7 +33,7 @@ class RuledOut(Record):
 
 
 @dataclass(frozen=True, slots=True)
-class Why(LazyRecord):
+class StepExplanation(LazyRecord):
     """Why a step is done this way and not the next best: worked out when it is read."""
 
     text: str
@@ -56,7 +56,7 @@ class PlanStep:
     parameters: Mapping[str, float | str]
     """Full precision, in each parameter's own unit; the planner itself saw scaled integers."""
     cost: int
-    why: Why
+    why: StepExplanation
     cost_parts: Mapping[str, int] = field(default_factory=dict)
     """What the cost is made of, in the same units: the way, dislike of the choice, waiting, nearness."""
     companions: tuple[str, ...] = ()

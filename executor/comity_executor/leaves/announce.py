@@ -15,7 +15,7 @@ from comity_executor.leaves.motion import MotionAction
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.performing import Performing
 from comity_executor.memory.visit_context import SAY_ACT, VisitContext
-from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.cause import Account, Provenance
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Condition, Ports
@@ -200,14 +200,14 @@ class IsLeaveTold(Condition):
     Args:
         meeting: Whose branch it belongs to.
         about: What the node's name has in brackets.
-        grounds: The step for which the robot leaves.
+        provenance: The step for which the robot leaves.
         goes_to: The person whom it goes to, who is not left; None: it goes to a place.
     """
 
     def __init__(
-        self, meeting: VisitContext, about: tuple[str, ...], grounds: Grounds, *, goes_to: str | None
+        self, meeting: VisitContext, about: tuple[str, ...], provenance: Provenance, *, goes_to: str | None
     ) -> None:
-        super().__init__(NodeId("leave_told?", about, meeting.person), grounds)
+        super().__init__(NodeId("leave_told?", about, meeting.person), provenance)
         self._meeting = meeting.seen_by(self, reads=("announced",))
         self._goes_to = goes_to
 
@@ -234,14 +234,18 @@ class SayLeaving(Action):
     Args:
         meeting: Whose branch it belongs to.
         about: What the node's name has in brackets.
-        grounds: The step for which the robot leaves.
+        provenance: The step for which the robot leaves.
         values: Everyone's parameters, by name.
     """
 
     def __init__(
-        self, meeting: VisitContext, about: tuple[str, ...], grounds: Grounds, values: Mapping[str, Inference]
+        self,
+        meeting: VisitContext,
+        about: tuple[str, ...],
+        provenance: Provenance,
+        values: Mapping[str, Inference],
     ) -> None:
-        super().__init__(NodeId("Say_leaving", about, meeting.person), grounds)
+        super().__init__(NodeId("Say_leaving", about, meeting.person), provenance)
         self._meeting = meeting.seen_by(self, writes=("announced",))
         self._performing = Performing(meeting.robot, meeting.senses)
         self._values = values
@@ -285,8 +289,8 @@ class SayLeaving(Action):
 class LeaveUntold(Action):
     """SUCCESS at once: a robot that cannot speak does not stand beside the person for ever."""
 
-    def __init__(self, meeting: VisitContext, about: tuple[str, ...], grounds: Grounds) -> None:
-        super().__init__(NodeId("Leave_untold", about, meeting.person), grounds)
+    def __init__(self, meeting: VisitContext, about: tuple[str, ...], provenance: Provenance) -> None:
+        super().__init__(NodeId("Leave_untold", about, meeting.person), provenance)
         self._meeting = meeting.seen_by(self, writes=("announced",))
         self._who: str | None = None
 

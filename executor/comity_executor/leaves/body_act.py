@@ -10,7 +10,7 @@ from py_trees.common import Status
 from comity_executor.leaves.performing import Performing
 from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
-from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.cause import Provenance
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
@@ -25,11 +25,11 @@ class BodyAct(Action):
         node_id: The act and the person, as the node is called.
         meeting: Whose branch it belongs to.
         act: `say`, or another act by its name.
-        grounds: The plan step that it carries out.
+        provenance: The plan step that it carries out.
     """
 
-    def __init__(self, node_id: NodeId, meeting: VisitContext, act: str, grounds: Grounds) -> None:
-        super().__init__(node_id, grounds)
+    def __init__(self, node_id: NodeId, meeting: VisitContext, act: str, provenance: Provenance) -> None:
+        super().__init__(node_id, provenance)
         self._meeting = meeting
         self._act = act
         self._performing = Performing(meeting.robot, meeting.senses)

@@ -24,7 +24,7 @@ class TaskAct(BodyAct):
     """Speak, gesture or hand something over once; the task remembers an act that came to its end."""
 
     def __init__(self, task: Task, act: str) -> None:
-        super().__init__(NodeId.of(act, *task.about), task.meeting, act, task.grounds)
+        super().__init__(NodeId.of(act, *task.about), task.meeting, act, task.provenance)
         self._task = task.seen_by(self, writes=("performed", "handing_over", "done_s"), of_visit=("values",))
         self._meeting = self._task.meeting
         self._tells = task.tells_leaving and act == SAY_ACT
@@ -82,7 +82,7 @@ class WaitBefore(Action):
     """Stay until the time is over, or until the person does what is waited for."""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(NodeId.of("Wait_before", task.person), task.grounds)
+        super().__init__(NodeId.of("Wait_before", task.person), task.provenance)
         self._task = task.seen_by(self, writes=("began_s", "heard_before", "done_s"))
         self._cap_s = float(task.step.parameters["cap_s"])
         self._until = task.step.parameters.get("until")

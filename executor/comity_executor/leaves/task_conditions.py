@@ -34,7 +34,7 @@ class IsTaskDone(Condition):
     """`said?`, `given?`, `waited?`, `left?`: is this task done?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(NodeId.of(f"{task.effect}?", *task.about), task.grounds)
+        super().__init__(NodeId.of(f"{task.effect}?", *task.about), task.provenance)
         self._task = task.seen_by(self, reads=("done_s",))
 
     @property
@@ -56,7 +56,7 @@ class AreActsDone(Condition):
     """`taken_leave?`: is everything said and shown that a farewell consists of?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(NodeId.of("taken_leave?", *task.about), task.grounds)
+        super().__init__(NodeId.of("taken_leave?", *task.about), task.provenance)
         self._task = task.seen_by(self, reads=("performed",))
 
     def check(self) -> bool:
@@ -74,7 +74,7 @@ class IsTaskActDone(Condition):
     """`done?`: was this act of a task performed, so that a second docking does not repeat it?"""
 
     def __init__(self, task: Task, act: str) -> None:
-        super().__init__(NodeId.of("done?", act, *task.about), task.grounds)
+        super().__init__(NodeId.of("done?", act, *task.about), task.provenance)
         self._task = task.seen_by(self, reads=("performed",))
         self._act = act
 
@@ -96,7 +96,7 @@ class IsTaken(Condition):
     """`taken?`: does the robot hold what it is to hand over, or has it handed it over?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(NodeId.of("taken?", *task.about), task.fetch_grounds)
+        super().__init__(NodeId.of("taken?", *task.about), task.fetch_provenance)
         self._task = task.seen_by(self, reads=("performed", "handing_over"))
 
     @property

@@ -30,7 +30,7 @@ class GoTo(MotionAction):
         self._place = str(task.fetch.parameters["place"])
         node_id = NodeId("Go_to", (self._place,), task.person)
         super().__init__(node_id, task.meeting, reads=("asked", "in_vain"))
-        self.grounds = task.fetch_grounds
+        self.provenance = task.fetch_provenance
         self._task = replace(task, meeting=self.meeting)
 
     @property
@@ -60,7 +60,7 @@ class PickUp(Action):
 
     def __init__(self, task: Task) -> None:
         assert task.fetch is not None  # as above
-        super().__init__(NodeId.of("Pick_up", *task.about), task.fetch_grounds)
+        super().__init__(NodeId.of("Pick_up", *task.about), task.fetch_provenance)
         self._task = task.seen_by(self, reads=("performed", "handing_over"), of_visit=("values",))
         self._place = str(task.fetch.parameters["place"])
         self._performing = Performing(task.meeting.robot, task.meeting.senses)
@@ -101,7 +101,7 @@ class StepAway(MotionAction):
 
     def __init__(self, task: Task) -> None:
         super().__init__(NodeId.of("Step_away", task.person), task.meeting, reads=POSE)
-        self.grounds = task.grounds
+        self.provenance = task.provenance
         self._task = replace(task, memory=task.memory.seen_by(self, writes=("done_s",)), meeting=self.meeting)
 
     @property

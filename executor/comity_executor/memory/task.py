@@ -13,7 +13,7 @@ from comity_domain.plans.plan import PlanStep
 from comity_domain.problem.agenda import PLAIN
 from comity_executor.memory.visit import TaskMemory, VisitMemory
 from comity_executor.memory.visit_context import SAY_ACT, VisitContext, acts_of
-from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.cause import Provenance
 from comity_executor.nodes.leaf import Ports
 from comity_executor.robots.carrier import HAND_OVER, Carrier
 from comity_executor.robots.status import known_performance
@@ -66,14 +66,14 @@ class Task:
         return self.step.person
 
     @property
-    def grounds(self) -> Grounds:
+    def provenance(self) -> Provenance:
         """What its nodes stand on."""
-        return Grounds(self.step, self.meeting.values)
+        return Provenance(self.step, self.meeting.values)
 
     @property
-    def fetch_grounds(self) -> Grounds:
+    def fetch_provenance(self) -> Provenance:
         """What the nodes stand on that fetch something for it."""
-        return Grounds(self.fetch or self.step, self.meeting.values)
+        return Provenance(self.fetch or self.step, self.meeting.values)
 
     @property
     def about(self) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from comity_executor.memory.asking import Asking
 from comity_executor.memory.drive import Drive
 from comity_executor.memory.shared import SharedMemory
 from comity_executor.memory.visit import Outcome, ShownWish, Visit, VisitMemory
-from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.cause import Provenance
 from comity_executor.nodes.limits import Limits
 from comity_executor.robots.goals import PlannedPose, RelativePose, unverified
 from comity_executor.robots.robot import Robot
@@ -135,14 +135,14 @@ class VisitContext:
         return curve
 
     @property
-    def reach_grounds(self) -> Grounds:
+    def reach_grounds(self) -> Provenance:
         """What the nodes that move stand on."""
-        return Grounds(self.reach, self.values)
+        return Provenance(self.reach, self.values)
 
     @property
-    def greet_grounds(self) -> Grounds:
+    def greet_grounds(self) -> Provenance:
         """What the nodes that greet stand on."""
-        return Grounds(self.greet, self.values)
+        return Provenance(self.greet, self.values)
 
     @property
     def wanted(self) -> PlannedPose:

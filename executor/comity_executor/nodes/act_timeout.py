@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.cause import Provenance
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 
@@ -22,7 +22,7 @@ class ActTimeout(SimulatedTimeout):
         duration_s: How long all attempts together may take, in the clock's seconds.
         pause_s: Between two attempts.
         clock: The world's time.
-        grounds: The plan step that the child carries out.
+        provenance: The plan step that the child carries out.
     """
 
     def __init__(
@@ -33,9 +33,11 @@ class ActTimeout(SimulatedTimeout):
         duration_s: float,
         pause_s: float,
         clock: Callable[[], float],
-        grounds: Grounds | None = None,
+        provenance: Provenance | None = None,
     ) -> None:
-        super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds, limit="act_s")
+        super().__init__(
+            name, child, duration_s=duration_s, clock=clock, provenance=provenance, limit="act_s"
+        )
         self.pause_s = pause_s
         self._again_s = 0.0
         self._begun = 1

@@ -60,7 +60,7 @@ class Account:
 
 
 @dataclass(frozen=True, slots=True)
-class Grounds:
+class Provenance:
     """What a node stands on: a step of the plan, and the person's parameters."""
 
     step: PlanStep
@@ -70,7 +70,7 @@ class Grounds:
 class Explains(Protocol):
     """A node that can account for its results; asked only when a result changes."""
 
-    grounds: Grounds | None
+    provenance: Provenance | None
 
     def account(self) -> Account | None:
         """Why the last result came about; None where there is nothing to add."""
@@ -91,7 +91,7 @@ def causes_of(node: Behaviour, condition: str | None = None) -> tuple[Cause, ...
     """
     if explains(node):
         account = node.account()
-        return chain(condition, account, node.grounds) if account or condition else ()
+        return chain(condition, account, node.provenance) if account or condition else ()
     message = "" if node.children else node.feedback_message
     return chain(condition, Account(message) if message else None, None)
 
@@ -101,32 +101,32 @@ def with_verb(people: Collection[str], one: str, more: str) -> str:
     return f"{' and '.join(people)} {one if len(people) == 1 else more}"
 
 
-def chain(condition: str | None, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:
+def chain(condition: str | None, account: Account | None, provenance: Provenance | None) -> tuple[Cause, ...]:
     """The causes behind one result, nearest first, as far as they are known.
 
     Args:
         condition: The node and its new result in words, `docked?(johanna) -> failure`; None where it is the
             node's own result that is accounted for.
         account: What that node read.
-        grounds: The plan step and the parameters that the node serves.
+        provenance: The plan step and the parameters that the node serves.
     """
     causes = [Cause("fault", account.fault, None)] if account and account.fault else []
     if account:
         causes.append(Cause("reading", account.text, account.value))
     if condition is not None:
         causes.append(Cause("condition", condition, None))
-    if grounds:
-        step = grounds.step
+    if provenance:
+        step = provenance.step
         causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})", None))
         if account and account.parameter:
-            causes += _parameter(account.parameter, grounds)
-            causes += [cause for name in account.others for cause in _parameter(name, grounds)]
+            causes += _parameter(account.parameter, provenance)
+            causes += [cause for name in account.others for cause in _parameter(name, provenance)]
     return tuple(causes)
 
 
-def _parameter(name: str, grounds: Grounds) -> list[Cause]:
-    inferred = grounds.values.parameters.get(name)
-    value = grounds.step.parameters.get(name, inferred.value if inferred else None)
+def _parameter(name: str, provenance: Provenance) -> list[Cause]:
+    inferred = provenance.values.parameters.get(name)
+    value = provenance.step.parameters.get(name, inferred.value if inferred else None)
     words = f"{value:.4f}" if isinstance(value, float) else str(value)
     if inferred is None:
         return [Cause("parameter", f"{name} {words}", value)]
@@ -135,9 +135,9 @@ def _parameter(name: str, grounds: Grounds) -> list[Cause]:
     if isinstance(value, str) and value != inferred.value:
         given = f"{value}, planned in the place of {inferred.value} ({inferred.origin})"
     causes = [Cause("parameter", f"{name} {given}", value)]
-    if fired := _decisive_rule(inferred, grounds.values):
+    if fired := _decisive_rule(inferred, provenance.values):
         causes.append(Cause("rule", fired.rule.text, fired.strength))
-        causes += _variables(fired.rule, grounds.values)
+        causes += _variables(fired.rule, provenance.values)
     return causes
 
 

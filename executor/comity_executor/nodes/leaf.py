@@ -13,7 +13,7 @@ from typing import NoReturn
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.cause import Account, Provenance
 from comity_executor.nodes.fault import FaultError
 from comity_executor.nodes.identity import NodeId, as_id
 from comity_executor.robots.raised import raised
@@ -22,9 +22,9 @@ Ports = Mapping[str, str | float]
 """The same names for all leaves of a class."""
 
 
-def told_by(grounds: Grounds | None) -> Ports:
+def told_by(provenance: Provenance | None) -> Ports:
     """The person a plan step is about, and its parameters."""
-    return {"person": grounds.step.person, **grounds.step.parameters} if grounds else {}
+    return {"person": provenance.step.person, **provenance.step.parameters} if provenance else {}
 
 
 class Condition(Behaviour, ABC):
@@ -32,16 +32,16 @@ class Condition(Behaviour, ABC):
 
     Args:
         name: The question, with a question mark, and the person.
-        grounds: The plan step whose effect or progress it asks for.
+        provenance: The plan step whose effect or progress it asks for.
     """
 
     if_it_raises = Status.FAILURE
     """What the answer is taken for where it cannot be had."""
 
-    def __init__(self, name: NodeId | str, grounds: Grounds | None = None) -> None:
+    def __init__(self, name: NodeId | str, provenance: Provenance | None = None) -> None:
         self.node_id = as_id(name)
         super().__init__(self.node_id.name)
-        self.grounds = grounds
+        self.provenance = provenance
         self.fault: FaultError | None = None
         """What it is to raise in its next tick."""
         self._error: Exception | None = None
@@ -49,7 +49,7 @@ class Condition(Behaviour, ABC):
     @property
     def ports(self) -> Ports:
         """What another engine has to tell a leaf of this class, by name."""
-        return told_by(self.grounds)
+        return told_by(self.provenance)
 
     @abstractmethod
     def check(self) -> bool:
@@ -82,13 +82,13 @@ class Action(Behaviour, ABC):
 
     Args:
         name: What it does, and for which person.
-        grounds: The plan step that it carries out.
+        provenance: The plan step that it carries out.
     """
 
-    def __init__(self, name: NodeId | str, grounds: Grounds | None = None) -> None:
+    def __init__(self, name: NodeId | str, provenance: Provenance | None = None) -> None:
         self.node_id = as_id(name)
         super().__init__(self.node_id.name)
-        self.grounds = grounds
+        self.provenance = provenance
         self.fault: FaultError | None = None
         """What it is to raise in its next tick."""
         self._error: Exception | None = None
@@ -99,7 +99,7 @@ class Action(Behaviour, ABC):
     @property
     def ports(self) -> Ports:
         """What another engine has to tell a leaf of this class, by name."""
-        return told_by(self.grounds)
+        return told_by(self.provenance)
 
     @property
     def broke_down(self) -> bool:

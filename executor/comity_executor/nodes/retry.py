@@ -8,7 +8,7 @@ from py_trees import decorators
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.cause import Account, Provenance
 from comity_executor.nodes.identity import NodeId, as_id
 from comity_executor.nodes.leaf import Action
 from comity_executor.nodes.node import preorder
@@ -26,7 +26,7 @@ class Retry(decorators.Retry):
         attempts: How often at most, the first time included.
         pause_s: After an exception, in the clock's seconds.
         clock: The world's time.
-        grounds: The plan step that the child carries out.
+        provenance: The plan step that the child carries out.
     """
 
     def __init__(
@@ -37,13 +37,13 @@ class Retry(decorators.Retry):
         attempts: int,
         pause_s: float,
         clock: Callable[[], float],
-        grounds: Grounds | None = None,
+        provenance: Provenance | None = None,
     ) -> None:
         if attempts < 1:
             raise ValueError(f"{as_id(name).name} needs at least one attempt, got {attempts}")
         self.node_id = as_id(name)
         super().__init__(self.node_id.name, child, num_failures=attempts)
-        self.grounds = grounds
+        self.provenance = provenance
         self._pause_s = pause_s
         self._clock = clock
         self._again_s = 0.0

@@ -9,7 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
 
-from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.cause import Account, Provenance
 from comity_executor.nodes.identity import NodeId, as_id
 
 
@@ -21,7 +21,7 @@ class SimulatedTimeout(Decorator):
         child: What must end in time.
         duration_s: How long it may run, in the clock's seconds.
         clock: The world's time.
-        grounds: The plan step that the child carries out.
+        provenance: The plan step that the child carries out.
         limit: What a scenario's limits call that time, for a reader who wants to change it.
         under_way: How far the child is, in words; asked when the time is over.
     """
@@ -33,13 +33,13 @@ class SimulatedTimeout(Decorator):
         *,
         duration_s: float,
         clock: Callable[[], float],
-        grounds: Grounds | None = None,
+        provenance: Provenance | None = None,
         limit: str | None = None,
         under_way: Callable[[], str] | None = None,
     ) -> None:
         self.node_id = as_id(name)
         super().__init__(self.node_id.name, child)
-        self.grounds = grounds
+        self.provenance = provenance
         self.timed_out = False
         self.duration_s = duration_s
         self._clock = clock

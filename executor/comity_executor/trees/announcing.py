@@ -40,7 +40,7 @@ from comity_executor.leaves.announce import (
 from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
-from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.cause import Provenance
 from comity_executor.nodes.composites import fallback, parallel_until_one, sequence
 from comity_executor.nodes.identity import NodeId
 from comity_fis.inference.value import Inference
@@ -82,7 +82,7 @@ def stop_told(meeting: VisitContext, docked: Behaviour) -> Behaviour:
 def leave_told(
     meeting: VisitContext,
     about: tuple[str, ...],
-    grounds: Grounds,
+    provenance: Provenance,
     values: Mapping[str, Inference],
     *,
     goes_to: str | None,
@@ -92,21 +92,21 @@ def leave_told(
     Args:
         meeting: Whose branch it is in.
         about: What the nodes' names have in brackets.
-        grounds: The step for which the robot leaves.
+        provenance: The step for which the robot leaves.
         values: Everyone's parameters, by name.
         goes_to: The person whom it goes to; None: it goes to a place.
     """
     limits = meeting.limits
     say = ActTimeout(
         NodeId(f"Timeout {limits.act_timeout_s:g} s", ("Say_leaving", *about), meeting.person),
-        SayLeaving(meeting, about, grounds, values),
+        SayLeaving(meeting, about, provenance, values),
         duration_s=limits.act_timeout_s,
         pause_s=limits.act_pause_s,
         clock=meeting.senses.now_s,
-        grounds=grounds,
+        provenance=provenance,
     )
-    asked = IsLeaveTold(meeting, about, grounds, goes_to=goes_to)
-    children = [asked, say, LeaveUntold(meeting, about, grounds)]
+    asked = IsLeaveTold(meeting, about, provenance, goes_to=goes_to)
+    children = [asked, say, LeaveUntold(meeting, about, provenance)]
     return fallback(NodeId("leave_told", about, meeting.person), children)
 
 
@@ -119,5 +119,5 @@ def _in_time(meeting: VisitContext, act: Announcement) -> Behaviour:
         duration_s=patience_s,
         pause_s=limits.act_pause_s,
         clock=meeting.senses.now_s,
-        grounds=meeting.reach_grounds,
+        provenance=meeting.reach_grounds,
     )

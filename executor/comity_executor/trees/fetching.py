@@ -51,7 +51,7 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
     limits, clock = task.meeting.limits, task.meeting.senses.now_s
     # Mind_way never succeeds by itself: Go_to decides.
     way = parallel_until_one(NodeId.of("Way", *task.about), [passing(_way_there(task), values), GoTo(task)])
-    leave = [leave_told(task.meeting, task.about, task.fetch_grounds, values, goes_to=None)]
+    leave = [leave_told(task.meeting, task.about, task.fetch_provenance, values, goes_to=None)]
     before = leave if task.meeting.tells_leaving else []
     fetch = sequence(NodeId.of("Fetch", *task.about), [*before, way, PickUp(task)], memory=True)
     timeout = SimulatedTimeout(
@@ -59,7 +59,7 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
         fetch,
         duration_s=FETCH_TIMEOUT_S,
         clock=clock,
-        grounds=task.fetch_grounds,
+        provenance=task.fetch_provenance,
     )
     retry = Retry(
         NodeId.of(f"Retry {limits.reach_attempts}", *task.about),
@@ -67,7 +67,7 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
         attempts=limits.reach_attempts,
         pause_s=limits.reach_pause_s,
         clock=task.meeting.senses.now_s,
-        grounds=task.fetch_grounds,
+        provenance=task.fetch_provenance,
     )
     return fallback(NodeId.of("taken", *task.about), [IsTaken(task), retry])
 
@@ -80,14 +80,14 @@ def brought(task: Task, values: Mapping[str, Inference]) -> Behaviour:
 
 
 def _way_there(task: Task) -> Passage:
-    return Passage(task.meeting, task.about, task.fetch_grounds)
+    return Passage(task.meeting, task.about, task.fetch_provenance)
 
 
 class DoesGoWithout(Condition):
     """`goes_without?`: could the robot not fetch it, so that it goes to the person without?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(NodeId.of("goes_without?", *task.about), task.fetch_grounds)
+        super().__init__(NodeId.of("goes_without?", *task.about), task.fetch_provenance)
         self._task = task.seen_by(self, reads=("without",))
 
     @property
@@ -113,7 +113,7 @@ class GoWithout(Action):
     """
 
     def __init__(self, task: Task, failed: Behaviour) -> None:
-        super().__init__(NodeId.of("Go_without", *task.about), task.fetch_grounds)
+        super().__init__(NodeId.of("Go_without", *task.about), task.fetch_provenance)
         self._task = task.seen_by(self, writes=("without",))
         self._failed = failed
 

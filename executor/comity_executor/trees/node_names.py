@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, OFFER, REACH, TASKS
-from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_domain.plans.plan import Plan, PlanStep, StepExplanation
 from comity_executor.nodes.limits import Limits
 from comity_executor.nodes.node import describe
 from comity_executor.robots.scripted import ScriptedRobot
@@ -49,6 +49,6 @@ def node_names() -> frozenset[str]:
 
 def _steps(person: str, kinds: _Kinds) -> tuple[PlanStep, ...]:
     return tuple(
-        PlanStep(action, ("robot", person, *choices), None, parameters, 0, Why("", ()))
+        PlanStep(action, ("robot", person, *choices), None, parameters, 0, StepExplanation("", ()))
         for action, choices, parameters in kinds
     )

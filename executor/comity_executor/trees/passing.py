@@ -24,7 +24,7 @@ from py_trees.common import Status
 from comity_executor.leaves.performing import Performing
 from comity_executor.memory.shared import PassageRequest
 from comity_executor.memory.visit_context import VisitContext
-from comity_executor.nodes.cause import Account, Grounds, with_verb
+from comity_executor.nodes.cause import Account, Provenance, with_verb
 from comity_executor.nodes.composites import fallback, never_succeeding, sequence
 from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.identity import NodeId
@@ -45,7 +45,7 @@ class Passage:
     """Whose branch it belongs to."""
     about: tuple[str, ...]
     """What the names of its nodes have in brackets, the person last."""
-    grounds: Grounds
+    provenance: Provenance
     """The step of the plan that leads along it."""
 
 
@@ -79,7 +79,7 @@ class IsWayFree(Condition):
     """`way_free?`: is nobody in the way?"""
 
     def __init__(self, way: Passage) -> None:
-        super().__init__(NodeId.of("way_free?", *way.about), way.grounds)
+        super().__init__(NodeId.of("way_free?", *way.about), way.provenance)
         self._meeting = way.meeting
         self._hindered_by: tuple[str, ...] = ()
 
@@ -107,7 +107,7 @@ class WaitForWay(Action):
     """
 
     def __init__(self, way: Passage, verb: str, *, for_s: float, then: Status) -> None:
-        super().__init__(NodeId.of(verb, *way.about), way.grounds)
+        super().__init__(NodeId.of(verb, *way.about), way.provenance)
         writes = ("in_vain",) if then is Status.FAILURE else ()
         self._meeting = way.meeting.seen_by(self, writes=writes)
         self._for_s = for_s
@@ -148,7 +148,7 @@ class AskToPass(Action):
     """Ask all who are in the way, one after the other, each at most once for every attempt."""
 
     def __init__(self, way: Passage, values: Mapping[str, Inference]) -> None:
-        super().__init__(NodeId.of("Ask_to_pass", *way.about), way.grounds)
+        super().__init__(NodeId.of("Ask_to_pass", *way.about), way.provenance)
         self._way = way
         self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values

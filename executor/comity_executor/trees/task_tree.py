@@ -80,6 +80,6 @@ def _done(task: Task, act: str) -> Behaviour:
         duration_s=patience_s,
         pause_s=limits.act_pause_s,
         clock=task.meeting.senses.now_s,
-        grounds=task.grounds,
+        provenance=task.provenance,
     )
     return fallback(NodeId.of("done", act, *task.about), [IsTaskActDone(task, act), timeout])

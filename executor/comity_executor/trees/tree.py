@@ -65,7 +65,7 @@ from comity_executor.memory.task import EFFECTS, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
 from comity_executor.memory.visit_context import NO_ACTS, MakeAct, VisitContext
 from comity_executor.nodes.act_timeout import ActTimeout
-from comity_executor.nodes.cause import Grounds, explains
+from comity_executor.nodes.cause import Provenance, explains
 from comity_executor.nodes.composites import fallback, parallel_until_all, parallel_until_one, sequence
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
@@ -119,8 +119,8 @@ class Tree:
         steps = {_key(step): step for step in plan.steps}
         people = {step.person for step in plan.steps}
         for node in preorder(self.root):
-            if explains(node) and (grounds := node.grounds) and grounds.step.person in people:
-                node.grounds = Grounds(_renewed(grounds.step, steps), values[grounds.step.person])
+            if explains(node) and (provenance := node.provenance) and provenance.step.person in people:
+                node.provenance = Provenance(_renewed(provenance.step, steps), values[provenance.step.person])
         for meeting in (*self.meetings, *self.returns):
             if meeting.person in people:
                 reach, greet = (_renewed(step, steps) for step in (meeting.reach, meeting.greet))
@@ -262,13 +262,13 @@ def _achieved(
 
 
 def _docked(meeting: VisitContext, values: Mapping[str, Inference]) -> Behaviour:
-    person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
+    person, limits, provenance = meeting.person, meeting.limits, meeting.reach_grounds
     timeout = SimulatedTimeout(
         NodeId.of(f"Timeout {limits.reach_timeout_s:g} s", REACH, person),
         _approach(meeting, values),
         duration_s=limits.reach_timeout_s,
         clock=meeting.senses.now_s,
-        grounds=grounds,
+        provenance=provenance,
         limit="reach_s",
         under_way=lambda: meeting.robot.motion().text,
     )
@@ -278,7 +278,7 @@ def _docked(meeting: VisitContext, values: Mapping[str, Inference]) -> Behaviour
         attempts=limits.reach_attempts,
         pause_s=limits.reach_pause_s,
         clock=meeting.senses.now_s,
-        grounds=grounds,
+        provenance=provenance,
     )
     docked = fallback(NodeId.of(DOCKED, person), [IsDocked(meeting), retry])
     return stop_told(meeting, docked) if is_announced(meeting) else docked
@@ -331,6 +331,6 @@ def _done(meeting: VisitContext, act: str) -> Behaviour:
         duration_s=patience_s,
         pause_s=meeting.limits.act_pause_s,
         clock=meeting.senses.now_s,
-        grounds=meeting.greet_grounds,
+        provenance=meeting.greet_grounds,
     )
     return fallback(NodeId.of("done", act, meeting.person), [IsActDone(meeting, act), timeout])

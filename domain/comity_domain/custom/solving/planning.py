@@ -15,7 +15,7 @@ from comity_domain.custom.solving.reason import why
 from comity_domain.custom.solving.solution import GroundAction, Solution
 from comity_domain.custom.solving.swap import argument_of, row_of
 from comity_domain.errors import NoEngine, NoPlan, PlanningFailed
-from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_domain.plans.plan import Plan, PlanStep, StepExplanation
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,7 +125,7 @@ def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
         )
 
 
-NOT_BOUND = Why("no preference of anybody is bound to this action", ())
+NOT_BOUND = StepExplanation("no preference of anybody is bound to this action", ())
 
 
 def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> dict[str, float | str]:

@@ -9,13 +9,13 @@ from comity_domain.custom.costs.preference import Preference
 from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import argument_of, other_ways, row_of, tries
-from comity_domain.plans.plan import Alternative, Why
+from comity_domain.plans.plan import Alternative, StepExplanation
 from comity_domain.problem.setting import is_setting
 from comity_fis.explanation.disclosure import facts_first, kept_back
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
 
 
-def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bound: Bound) -> Why:
+def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bound: Bound) -> StepExplanation:
     """Why one step of a plan is so."""
     assert bound.people is not None
     action = actions[index]
@@ -36,12 +36,14 @@ def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bou
     whose = f"{bound.own.as_written(name)}: " if reasons else ""
     chosen = whose + "; ".join(reasons)
     if not row or not binding.options:
-        return Why(chosen, (), chosen=chosen)
+        return StepExplanation(chosen, (), chosen=chosen)
     others = list(_others(index, actions, binding, bound))
     if not others and not tries(actions, bound):
-        return Why(f"{chosen}; no other option was tried: the plan is too large", (), chosen=chosen)
+        return StepExplanation(
+            f"{chosen}; no other option was tried: the plan is too large", (), chosen=chosen
+        )
     text = f"{chosen}; {_runner_up(others, binding, action, bound)}"
-    return Why(text, tuple(others), chosen=chosen)
+    return StepExplanation(text, tuple(others), chosen=chosen)
 
 
 def _others(
