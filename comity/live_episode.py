@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from datetime import date
 from math import dist
 from typing import TYPE_CHECKING, cast
 
@@ -50,11 +51,13 @@ if TYPE_CHECKING:
 
     from comity.environment import Environment
     from comity.live.operator import Operator
+    from comity.people.profile import Profile
     from comity.preparation import PlannedEpisode
+    from comity.scenario import ScenarioFile
     from comity.schedule import Happening
-    from comity_domain import Plan
+    from comity_domain import Plan, Visitee
     from comity_executor import LoopReport, MapRobot, Planner
-    from comity_fis import Inference
+    from comity_fis import Inference, Rulebook
     from comity_sim2d.people.reactions import Shown
 
 AFTERMATH_S = 0.5
@@ -108,7 +111,7 @@ class LiveEpisode:
         operator: Operator | None = None,
         unreviewed_wordings: bool = False,
     ) -> None:
-        _check_acts(prepared, acts)
+        _check_acts(prepared.rulebook, acts)
         self._prepared = prepared
         self._seed = seed
         self._base = robot
@@ -121,7 +124,7 @@ class LiveEpisode:
                 prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places
             )
         else:
-            _refuse_children(prepared)
+            _refuse_children(prepared.file, prepared.profiles, prepared.day)
             require_reduced_margin(prepared.file, robot)
             self._world = RealWorld(robot, prepared.scene, operator)
             self._world.robot.learn_places(prepared.asked.places)
@@ -325,7 +328,7 @@ class LiveEpisode:
         return Episode(
             prepared=self._prepared,
             seed=self._seed,
-            outcome=_outcome(self._prepared, execution),
+            outcome=_outcome(execution, self._prepared.visitees, self._prepared.asked.unreachable),
             visits=execution.visits,
             events=execution.events,
             frames=frames,
@@ -385,11 +388,11 @@ STATE_AGES = (
 )
 
 
-def _refuse_children(prepared: PlannedEpisode) -> None:
-    """Let no real robot meet a child, or somebody who may be one, but in a study with consent."""
-    scenario = prepared.file.scenario
+def _refuse_children(file: ScenarioFile, profiles: Mapping[str, Profile], day: date | None) -> None:
+    """Refuse that a real robot visits a child or a person of unknown age, but in a study with consent."""
+    scenario = file.scenario
     for name in scenario.visited():
-        is_child = is_under_age(prepared.profiles[name], prepared.day)
+        is_child = is_under_age(profiles[name], day)
         if (is_child is None and scenario.adults_only) or is_child is False:
             continue
         if scenario.child_study and scenario.people[name].guardian_consent:
@@ -398,7 +401,7 @@ def _refuse_children(prepared: PlannedEpisode) -> None:
             expected=f"adults before a real robot: {name} is 18 or older",
             got="an age below 18" if is_child else "no age",
             remedy=IN_A_STUDY if is_child else STATE_AGES,
-            where=prepared.file.where("people", name),
+            where=file.where("people", name),
         )
 
 
@@ -411,8 +414,8 @@ def _refuse(operator: Operator | None) -> None:
         )
 
 
-def _check_acts(prepared: PlannedEpisode, acts: Iterable[str]) -> None:
-    gestures = prepared.rulebook.parameters.get("greeting_gesture")
+def _check_acts(rulebook: Rulebook, acts: Iterable[str]) -> None:
+    gestures = rulebook.parameters.get("greeting_gesture")
     categories = getattr(gestures, "categories", ())
     known = (SAY_ACT, *(each.name for each in categories if each.name != NO_GESTURE))
     for act in acts:
@@ -439,14 +442,14 @@ def _come_to_rest(world: World, execution: Execution) -> None:
         before = here
 
 
-def _outcome(prepared: PlannedEpisode, execution: Execution) -> Outcome:
-    """Partial where somebody was greeted and somebody could not be served to the end, or only late."""
+def _outcome(execution: Execution, visitees: Sequence[Visitee], unreachable: Collection[str]) -> Outcome:
+    """Partial where one person was greeted and another was not served to the end, or only late."""
     if execution.status == "stop_unconfirmed":
         return execution.status
     fared = {visit.person: visit.outcome for visit in execution.visits}
-    wanted = fared.keys() | prepared.asked.unreachable.keys()
+    wanted = fared.keys() | set(unreachable)
     if sum(outcome in PROPER_OUTCOMES for outcome in fared.values()) == len(wanted):
-        return "partial" if any(late_s(prepared, visit) for visit in execution.visits) else "success"
+        return "partial" if any(late_s(visitees, visit) for visit in execution.visits) else "success"
     if execution.status == "stopped":
         return "stopped"
     return "partial" if any(outcome in ("greeted", "unfinished") for outcome in fared.values()) else "failed"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping, Sequence
 from datetime import date
 from typing import TYPE_CHECKING
 
@@ -16,18 +16,20 @@ from comity_fis.learning.signals import SAID
 if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.people.learnt_file import Observation
-    from comity.preparation import PlannedEpisode
 
 
-def refuse_nobody_kept(prepared: PlannedEpisode) -> None:
-    """Refuse to learn where there is nobody to learn about.
+def refuse_nobody_kept(visited: Sequence[str], kept_as: Mapping[str, str | None]) -> None:
+    """Refuse to learn where no person who is visited has a stored profile that agrees to it.
+
+    Args:
+        visited: Names of the people of the scenario who are visited.
+        kept_as: By person, the name under which the profile is stored; None where it is not.
 
     Raises:
         InputError: if all who are visited have profiles that describe nobody in particular, or none of those
             who are kept agrees to it.
     """
-    visited = prepared.file.scenario.visited()
-    kept = [name for person in visited if (name := prepared.kept_as[person])]
+    kept = [name for person in visited if (name := kept_as[person])]
     if kept and not any(is_covered(name, "learn") for name in kept):
         require_consent(kept[0], "learn")
     if not kept:

@@ -21,7 +21,7 @@ from comity_fis import InputError, NumericParameter, Where, load_rulebook
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
-    from comity_fis import Learnt, Rulebook
+    from comity_fis import Inference, Learnt, Rulebook
     from comity_fis.learning.signals import Signal
 
 STAGE, PERSON = "acquaintance", "guest"
@@ -79,7 +79,7 @@ class Acquaintance:
             at=day or self.begin,
             learnt={PERSON: {DISTANCE: learnt}} if learnt else {},
         )
-        _refuse_setting(prepared)
+        _refuse_setting(prepared.values[PERSON], prepared.profiles[PERSON].name)
         return prepared
 
 
@@ -236,12 +236,12 @@ def _parameter(rulebook: Rulebook) -> NumericParameter:
     )
 
 
-def _refuse_setting(prepared: PlannedEpisode) -> None:
-    asked = prepared.values[PERSON][DISTANCE].start
+def _refuse_setting(values: Inference, profile: str) -> None:
+    asked = values[DISTANCE].start
     if asked.origin == "setting":
         raise InputError(
             expected=f"a profile that leaves {DISTANCE} open",
             got=f"one that asks for {asked.value}",
             remedy="What a person asked for stands, and nothing is learnt about it.",
-            where=Where(prepared.profiles[PERSON].name),
+            where=Where(profile),
         )

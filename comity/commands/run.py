@@ -179,7 +179,7 @@ def run(
                 file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed, engine=engine
             )
             if learn:
-                refuse_nobody_kept(prepared)
+                refuse_nobody_kept(prepared.file.scenario.visited(), prepared.kept_as)
             recorded = _recording(with_, pseudonyms)(
                 prepared,
                 seed=seed,

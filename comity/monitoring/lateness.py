@@ -11,7 +11,6 @@ from comity_executor import Cause
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from comity.preparation import PlannedEpisode
     from comity_domain import Visitee, VisitRequest
     from comity_executor import Visit
 
@@ -19,14 +18,14 @@ IN_TIME_S = 1e-6
 """Times are sums of the world's steps: what they are off by is no lateness."""
 
 
-def deadline_s(prepared: PlannedEpisode, person: str) -> float | None:
-    """By when a person's greeting is to be over, in the world's time; None: whenever."""
-    return next((each.by_s for each in prepared.visitees if each.name == person), None)
+def deadline_s(visitees: Iterable[Visitee], person: str) -> float | None:
+    """Time at which a person's greeting is to be over [s of the world]; None without a deadline."""
+    return next((each.by_s for each in visitees if each.name == person), None)
 
 
-def late_s(prepared: PlannedEpisode, visit: Visit) -> float | None:
-    """How late a greeting was over [s]: 0 in time, None without a deadline or a greeting."""
-    by_s = deadline_s(prepared, visit.person)
+def late_s(visitees: Iterable[Visitee], visit: Visit) -> float | None:
+    """Lateness of a greeting [s]: 0 in time, None without a deadline or a greeting."""
+    by_s = deadline_s(visitees, visit.person)
     if by_s is None or visit.greeted_s is None:
         return None
     late = visit.greeted_s - by_s

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from comity.preparation import PlannedEpisode
     from comity_domain import Plan
     from comity_executor import PlanUpdate, TraceEvent, Visit
-    from comity_sim2d import Frames, Scene, Touch
+    from comity_fis import Inference
+    from comity_sim2d import Frames, RouteMap, Scene, Touch
 
 _VISITED, _DOCKED = "visited", "docked?"
 """What the nodes of the tree do by which a visit is done, and which ask whether the robot has docked."""
@@ -58,7 +59,7 @@ def figures(
     known = replace(
         known_of(prepared, visits, events, revisions=revisions, told=told),
         contacts=contacts(prepared.scene, frames.entities[1:], touches),
-        shortest_m=_shortest_m(prepared, frames, visits),
+        shortest_m=_shortest_m(prepared.scene, prepared.route_map, frames, visits),
         plan_cost_m=plan.cost / 100.0,
         plan_gap=plan.gap,
         success=all(visit.outcome in PROPER_OUTCOMES for visit in visits),
@@ -143,17 +144,17 @@ def _wanted(
             arrives=docked_s is not None,
             breaks=breaks,
             docked_s=visit.docked_s,
-            own_m=_own_m(prepared, told, visit),
+            own_m=_own_m(prepared.values, told, visit),
             chosen_distance_m=visit.pose.distance_m,
             chosen_bearing_deg=visit.pose.bearing_deg,
         )
 
 
-def _own_m(prepared: PlannedEpisode, told: Sequence[ParameterUpdate], visit: Visit) -> float | None:
-    """The distance of a person when the robot docked last; None where it never did, or none is known."""
+def _own_m(own: Mapping[str, Inference], told: Sequence[ParameterUpdate], visit: Visit) -> float | None:
+    """Distance of a person when the robot docked last [m]; None where it never did, or none is known."""
     if visit.docked_s is None:
         return None
-    values = values_at(prepared.values, told, visit.person, visit.docked_s)
+    values = values_at(own, told, visit.person, visit.docked_s)
     return values[DISTANCE].number if DISTANCE in values.parameters else None
 
 
@@ -233,12 +234,12 @@ def is_of(event: TraceEvent, action: str, person: str) -> bool:
     return (event.action, event.person) == (action, person)
 
 
-def _shortest_m(prepared: PlannedEpisode, frames: Frames, visits: Sequence[Visit]) -> float | None:
-    """The shortest way through the places where the robot docked, around people at the safety margin."""
+def _shortest_m(scene: Scene, route_map: RouteMap, frames: Frames, visits: Sequence[Visit]) -> float | None:
+    """Shortest path through the places where the robot docked, around people at the safety margin [m]."""
     times = [visit.docked_s for visit in visits if visit.docked_s is not None]
     rows = frames.time_s.searchsorted([0.0, *sorted(times)])
     places = [(float(x), float(y)) for x, y in frames.poses[rows.clip(max=len(frames) - 1), 0, :2]]
-    nearest = dict.fromkeys((person.name for person in prepared.scene.people), 0.0)
-    lengths = [prepared.route_map.length(here, there, keep=nearest) for here, there in pairwise(places)]
+    nearest = dict.fromkeys((person.name for person in scene.people), 0.0)
+    lengths = [route_map.length(here, there, keep=nearest) for here, there in pairwise(places)]
     known = [length for length in lengths if length is not None]
     return sum(known) if len(known) == len(lengths) else None

@@ -44,7 +44,7 @@ def resolved_yaml(prepared: PlannedEpisode) -> str:
         del content["wordings"]
     if prepared.day is not None:
         content["at"] = prepared.day.isoformat()
-    content["rulebook"] = _withkept_tables(prepared)
+    content["rulebook"] = _with_kept_tables(prepared.chosen.file.data, prepared.rulebook)
     also = MARGIN_FACTS if reads_margin_facts(scenario) else ()
     for name, profile in prepared.profiles.items():
         used = used_of(Declared(profile, None), prepared.rulebook, prepared.day, also=also).profile
@@ -65,10 +65,10 @@ def resolved_yaml(prepared: PlannedEpisode) -> str:
     return dump_yaml(_ordered(content, Scenario))
 
 
-def _withkept_tables(prepared: PlannedEpisode) -> Any:
-    """The rulebook as it was read, but that it names the copies of its tables."""
-    data = deepcopy(prepared.chosen.file.data)
-    for (*way, key), (name, _) in kept_tables(prepared.rulebook).items():
+def _with_kept_tables(read: Any, rulebook: Rulebook) -> Any:
+    """The rulebook as it was read, but with the names of the copies of its tables."""
+    data = deepcopy(read)
+    for (*way, key), (name, _) in kept_tables(rulebook).items():
         place = data["variables"]
         for step in way:
             place = place[step]

@@ -69,7 +69,7 @@ def account_before(
         profiles={person: profile.name for person, profile in prepared.profiles.items()},
         seed=seed,
         episode=str(folder.path),
-        reproduce=shlex.join(_command(prepared, folder, seed)),
+        reproduce=shlex.join(_command(folder, seed, prepared.engine)),
         trace_sha256=None,
         fingerprint=fingerprint(),
         simulated_s=0.0,
@@ -86,10 +86,10 @@ def account_before(
     )
 
 
-def _command(prepared: PlannedEpisode, folder: RunFolder, seed: int) -> list[str]:
-    """What runs it again."""
-    engine = [] if prepared.engine == ENGINE else ["--engine", prepared.engine]
-    return ["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed), *engine]
+def _command(folder: RunFolder, seed: int, engine: str) -> list[str]:
+    """The command that runs it again."""
+    option = [] if engine == ENGINE else ["--engine", engine]
+    return ["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed), *option]
 
 
 def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
@@ -172,7 +172,7 @@ def visit_answers(episode: Episode) -> Iterator[VisitAnswer]:
             docked_at_s=None,
             greeting=(),
             together_with=None,
-            by_s=deadline_s(prepared, person),
+            by_s=deadline_s(prepared.visitees, person),
             reason=reason,
         )
 
@@ -245,9 +245,9 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         agenda=visit.agenda,
         acts=acts,
         together_with=visit.together_with,
-        by_s=deadline_s(prepared, visit.person),
+        by_s=deadline_s(prepared.visitees, visit.person),
         greeted_s=visit.greeted_s,
-        late_s=late_s(prepared, visit),
+        late_s=late_s(prepared.visitees, visit),
         reason=visit.failure,
         noticed=visit.noticed.kind if visit.noticed else None,
     )

@@ -102,7 +102,7 @@ def of_time(
 
 def of_lateness(episode: Episode, visit: Visit) -> Iterator[str]:
     """How late a greeting was over, and what took the time until then; nothing where it was in time."""
-    if (late := late_s(episode.prepared, visit)) and visit.greeted_s is not None:
+    if (late := late_s(episode.prepared.visitees, visit)) and visit.greeted_s is not None:
         yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
         yield from of_time(episode, until_s=visit.greeted_s)
 

@@ -131,7 +131,7 @@ def _of_visit(episode: Episode, name: str) -> tuple[str, ...]:
 
 def _served_in_time(episode: Episode, name: str) -> bool:
     visit = visit_of(episode.visits, name)
-    late = visit is not None and late_s(episode.prepared, visit)
+    late = visit is not None and late_s(episode.prepared.visitees, visit)
     return outcome_of(episode, name) in PROPER_OUTCOMES and not late
 
 
