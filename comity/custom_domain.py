@@ -13,7 +13,6 @@ from comity.parameters.consent import in_this_meeting
 from comity.parameters.values import Facts, infer_for, refuse_unknown
 from comity.people.profile import Declared, Profile, day_for, load_profile
 from comity.specification.binding_file import BindingFile, BoundPerson
-from comity.system.library import looks_like_a_file
 from comity_domain.custom import (
     BindingRefusedError,
     Bound,
@@ -27,6 +26,7 @@ from comity_domain.custom import (
     read_custom,
 )
 from comity_fis import InputError, Rulebook, Where, closest, load_rulebook
+from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 
 if TYPE_CHECKING:

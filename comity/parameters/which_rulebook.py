@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.system.library import looks_like_a_file, require_file
+from comity.system.library import require_file
 from comity_fis import InputError, Where, read_rulebook, shipped_rulebooks
+from comity_fis.validation.name_or_path import looks_like_a_file
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared

@@ -100,8 +100,9 @@ def _is_ros_map(path: Path) -> bool:
 def _scenario(name: str, seed: int) -> Drawing:
     from comity.preparation import resolved
     from comity.scenario import load_scenario
-    from comity.system.library import looks_like_a_file, shipped
+    from comity.system.library import shipped
     from comity.system.scenario_sets import instead
+    from comity_fis.validation.name_or_path import looks_like_a_file
 
     known = name in shipped("scenario") or instead(name)
     if not known and not looks_like_a_file(name, Path(name)):

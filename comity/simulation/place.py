@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.scenario import MapPlace
-from comity.system.library import looks_like_a_file, require_file
+from comity.system.library import require_file
 from comity_fis import InputError
+from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_sim2d import Area, Furniture, PlaceMap, Room, SceneError, Wall
 from comity_sim2d.maps.building import build_map, furniture_of
 from comity_sim2d.maps.file import FurniturePiece, MapFile

@@ -20,8 +20,8 @@ from comity.study.population import StudyPopulation, load_population
 from comity.study.roles import roles_of
 from comity.study.study_file import StudyFile
 from comity.study.unscored import unscored_notes
-from comity.system.library import looks_like_a_file
 from comity_fis import InputError, Rulebook, closest, load_rulebook
+from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 
 if TYPE_CHECKING:

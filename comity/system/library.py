@@ -10,6 +10,7 @@ from typing import Literal
 
 from comity.system.scenario_sets import every_shipped, instead
 from comity_fis import InputError, Where, closest
+from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.no_file import no_file
 
 Kind = Literal["profile", "scenario"]
@@ -83,11 +84,3 @@ def require_file(kind: str, path: Path, name: str, where: Where | None) -> None:
     except (OSError, ValueError) as error:
         got = (error.strerror if isinstance(error, OSError) else None) or str(error)
     raise InputError(expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where)
-
-
-def looks_like_a_file(name: str, path: Path) -> bool:
-    """Whether a user who wrote this meant a file rather than a shipped name."""
-    try:
-        return bool(Path(name).suffix) or "/" in name or "\\" in name or path.exists()
-    except (OSError, ValueError):
-        return True

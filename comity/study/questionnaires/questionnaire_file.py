@@ -10,9 +10,9 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from comity.people.fact import Number
 from comity.specification.matrix import Word
-from comity.system.library import looks_like_a_file
 from comity_fis import InputError, Where, closest
 from comity_fis.errors import WrongValueError
+from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d.maps.file import Name
 

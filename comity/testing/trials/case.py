@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.parameters.cast import rulebook_of
-from comity.system.library import looks_like_a_file
 from comity_domain import ENGINE
+from comity_fis.validation.name_or_path import looks_like_a_file
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile

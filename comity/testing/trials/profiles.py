@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 from comity.people.profile import load_profile
 from comity.people.store import Store
 from comity.specification.matrix import PAPER
-from comity.system.library import looks_like_a_file, shipped
+from comity.system.library import shipped
 from comity.testing.trials.case import beside
 from comity_fis import InputError, Where, closest
+from comity_fis.validation.name_or_path import looks_like_a_file
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile

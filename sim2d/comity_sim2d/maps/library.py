@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import InputError, closest
+from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_sim2d.scene_error import shown
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
     if name in known:
         return read_yaml(known[str(name)], str(name))
     path = Path(name) if beside is None else beside / name
-    if _looks_like_a_file(str(name), path):
+    if looks_like_a_file(str(name), path):
         from comity_sim2d.maps.ros_map import converted, is_ros_map
 
         file = read_yaml(path)
@@ -67,10 +68,3 @@ def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
         got=repr(str(name)),
         remedy=f"{closest(str(name), known)} `comity maps` lists them.",
     )
-
-
-def _looks_like_a_file(name: str, path: Path) -> bool:
-    try:
-        return bool(Path(name).suffix) or "/" in name or "\\" in name or path.exists()
-    except (OSError, ValueError):
-        return True
