@@ -253,7 +253,7 @@ def test_the_space_of_a_group_is_drawn_while_the_group_holds(tmp_path) -> None:
         write_gif(tmp_path / f"{len(place.groups)}.gif", place, frames)
     assert (tmp_path / "0.png").read_bytes() == (tmp_path / "1.png").read_bytes()
     with Image.open(tmp_path / "1.gif") as group, Image.open(tmp_path / "0.gif") as nobody:
-        differ = [_unlike(_shot(group, i), _shot(nobody, i), 8) for i in (3, 8, group.n_frames - 1)]
+        differ = [_unlike(_shot(group, i), _shot(nobody, i), 12) for i in (3, 8, group.n_frames - 1)]
     of_three, of_two, of_none = differ
     assert of_three > 2_000
     assert of_two > 2_000

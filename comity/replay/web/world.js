@@ -27,6 +27,7 @@ export class World {
       "svg",
       { viewBox: `0 0 ${this.projection.width} ${this.projection.height}`, role: "img", "aria-label": "The world from above" },
       this.place.element,
+      this.scaleBar(),
       this.rings(),
       this.planned(),
       this.driven(),
@@ -50,6 +51,13 @@ export class World {
     this.place.fit(this.perUnit);
     for (const name of this.names.values()) name.half = name.text.getComputedTextLength() / 2;
     if (this.t !== undefined) this.show(this.t);
+  }
+
+  /** A metre, below the room. */
+  scaleBar() {
+    const [left, y] = [MARGIN_M * SCALE, this.projection.height - (MARGIN_M * SCALE) / 2];
+    const bar = svg("line", { x1: left, x2: left + SCALE, y1: y, y2: y });
+    return svg("g", { class: "scale-bar" }, bar, svg("text", { x: left + SCALE * 1.08, y }, "1 m"));
   }
 
   rings() {

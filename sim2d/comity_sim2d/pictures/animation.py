@@ -51,7 +51,7 @@ FPS, SPEED = (1, 100), (0.01, 1000.0)
 """The least and the most: a GIF counts in hundredths of a second (the others are our choice)."""
 LAST_FRAME_S = 2.5
 """The end stays on screen before the GIF starts over."""
-HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
+HEADER_IN, FOOT_IN, EDGE_IN, DPI = 0.5, 0.3, 0.1, 100.0
 TALLEST_IN = 7.0
 CLOCK_PX = 130.0
 """Of the line at the top, for the clock; the headline has the rest."""
@@ -333,17 +333,18 @@ class _StillPart:
 
 
 def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
-    """A page with a strip for the title and the map below, as large as the width and `TALLEST_IN` allow."""
+    """A page: the title, the map, and below a scale bar; as large as the width and `TALLEST_IN` allow."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     wide, high = d.extent_m(scene)
     wide += 2 * d.beside_m(scene)
-    scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - EDGE_IN) / high)
-    page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + EDGE_IN)
+    scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - FOOT_IN) / high)
+    page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + FOOT_IN)
     figure = Figure(figsize=page, dpi=DPI, facecolor="#FFFFFF")
     canvas = FigureCanvasAgg(figure)
-    area = (EDGE_IN / page[0], EDGE_IN / page[1], wide * scale / page[0], high * scale / page[1])
+    d.draw_scale_bar(figure, EDGE_IN, FOOT_IN / 2, scale)
+    area = (EDGE_IN / page[0], FOOT_IN / page[1], wide * scale / page[0], high * scale / page[1])
     return canvas, figure.add_axes(area)
 
 
