@@ -34,11 +34,6 @@ class StopButton:
         """Why the robot stands still; None where it may go."""
         return self._latched
 
-    @property
-    def is_released(self) -> bool:
-        """Whether it was pressed, and waits for `resume` only."""
-        return self._latched is not None and self._pressed is None
-
     def resume(self) -> bool:
         """Let the robot go on after a stop that was released, and is still; whether it may."""
         self.look()

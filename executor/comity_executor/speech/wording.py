@@ -100,11 +100,6 @@ class Wording:
         return self.reviewed_by is not None
 
     @property
-    def needs_no_review(self) -> bool:
-        """Whether a real robot says it in any case."""
-        return self.is_reviewed or self.register == "plain"
-
-    @property
     def key(self) -> tuple[Use, Register, Occasion | None]:
         """What there is one of in a language."""
         return self.use, self.register, self.occasion
