@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any
 
-from comity.answers.inference import (
-    CoercionAnswer,
-    FiredRuleAnswer,
-    InferAnswer,
-    ParameterAnswer,
-    SettledAnswer,
-    ShiftAnswer,
-)
+from comity.answers.inference import InferAnswer, SettledAnswer
 from comity.report.text import number, stated, table, words, words_of
 from comity_fis import kept_back, outvoting, rests_on_facts
 from comity_fis.inference.value import fact_as_json
-from comity_fis.variables.measurement import Level
+from comity_fis.record import reader
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -24,7 +17,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity_fis import FiredRule, Inference, Known, Mode, ParameterValue, RuleAccount
+    from comity_fis import FiredRule, Inference, Known, ParameterValue, RuleAccount
     from comity_fis.inference.value import Contribution
 
     Inputs = Mapping[str, Known | None]
@@ -32,31 +25,7 @@ if TYPE_CHECKING:
 
 def infer_answer(inference: Inference, day: date | None = None) -> InferAnswer:
     """The answer of `comity infer --json`; a day where the facts depend on it."""
-    return InferAnswer(
-        rulebook=inference.rulebook,
-        mode=cast("Mode", inference.mode),
-        inputs=inputs_answer(inference.inputs),
-        parameters={
-            name: ParameterAnswer(
-                **value_fields(value),
-                rules=tuple(map(_fired, value.fired)),
-                shift=None
-                if value.shift is None
-                else ShiftAnswer(value=value.shift.number, rules=tuple(map(_fired, value.shift.fired))),
-            )
-            for name, value in inference.items()
-        },
-        coercions={
-            name: CoercionAnswer(to=_level(one.to), reason=one.reason)
-            for name, one in inference.coercions.items()
-        },
-        notes=inference.notes,
-        at=day,
-    )
-
-
-def _level(level: Level) -> Literal["interval", "ratio"]:
-    return "ratio" if level is Level.RATIO else "interval"
+    return reader(InferAnswer).validate_python({**inference.as_json(), "at": day})
 
 
 def inputs_answer(inputs: Inputs) -> Mapping[str, Any]:
@@ -78,10 +47,6 @@ def value_fields(value: ParameterValue) -> dict[str, Any]:
 def settled(value: ParameterValue) -> SettledAnswer:
     """A value and what it is made of: no curve, no rules, which `comity explain` has."""
     return SettledAnswer(**{field.name: getattr(value, field.name) for field in fields(SettledAnswer)})
-
-
-def _fired(fired: FiredRule) -> FiredRuleAnswer:
-    return FiredRuleAnswer(number=fired.rule.number, rule=fired.rule.text, strength=fired.strength)
 
 
 def infer_text(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from comity_fis.html_table import html_table
-from comity_fis.record import Record
+from comity_fis.record import Record, plain
 
 if TYPE_CHECKING:
     from comity_fis.defuzzification.curve import Choice, Curve
@@ -128,15 +128,13 @@ class ParameterValue:
             "unit": self.unit,
             "spread": self.spread,
             "origin": self.origin,
-            "contributions": [
-                {"origin": c.origin, "value": c.value, "text": c.text} for c in self.contributions
-            ],
+            "contributions": plain(self.contributions),
             "rules": [fired.as_json() for fired in self.fired],
             "shift": None if self.shift is None else self.shift.as_shift(),
             "note": self.note,
-            "parts": [{"name": p.name, "share": p.share, "value": p.value} for p in self.parts],
-            "desirability": None if memberships is None else dict(memberships),
-            "curve": None if outline is None else [list(point) for point in outline],
+            "parts": plain(self.parts),
+            "desirability": plain(memberships),
+            "curve": plain(outline),
         }
 
     def as_shift(self) -> dict[str, object]:
@@ -188,7 +186,7 @@ class Inference(Mapping[str, ParameterValue]):
         return ", ".join(known) or "a person of whom nothing is known"
 
     def as_json(self) -> dict[str, object]:
-        """The inference as plain dictionaries and lists, keys as in `comity infer --json`."""
+        """The inference as plain dictionaries and lists: `comity infer --json`, without the day."""
         return {
             "rulebook": self.rulebook,
             "mode": self.mode,
