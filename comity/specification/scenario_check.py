@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from comity_fis import InputError, Where, closest
+from comity_sim2d.scene.group import Group, check_members
+from comity_sim2d.scene_error import SceneError
 
 
 class FilePlaces(Protocol):
@@ -75,26 +77,13 @@ class NameCheck:
 
     def groups(self, groups: Mapping[str, Sequence[str]]) -> None:
         """Refuse groups of nobody or of one person, and people in two groups."""
-        grouped: dict[str, str] = {}
         for group, members in groups.items():
             for i, member in enumerate(members):
                 self._require(member, "groups", group, i)
-                if member in grouped:
-                    both = f"in {grouped[member]!r} and {group!r}"
-                    raise InputError(
-                        expected="nobody in two groups, and nobody twice in one",
-                        got=f"{member!r} {both if grouped[member] != group else f'twice in {group!r}'}",
-                        remedy="Keep one of them.",
-                        where=self.where("groups", group, i),
-                    )
-                grouped[member] = group
-            if len(members) < 2:
-                raise InputError(
-                    expected="a group of at least two people",
-                    got=f"{len(members)} in {group!r}",
-                    remedy="Add the others who stand there, or remove the group.",
-                    where=self.where("groups", group),
-                )
+        try:
+            check_members([Group(name, tuple(members)) for name, members in groups.items()], self.people)
+        except SceneError as error:
+            raise error.at(self.where("groups", error.entity)) from None
 
     def _require(self, name: str, *location: str | int) -> None:
         if name not in self.people:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Container, Iterable
+from collections.abc import Collection, Container, Iterable
 from dataclasses import dataclass, replace
 
 from comity_fis.errors import closest
@@ -50,13 +49,17 @@ class Group:
         return replace(self, members=left) if len(left) > 1 else None
 
 
-def check_groups(groups: tuple[Group, ...], people: Iterable[Person]) -> None:
+def check_members(groups: Iterable[Group], names: Collection[str]) -> None:
     """Refuse groups of people who are not there, or who are in two groups.
 
+    Args:
+        groups: The groups.
+        names: Of the people who are there.
+
     Raises:
-        SceneError: For the first of them.
+        SceneError: about the first such group.
     """
-    names = [person.name for person in people]
+    grouped: dict[str, str] = {}
     for group in groups:
         for member in group.members:
             if member not in names:
@@ -67,12 +70,13 @@ def check_groups(groups: tuple[Group, ...], people: Iterable[Person]) -> None:
                     got=repr(member),
                     remedy=closest(member, names),
                 )
-    for name, times in Counter(member for group in groups for member in group.members).items():
-        if times > 1:
-            raise SceneError(
-                entity=name,
-                field="members",
-                expected="nobody in two groups, and nobody twice in one",
-                got=f"{name!r} {times} times",
-                remedy="Keep them in one group.",
-            )
+            if member in grouped:
+                both = f"in {grouped[member]!r} and {group.name!r}"
+                raise SceneError(
+                    entity=group.name,
+                    field="members",
+                    expected="nobody in two groups, and nobody twice in one",
+                    got=f"{member!r} {both if grouped[member] != group.name else f'twice in {group.name!r}'}",
+                    remedy="Keep one of them.",
+                )
+            grouped[member] = group.name

@@ -9,7 +9,7 @@ from typing import Literal, get_args
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.scene.area import Area, Location
 from comity_sim2d.scene.door import Door
-from comity_sim2d.scene.group import Group, check_groups
+from comity_sim2d.scene.group import Group, check_members
 from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.scene.passers_by import PassersBy
 from comity_sim2d.scene.person import Person, find_person
@@ -62,7 +62,7 @@ class Scene:
         ):
             require_tuple("scene", name, getattr(self, name), kind, what)
         require_one_of("scene", "keep_to", self.keep_to, SIDES)
-        check_groups(self.groups, self.people)
+        check_members(self.groups, [person.name for person in self.people])
         check_scene(self)
 
     def without(self, names: Container[str]) -> Scene:
