@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 from comity.report.values.inference import because as because_of_value
 from comity.testing.amounts.amount import told
 from comity.testing.amounts.holding import of_time
-from comity.testing.amounts.planned import last_for
+from comity.testing.amounts.planned import last_for, plans
 from comity.testing.amounts.shaping import told_of
-from comity.testing.trials.nodes import NodeWord, nodes_named
+from comity.testing.trials.nodes import NodeWord
 from comity.testing.trials.visits import judged_s, outcome_of, to_visit, visit_of
 from comity_executor import PROPER_OUTCOMES
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity_executor import Cause, History, TraceEvent
+    from comity_executor import Cause, History, Node, TraceEvent
     from comity_fis import Inference
 
 MOST = 8
@@ -62,10 +62,10 @@ def of_node(
         yield from chain(event.because or (why.because if why else ()))
 
 
-def of_last(episode: Episode, name: str) -> Iterator[str]:
-    """What each node of a name did last, and why; the name is given up to its bracket or with it."""
-    for node in dict.fromkeys(node.name for node in nodes_named(episode, name)):
-        yield from tuple(of_node(episode.history, node)) or (f"{node} never ran",)
+def of_last(history: History, nodes: Iterable[Node]) -> Iterator[str]:
+    """What each of these nodes did last, and why."""
+    for name in dict.fromkeys(node.name for node in nodes):
+        yield from tuple(of_node(history, name)) or (f"{name} never ran",)
 
 
 def at_time(history: History, t: float, actions: Collection[str] = ()) -> Iterator[str]:
@@ -113,7 +113,7 @@ def of_parameter(
 
 def of_step(episode: Episode, action: str, person: str) -> Iterator[str]:
     """A step of the last plan in which a person is visited, and why; of a new plan, also why it was made."""
-    found = last_for(episode, person, action)
+    found = last_for(plans(episode), person, action)
     if found is None:
         return
     for step in found.plan.steps:
@@ -123,16 +123,6 @@ def of_step(episode: Episode, action: str, person: str) -> Iterator[str]:
             yield f"because   {step.why.text}"
             yield from (f"not open  {', '.join(out.arguments)}: {out.reason}" for out in step.why.ruled_out)
     yield from chain(found.because)
-
-
-def of_events(episode: Episode, node: str, events: Iterable[TraceEvent]) -> Iterator[str]:
-    """What nodes of a name did, and why; where the tree has none, why not."""
-    if any(nodes_named(episode, node)):
-        for event in events:
-            yield from of_event(event)
-    else:
-        yield absent(node)
-        yield from of_absence(episode, node)
 
 
 def absent(node: str) -> str:
@@ -151,7 +141,8 @@ def of_absence(episode: Episode, node: str) -> Iterator[str]:
             yield from of_visit(episode, person)
             continue
         yield from of_step(episode, "Greet", person)
-        yield from told_of(episode, ((person, name) for name in ("greeting_modality", "greeting_gesture")))
+        asked_for = ((person, name) for name in ("greeting_modality", "greeting_gesture"))
+        yield from told_of(episode.prepared.values, episode.told, asked_for)
 
 
 def of_unserved(episode: Episode) -> Iterator[str]:

@@ -13,7 +13,7 @@ from comity.monitoring.lateness import late_s
 from comity.testing.amounts.amount import told
 from comity.testing.amounts.happened import happened
 from comity.testing.amounts.met import met
-from comity.testing.amounts.planned import last_for, plans
+from comity.testing.amounts.planned import Planned, last_for, plans
 from comity.testing.amounts.shaping import shaping
 from comity.testing.trials.visits import spoken_to
 
@@ -55,7 +55,7 @@ def of_course(
         moving: Whether only motions that fail have: words that break off lead nowhere else.
     """
     until_s = until[1] if until else math.inf
-    for since_s, because, steps in _steps(episode, person, until[0] if until else None):
+    for since_s, because, steps in _steps(plans(episode), person, until[0] if until else None):
         if since_s >= until_s:
             break
         if because:
@@ -72,17 +72,17 @@ def of_plan(episode: Episode) -> Iterator[str]:
 
 
 def _steps(
-    episode: Episode, person: str | None, to: str | None
+    made: Sequence[Planned], person: str | None, to: str | None
 ) -> Iterator[tuple[float, str, Sequence[PlanStep]]]:
     """The steps of all plans, or of the one by which a person was visited; since when [s], and why replanned.
 
     Args:
-        episode: What happened.
+        made: All plans, in order.
         person: Of whose visit; None for all.
         to: The last before whom the robot is to stand; None for all.
     """
-    last = None if person is None else last_for(episode, person)
-    for each in plans(episode) if person is None else [last] if last else []:
+    last = None if person is None else last_for(made, person)
+    for each in made if person is None else [last] if last else []:
         steps = [step for step in each.plan.steps if person in (None, *step.people)]
         arrives = [step.action == "Reach_user" and step.person == to for step in steps]
         end = len(steps) - arrives[::-1].index(True) if any(arrives) else len(steps)
@@ -95,9 +95,10 @@ def of_time(
     """What happened, which people the robot met, what it did longest, for what it waited, and what failed."""
     yield from happened(episode, person, until_s=until_s, moving=moving)
     yield from met(episode, until_s)
-    yield from _done(episode, person, until_s)
+    theirs = [*_of_actions(episode.events, episode.visits, person)]
+    yield from _done(theirs, episode.frames, until_s)
     yield from _waited(episode.events, until_s)
-    yield from _failed(episode, person, until_s, moving=moving)
+    yield from _failed(theirs, until_s, moving=moving)
 
 
 def of_lateness(episode: Episode, visit: Visit) -> Iterator[str]:
@@ -107,13 +108,8 @@ def of_lateness(episode: Episode, visit: Visit) -> Iterator[str]:
         yield from of_time(episode, until_s=visit.greeted_s)
 
 
-def actions(events: Iterable[TraceEvent]) -> Iterator[tuple[float, float, Node]]:
-    """How long each action ran [s], when it began [s], and its node."""
-    return runs(event for event in events if event.of.kind == "action")
-
-
 def runs(events: Iterable[TraceEvent]) -> Iterator[tuple[float, float, Node]]:
-    """The same for the nodes of any events: from running to a result or a halt."""
+    """How long each node ran [s], from running to a result or a halt; when it began [s], and the node."""
     begun: dict[int, float] = {}
     for event in events:
         if event.status == "running":
@@ -147,17 +143,13 @@ def _other_than_theirs(
             yield name, value, known[name].unit
 
 
-def _done(episode: Episode, person: str | None, until_s: float) -> Iterator[str]:
+def _done(actions: Iterable[TraceEvent], frames: Frames, until_s: float) -> Iterator[str]:
     ran = [
-        (start, took, node.name)
-        for took, start, node in actions(episode.events)
-        if took >= LEAST_S and start < until_s and _is_for(person, node, episode.visits)
+        (start, took, node.name) for took, start, node in runs(actions) if took >= LEAST_S and start < until_s
     ]
     longest = sorted(sorted(ran, key=lambda one: -one[1])[:MOST])
     for start, together in groupby(longest, key=lambda one: round(one[0], 2)):
-        did = ", ".join(
-            f"{node} for {_amount(episode.frames, began, took)}" for began, took, node in together
-        )
+        did = ", ".join(f"{node} for {_amount(frames, began, took)}" for began, took, node in together)
         yield f"did       {did}, from t={start:.2f} s"
 
 
@@ -172,11 +164,12 @@ def _way_m(frames: Frames, start_s: float, end_s: float) -> float:
     return float(np.hypot(*np.diff(frames.poses[during, 0, :2], axis=0).T).sum())
 
 
-def _is_for(person: str | None, node: Node, visits: Sequence[Visit]) -> bool:
-    """Whether an action is for a person, or for the one before whom their company is greeted."""
-    if person is None:
-        return True
-    return node.person in (person, spoken_to(visits, person))
+def _of_actions(
+    events: Iterable[TraceEvent], visits: Sequence[Visit], person: str | None
+) -> Iterator[TraceEvent]:
+    """Events of all actions, or of those for a person or for the one before whom their company is greeted."""
+    whose = (person, spoken_to(visits, person)) if person else ()
+    return (event for event in events if event.of.kind == "action" and (not whose or event.person in whose))
 
 
 def _waited(events: Sequence[TraceEvent], until_s: float) -> Iterator[str]:
@@ -205,12 +198,12 @@ def _why(because: Sequence[Cause]) -> str:
     return (links or [because[-1].text])[-1]
 
 
-def _failed(episode: Episode, person: str | None, until_s: float, *, moving: bool) -> Iterator[str]:
+def _failed(actions: Iterable[TraceEvent], until_s: float, *, moving: bool) -> Iterator[str]:
     """Actions that failed, each with the first link of its causes; those for one reason together."""
     alike: dict[tuple[str, str], list[float]] = {}
-    for event in episode.events:
-        failed = event.of.kind == "action" and event.status == "failure" and event.t < until_s
-        if failed and _is_for(person, event.of, episode.visits) and (not moving or event.action in MOTIONS):
+    for event in actions:
+        failed = event.status == "failure" and event.t < until_s
+        if failed and (not moving or event.action in MOTIONS):
             because = f": {event.because[0].text}" if event.because else ""
             alike.setdefault((event.node, because), []).append(event.t)
     for (node, because), times in alike.items():

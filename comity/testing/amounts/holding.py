@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity.monitoring.parameter_updates import ParameterUpdate
 from comity.testing.amounts.amount import told
 from comity.testing.trials.visits import visit_of
 
@@ -17,22 +17,14 @@ if TYPE_CHECKING:
     from comity_fis.inference.value import ParameterValue
 
 
-@dataclass(frozen=True, slots=True)
-class Held:
-    """A person's parameters, of which one is another than before."""
-
-    since_s: float
-    values: Inference
-    because: str | None
-    """What was said; None at the start."""
-
-
-def held(episode: Episode, parameter: str, person: str) -> tuple[Held, ...]:
-    """Every value that a person's parameter had, in order of time; the first is that of the start."""
-    found = [Held(0.0, episode.prepared.values[person], None)]
-    for one in episode.told:
+def held(
+    start: Inference, updates: Iterable[ParameterUpdate], parameter: str, person: str
+) -> tuple[ParameterUpdate, ...]:
+    """Every value that a parameter of a person had, in order of time; that of the start has no text."""
+    found = [ParameterUpdate(0.0, person, start, "")]
+    for one in updates:
         if one.person == person and _differ(one.values[parameter], found[-1].values[parameter]):
-            found.append(Held(one.t, one.values, one.text))
+            found.append(one)
     return tuple(found)
 
 
@@ -49,12 +41,10 @@ def of_time(episode: Episode, parameter: str, person: str, judged_s: float) -> I
         person: Of whom.
         judged_s: When the value counts [s]; infinite for the end.
     """
-    every = held(episode, parameter, person)
+    every = held(episode.prepared.values[person], episode.told, parameter, person)
     if len(every) > 1:
         for one in every:
-            since = (
-                "from the start" if one.because is None else f"from t={one.since_s:.2f} s on: {one.because}"
-            )
+            since = f"from t={one.t:.2f} s on: {one.text}" if one is not every[0] else "from the start"
             yield f"held      {_told(one.values[parameter])} {since}"
         yield f"counts    what held {_moment(episode.visits, person, judged_s)}"
 

@@ -56,23 +56,14 @@ class Moment:
         return f"{whom}at t={self.t:.2f} s"
 
 
-def moment_of(episode: Episode, metric: str) -> Moment | None:
-    """When and with whom a metric of the episode had its least or its most; None of other metrics.
-
-    Args:
-        episode: What happened.
-        metric: By its whole name, `min_clearance_m`.
-    """
-    frames = episode.frames
+def moment_of(frames: Frames, metric: str) -> Moment | None:
+    """When and with whom a metric, `min_clearance_m`, had its least or its most; None of other metrics."""
     if metric == "min_clearance_m":
         return _least(frames, clearances_m(frames), "to")
     if metric == "min_centre_distance_m":
         return _least(frames, clearances_m(frames) + np.array(frames.radius_m[1:]) + frames.radius_m[0], "to")
     if metric == "min_time_to_collision_s":
         return _least(frames, seconds_to_collision(frames), "with")
-    if metric == "longest_intrusion_s":
-        stay = intrusion(episode).longest(frames)
-        return None if stay is None else Moment(stay.start_s, stay.person, "beside")
     if metric == "max_speed_m_s":
         return Moment(float(frames.time_s[int(np.argmax(speeds_m_s(frames))) + 1]))
     return None
@@ -90,7 +81,7 @@ def of_moment(episode: Episode, moment: Moment) -> Iterator[str]:
     yield from causes.at_time(episode.history, moment.t, _NEAR)
     people = dict.fromkeys((moment.person, *approached(episode.prepared.plan)))
     known = episode.prepared.values
-    yield from told_of(episode, ((name, DISTANCE) for name in people if name in known))
+    yield from told_of(known, episode.told, ((name, DISTANCE) for name in people if name in known))
 
 
 def _of_speed(episode: Episode, moment: Moment) -> Iterator[str]:
@@ -100,7 +91,7 @@ def _of_speed(episode: Episode, moment: Moment) -> Iterator[str]:
     whose = "the robot's `max_speed_m_s`" if own_m_s <= cruise_m_s else "as fast as it cruises"
     yield f"limit     on its way at most {min(own_m_s, cruise_m_s):g} m/s, {whose}"
     stops = approached(episode.prepared.plan)
-    yield from told_of(episode, ((name, "approach_speed") for name in stops))
+    yield from told_of(episode.prepared.values, episode.told, ((name, "approach_speed") for name in stops))
 
 
 def of_their_way(scenario: Scenario, person: str | None, until_s: float) -> Iterator[str]:

@@ -81,7 +81,8 @@ def _planned(episode: Episode, people: Sequence[str]) -> Iterator[str]:
     if "waiting" in other.extra_parts:
         yield from _goals(episode.prepared.file, other.people, "priority")
     names = [name for part, name in _OF_WAYS.items() if part in other.extra_parts]
-    yield from told_of(episode, ((person, name) for name in names for person in other.people))
+    pairs = ((person, name) for name in names for person in other.people)
+    yield from told_of(episode.prepared.values, episode.told, pairs)
 
 
 def _price(other: OtherOrder) -> str:

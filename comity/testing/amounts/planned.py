@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -24,22 +24,19 @@ class Planned:
     """Empty for the first."""
 
 
-def plans(episode: Episode) -> Iterator[Planned]:
+def plans(episode: Episode) -> tuple[Planned, ...]:
     """All of them in order; the same plan with new numbers is no other."""
-    yield Planned(0.0, episode.prepared.plan)
     times = (event.t for event in episode.events if event.status in TAKES_OVER)
-    for since_s, revision in zip(times, episode.revisions, strict=True):
-        if revision.replanned:
-            yield Planned(since_s, revision.plan, revision.because)
-
-
-def last_for(episode: Episode, person: str, action: str = "") -> Planned | None:
-    """The last plan with a step for a person that does something of that name; None where none has."""
-    return next(
-        (
-            each
-            for each in reversed([*plans(episode)])
-            if any(person in step.people and step.action.startswith(action) for step in each.plan.steps)
-        ),
-        None,
+    later = zip(times, episode.revisions, strict=True)
+    return (
+        Planned(0.0, episode.prepared.plan),
+        *(Planned(since_s, each.plan, each.because) for since_s, each in later if each.replanned),
     )
+
+
+def last_for(made: Sequence[Planned], person: str, action: str = "") -> Planned | None:
+    """The last of these plans with a step for a person whose action begins so; None where none has."""
+    for each in reversed(made):
+        if any(person in step.people and step.action.startswith(action) for step in each.plan.steps):
+            return each
+    return None

@@ -12,7 +12,7 @@ from comity.testing.amounts.amount import Bounds, told_apart
 from comity.testing.amounts.course import of_course, of_plan
 from comity.testing.amounts.happened import walking
 from comity.testing.amounts.moments import Moment, intrusion, moment_of, of_moment, of_stay
-from comity.testing.amounts.standing import standing
+from comity.testing.amounts.standing import DockedPose, standing
 from comity.testing.amounts.touching import CONTACTS, of_contacts
 from comity.testing.trials.visits import approached, require_goal, to_visit, values_when_judged
 from comity_fis import InputError, closest
@@ -135,13 +135,14 @@ def _behind_run(episode: Episode, metric: Metric) -> tuple[Moment | None, Callab
         return None, partial(of_plan, episode)
     if metric.name == "walked_m":
         return None, partial(_of_walk, episode, None)
-    moment = moment_of(episode, metric.name)
-    if metric.name == "longest_intrusion_s" and moment:
-        return moment, partial(_of_longest, episode, None)
+    if metric.name == "longest_intrusion_s" and (stay := intrusion(episode).longest(episode.frames)):
+        return Moment(stay.start_s, stay.person, "beside"), partial(of_stay, episode, stay)
+    moment = moment_of(episode.frames, metric.name)
     if moment is not None:
         return moment, partial(of_moment, episode, moment)
     if metric.name in CONTACTS:
-        return None, lambda: [*of_contacts(episode, metric.name)] or of_course(episode)
+        people = episode.frames.entities[1:]
+        return None, lambda: [*of_contacts(episode.history, people, metric.name)] or of_course(episode)
     return None, partial(of_course, episode, moving=metric.unit != "s")
 
 
@@ -170,31 +171,24 @@ def _behind_person(
         stay = intrusion(episode).longest(episode.frames, person)
         if stay is not None:
             at = Moment(stay.start_s, person, "beside") if metric.unit == "s" else None
-            return at, partial(_of_longest, episode, person)
+            return at, partial(of_stay, episode, stay)
     if metric.name == "walked_m":
         return None, partial(_of_walk, episode, person)
     if metric.name == "docking_time_s":  # the visits before take their time, too
         return None, partial(of_course, episode, until=(person, number))
     if metric.name == "docking_error_m" and (stood := standing(episode.frames, episode.visits, person)):
-        return Moment(stood.t), partial(_of_docked, episode, person)
+        return Moment(stood.t), partial(_of_docked, episode, person, stood)
     return None, partial(of_course, episode, person, moving=True)
 
 
-def _of_longest(episode: Episode, person: str | None) -> Iterator[str]:
-    stay = intrusion(episode).longest(episode.frames, person)
-    return of_stay(episode, stay) if stay else of_course(episode)
-
-
-def _of_docked(episode: Episode, person: str) -> Iterator[str]:
+def _of_docked(episode: Episode, person: str, stood: DockedPose) -> Iterator[str]:
     """Why the robot stood where it docked, and what the distance goes by."""
-    stood = standing(episode.frames, episode.visits, person)
-    if stood is not None:
-        target = episode.values_at(person, stood.t)["conversational_distance"]
-        target_m, actual_m = told_apart((target.number, stood.distance_m), "m")
-        yield f"distance  target {target_m}, actual {actual_m}"
-        yield from causes.of_node(episode.history, f"docked?({person})", "success", ended_s=stood.t)
-        yield from causes.of_visit(episode, person)
-        yield from causes.of_parameter(episode, "conversational_distance", person, stood.t)
+    target = episode.values_at(person, stood.t)["conversational_distance"]
+    target_m, actual_m = told_apart((target.number, stood.distance_m), "m")
+    yield f"distance  target {target_m}, actual {actual_m}"
+    yield from causes.of_node(episode.history, f"docked?({person})", "success", ended_s=stood.t)
+    yield from causes.of_visit(episode, person)
+    yield from causes.of_parameter(episode, "conversational_distance", person, stood.t)
 
 
 def _of_walk(episode: Episode, person: str | None) -> Iterator[str]:

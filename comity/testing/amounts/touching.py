@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from comity.testing.amounts import causes
 
 if TYPE_CHECKING:
-    from comity.episode import Episode
     from comity_executor import History, TraceEvent
 
 _BUMPED = "bumped into "
@@ -32,14 +31,13 @@ def bumps(
                 yield event.t, what
 
 
-def of_contacts(episode: Episode, metric: str) -> Iterator[str]:
+def of_contacts(history: History, people: Collection[str], metric: str) -> Iterator[str]:
     """What was touched, and why the robot went there; nothing where the trace has no touch."""
-    people = episode.frames.entities[1:]
-    found = [*bumps(people, episode.events, CONTACTS if metric == "touches" else (metric,))]
+    found = [*bumps(people, history.events, CONTACTS if metric == "touches" else (metric,))]
     for t, what in found[:MOST]:
         yield f"touched   {what} at t={t:.2f} s"
     if found:
-        yield from before_bump(episode.history, found[0][0])
+        yield from before_bump(history, found[0][0])
 
 
 def before_bump(history: History, t: float) -> Iterator[str]:

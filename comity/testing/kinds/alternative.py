@@ -54,14 +54,15 @@ class OtherChoice(Expectation):
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
         """Another price, no such choice, or one that is open."""
-        require_choice(episode.prepared, self.person, self.choice)
+        prepared = episode.prepared
+        require_choice(prepared, self.person, self.choice)
         if self.price is None:
-            yield from self._judge_excluded(episode)
+            yield from self._judge_excluded(prepared)
         else:
-            yield from self._judge_price(episode, self.price)
+            yield from self._judge_price(prepared, self.price)
 
-    def _judge_price(self, episode: Episode, price: Bounds) -> Iterator[Finding]:
-        steps = episode.prepared.plan.steps
+    def _judge_price(self, prepared: PlannedEpisode, price: Bounds) -> Iterator[Finding]:
+        steps = prepared.plan.steps
         found = [
             (other.extra_cost, step, other.because)
             for step in steps
@@ -71,7 +72,7 @@ class OtherChoice(Expectation):
         ]
         if not found:
             expected = f"{self} to cost {price.told('m')} more"
-            yield Finding(expected, self._why_none(steps), tuple(self._because(episode, steps)))
+            yield Finding(expected, self._why_none(steps), tuple(self._because(prepared, steps)))
             return
         extra_cm, step, because = min(found, key=lambda each: each[0])
         extra_m = extra_cm / 100
@@ -79,16 +80,16 @@ class OtherChoice(Expectation):
             yield Finding(
                 f"{self} to cost {price.told('m', extra_m)} more",
                 price.missed_by(extra_m, "m", " more"),
-                (*([because] if because else []), *self._because(episode, (step,))),
+                (*([because] if because else []), *self._because(prepared, (step,))),
             )
 
-    def _judge_excluded(self, episode: Episode) -> Iterator[Finding]:
-        steps = episode.prepared.plan.steps
+    def _judge_excluded(self, prepared: PlannedEpisode) -> Iterator[Finding]:
+        steps = prepared.plan.steps
         reasons = list(self._reasons(steps))
         if not any(holds(reason, self.words) for reason in reasons):
             because = f" because of “{self.words}”" if self.words else ""
             got = f"it is excluded: {reasons[0]}" if reasons else "it is not excluded"
-            yield Finding(f"{self} excluded{because}", got, tuple(self._because(episode, steps)))
+            yield Finding(f"{self} excluded{because}", got, tuple(self._because(prepared, steps)))
 
     def __str__(self) -> str:
         chosen = f"from the {self.choice}" if self.choice in SIDES else f"with {self.choice}"
@@ -117,13 +118,13 @@ class OtherChoice(Expectation):
         whose = arguments[1:2] if self.choice in SIDES else (*arguments[1:2], *step.people)
         return self.person in whose and self.choice in arguments[2:]
 
-    def _because(self, episode: Episode, steps: Sequence[PlanStep]) -> Iterator[str]:
+    def _because(self, prepared: PlannedEpisode, steps: Sequence[PlanStep]) -> Iterator[str]:
         """The steps for the person, and what the plan goes by: the places of the others move the price."""
         for step in steps:
             if self.person in step.people:
                 arguments = ", ".join(step.arguments)
                 yield f"step      {step.action}({arguments}), cost {step.cost}: {step.why.text}"
-        yield from shaping_price(episode, self.person)
+        yield from shaping_price(prepared, self.person)
 
 
 def require_choice(prepared: PlannedEpisode, person: str, choice: str) -> None:

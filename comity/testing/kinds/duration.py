@@ -41,13 +41,13 @@ class Duration(Expectation):
     def judge(self, episode: Episode) -> Iterator[Finding]:
         """Every run that is too short or too long; and that there is none."""
         nodes = nodes_named(episode, self.node)
-        ran = list(runs(events_of(episode, self.node)))
+        ran = list(runs(events_of(nodes, episode.events)))
         expected = f"{self.node} for {self.bounds.told('s')}"
         if not nodes:
             yield Finding(expected, causes.absent(self.node), tuple(causes.of_absence(episode, self.node)))
         elif not ran:
             got = f"{self.node} never ran for longer than a tick"
-            yield Finding(expected, got, tuple(causes.of_last(episode, self.node)))
+            yield Finding(expected, got, tuple(causes.of_last(episode.history, nodes)))
         for took_s, start_s, node in ran:
             if not self.bounds.holds(took_s, "s", slack=SLACK_S):
                 yield Finding(

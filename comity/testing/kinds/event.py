@@ -15,7 +15,7 @@ from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.episode import Episode
-    from comity_executor import TraceEvent
+    from comity_executor import Node, TraceEvent
 
 PLAN = "plan_holds?"
 """The node whose events say what becomes of the plan."""
@@ -68,25 +68,25 @@ class Event(Expectation):
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
         """A count that is wrong, with the events and their causes."""
-        events = events_of(episode, self.node)
+        nodes = nodes_named(episode, self.node)
+        events = events_of(nodes, episode.events)
         happened = [event for event in events if event.status == STATUS[self.verb]]
         counted = [event for event in happened if self.words is None or _holds(event, self.words)]
-        for whose, group in self._groups(episode, counted):
+        for whose, group in self._groups(nodes, counted):
             if not self.often.holds(len(group)):
                 others = [event for event in happened if event not in counted]
                 shown = group if self.often.exceeded_by(len(group)) else others or group or events[-1:]
-                yield Finding(
-                    self._expected(whose), self._got(group, happened), tuple(self._because(episode, shown))
-                )
+                because = tuple(self._because(episode, nodes, shown[:MOST]))
+                yield Finding(self._expected(whose), self._got(group, happened), because)
 
     def _groups(
-        self, episode: Episode, counted: Sequence[TraceEvent]
+        self, nodes: Sequence[Node], counted: Sequence[TraceEvent]
     ) -> Iterator[tuple[str, Sequence[TraceEvent]]]:
         """All events, or those about each person: `nod(anna)` and `nod(ben)` are named for them."""
         if not self.per_person:
             yield self.node, counted
             return
-        names = dict.fromkeys(node.name for node in nodes_named(episode, self.node))
+        names = dict.fromkeys(node.name for node in nodes)
         for name in names or (self.node,):
             yield name, [event for event in counted if event.node == name]
 
@@ -101,10 +101,15 @@ class Event(Expectation):
     def _got(self, group: Sequence[TraceEvent], happened: Sequence[TraceEvent]) -> str:
         return times(len(group)) + ("" if self.words is None else f", of {len(happened)} in all")
 
-    def _because(self, episode: Episode, shown: Sequence[TraceEvent]) -> Iterator[str]:
-        """What was counted or came instead; of a node without any event, why it never ran."""
-        told = list(causes.of_events(episode, self.node, shown[:MOST]))
-        yield from told or causes.of_last(episode, self.node)
+    def _because(self, episode: Episode, nodes: Sequence[Node], shown: Sequence[TraceEvent]) -> Iterator[str]:
+        """What was counted or came instead; where there is nothing, why the nodes never ran or are none."""
+        if not nodes:
+            yield causes.absent(self.node)
+            yield from causes.of_absence(episode, self.node)
+        for event in shown:
+            yield from causes.of_event(event)
+        if nodes and not shown:
+            yield from causes.of_last(episode.history, nodes)
         if not shown:
             yield from causes.of_unserved(episode)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -16,6 +16,7 @@ from comity_executor.memory.visit_context import SAY_ACT
 if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.scenario import Scenario
+    from comity_executor import History
     from comity_sim2d import ActEvent
 
 _ASKED = "no goal names {}: they are only asked to make way, where they are in it"
@@ -51,38 +52,32 @@ class Hearing(Expectation):
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
         """Each person to whom the words were not said, or were although they never should be."""
-        for person, of_group in _members(episode.prepared.file.scenario, self.hearer):
-            said = _said_to(episode, person)
+        scenario = episode.prepared.file.scenario
+        for person, of_group in _members(scenario, self.hearer):
+            stood_before = spoken_to(episode.visits, person)
+            company = (_WITH.format(person, stood_before),) if stood_before != person else ()
+            said = [act for act in episode.acts if _is_to(act, person, stood_before)]
             having = [act for act in said if _has(act, self.words)]
             if self.never and having:
-                yield self._said(episode, person, of_group, having)
+                expected = f"never “{self.words}” to {person}{of_group}"
+                heard = " ".join(dict.fromkeys(_quoted(act) for act in having))
+                yield Finding(expected, heard, (*company, *_why_said(episode.history, having)))
             elif not self.never and all(act.stopped for act in having):
-                yield self._not_said(episode, person, of_group, said)
+                because = (
+                    *(() if person in goals_of(scenario) else (_ASKED.format(person),)),
+                    *company,
+                    *(() if said else _why_silent(episode, person, stood_before)),
+                    *causes.of_node(episode.history, f"{SAY_ACT}({stood_before})"),
+                    *causes.of_parameter(episode, "greeting_modality", person),
+                )
+                yield Finding(
+                    f"“{self.words}” to {person}{of_group}", _counted(said) or "not a word", because
+                )
 
-    def _not_said(self, episode: Episode, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
-        stood_before = spoken_to(episode.visits, person)
-        counted = Counter(_quoted(act) for act in said)
-        heard = " ".join(
-            words if count == 1 else f"{words}, {count} times" for words, count in counted.items()
-        )
-        because = (
-            *(() if person in goals_of(episode.prepared.file.scenario) else (_ASKED.format(person),)),
-            *((_WITH.format(person, stood_before),) if stood_before != person else ()),
-            *(() if said else _why_silent(episode, person, stood_before)),
-            *causes.of_node(episode.history, f"{SAY_ACT}({stood_before})"),
-            *causes.of_parameter(episode, "greeting_modality", person),
-        )
-        return Finding(f"“{self.words}” to {person}{of_group}", heard or "not a word", because)
 
-    def _said(self, episode: Episode, person: str, of_group: str, said: Sequence[ActEvent]) -> Finding:
-        stood_before = spoken_to(episode.visits, person)
-        because = (
-            *((_WITH.format(person, stood_before),) if stood_before != person else ()),
-            *(f"t={act.t_start:.2f}..{act.t_end:.2f} s  {act.act}({act.person})" for act in said),
-            *causes.of_node(episode.history, f"{said[0].act}({said[0].person})", ended_s=said[0].t_end),
-        )
-        heard = " ".join(dict.fromkeys(_quoted(act) for act in said))
-        return Finding(f"never “{self.words}” to {person}{of_group}", heard, because)
+def _why_said(history: History, said: Sequence[ActEvent]) -> Iterator[str]:
+    yield from (f"t={act.t_start:.2f}..{act.t_end:.2f} s  {act.act}({act.person})" for act in said)
+    yield from causes.of_node(history, f"{said[0].act}({said[0].person})", ended_s=said[0].t_end)
 
 
 def _members(scenario: Scenario, who: str) -> Iterator[tuple[str, str]]:
@@ -94,14 +89,9 @@ def _members(scenario: Scenario, who: str) -> Iterator[tuple[str, str]]:
             yield member, f", of {who}"
 
 
-def _said_to(episode: Episode, person: str) -> list[ActEvent]:
-    """All utterances that are meant for a person."""
-    stood_before = spoken_to(episode.visits, person)
-    return [
-        act
-        for act in episode.acts
-        if act.text and (act.person == person or (act.person == stood_before and act.act == SAY_ACT))
-    ]
+def _is_to(act: ActEvent, person: str, stood_before: str) -> bool:
+    """Whether it is an utterance that is meant for a person."""
+    return bool(act.text) and (act.person == person or (act.person == stood_before and act.act == SAY_ACT))
 
 
 def _why_silent(episode: Episode, person: str, stood_before: str) -> Iterator[str]:
@@ -113,6 +103,11 @@ def _why_silent(episode: Episode, person: str, stood_before: str) -> Iterator[st
 def _has(act: ActEvent, words: str) -> bool:
     """Whether an utterance has words in it, in its own script or in Latin letters."""
     return any(holds(text, words) for text in (act.text, act.latin) if text)
+
+
+def _counted(said: Iterable[ActEvent]) -> str:
+    counts = Counter(_quoted(act) for act in said)
+    return " ".join(words if count == 1 else f"{words}, {count} times" for words, count in counts.items())
 
 
 def _quoted(act: ActEvent) -> str:

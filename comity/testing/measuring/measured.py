@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from comity.testing.amounts.course import actions
+from comity.testing.amounts.course import runs
 from comity.testing.amounts.moments import intrusion
 from comity.testing.amounts.ordering import visited
 from comity.testing.amounts.standing import DockedPose, standing
@@ -80,7 +80,7 @@ def measured(case: Case, episode: Episode) -> Measured:
     stops = {person: standing(frames, episode.visits, person) for person in approached(prepared.plan)}
     fared = [outcome_of(episode, person) for person in prepared.file.scenario.visited()]
     outcomes = [outcome for outcome in fared if outcome != "declined"]
-    person = case.people[0]
+    person, stay = case.people[0], intrusion(episode).longest(frames)
     values = {
         name: values_when_judged(episode, person, name)[name] for name in prepared.values[person].parameters
     }
@@ -93,7 +93,7 @@ def measured(case: Case, episode: Episode) -> Measured:
         wanted=len(outcomes),
         time_s=episode.history.end_s,
         phases_s=_phases(episode.events),
-        intrusion_s=_intrusion_s(episode),
+        intrusion_s=stay.length_s if stay else 0.0,
         detour_m=_detour_m(frames, episode.metrics.path_length_m, [stop for stop in stops.values() if stop]),
         distances_m={
             name: (_target_m(episode, name), stop.distance_m if stop else None)
@@ -114,14 +114,9 @@ def _target_m(episode: Episode, person: str) -> float:
     return values_when_judged(episode, person, DISTANCE)[DISTANCE].number
 
 
-def _intrusion_s(episode: Episode) -> float:
-    stay = intrusion(episode).longest(episode.frames)
-    return stay.length_s if stay else 0.0
-
-
 def _phases(events: Iterable[TraceEvent]) -> dict[str, float]:
     spans: dict[str, list[tuple[float, float]]] = {phase: [] for phase in PHASES}
-    for took, start, node in actions(events):
+    for took, start, node in runs(event for event in events if event.of.kind == "action"):
         acts = node.action in VERBS or node.action == SAY_ACT
         phase = _OF_NODE.get(node.action) or ("greeting" if acts else None)
         if phase:

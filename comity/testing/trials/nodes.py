@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -50,24 +50,19 @@ def nodes_named(episode: Episode, word: str) -> tuple[Node, ...]:
     """
     found = tuple(node for node in episode.nodes if is_called(node, word))
     if not found:
-        _require_possible(episode, word)
+        _require_possible(episode.prepared, {node.action for node in episode.nodes}, word)
     return found
 
 
-def events_of(episode: Episode, word: str) -> tuple[TraceEvent, ...]:
-    """What the nodes of a name did; nothing where this tree has none.
-
-    Raises:
-        InputError: as for `nodes_named`.
-    """
-    paths = {node.path for node in nodes_named(episode, word)}
-    return tuple(event for event in episode.events if event.path in paths)
+def events_of(nodes: Iterable[Node], events: Iterable[TraceEvent]) -> tuple[TraceEvent, ...]:
+    """What these nodes did."""
+    paths = {node.path for node in nodes}
+    return tuple(event for event in events if event.path in paths)
 
 
-def _require_possible(episode: Episode, word: str) -> None:
-    named, scenario = NodeWord.of(word), episode.prepared.file.scenario
-    here = {node.action for node in episode.nodes}
-    elsewhere = set(_of_other_trees(episode.prepared))
+def _require_possible(prepared: PlannedEpisode, here: Set[str], word: str) -> None:
+    named, scenario = NodeWord.of(word), prepared.file.scenario
+    elsewhere = set(_of_other_trees(prepared))
     of_people = not named.about or any(part in scenario.people for part in named.about)
     of_a_goal = any(part in goals_of(scenario) for part in named.about)
     if not (of_people and named.action in elsewhere) and not (of_a_goal and named.action in here):
