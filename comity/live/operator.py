@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from comity_domain import Plan
 
 Order = Literal["approve", "skip", "nearer", "farther", "consents", "withdraws", "mark", "stop", "resume"]
-ORDERS: tuple[str, ...] = get_args(Order)
 OF_PEOPLE = ("skip", "nearer", "farther", "consents", "withdraws")
 NUDGE_M = 0.10
 """Where no length is given (our choice)."""

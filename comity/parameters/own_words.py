@@ -69,7 +69,7 @@ def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     if spoken:
         known["language"] = categories[spoken[0]]
     else:
-        yield _note("language", ", ".join(languages), rulebook, variable)
+        yield _note(", ".join(languages), rulebook, variable)
 
 
 def _age(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
@@ -84,8 +84,8 @@ def _age(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     yield f"age {said}: the rules of {rulebook.name} know ages up to {highest:g}, and count it as that."
 
 
-def _note(fact: str, said: str, rulebook: Rulebook, variable: NominalVariable) -> str:
+def _note(said: str, rulebook: Rulebook, variable: NominalVariable) -> str:
     return (
-        f"{fact} {said}: the rules of {rulebook.name} speak only of {', '.join(variable.categories)}, "
+        f"language {said}: the rules of {rulebook.name} speak only of {', '.join(variable.categories)}, "
         "so that they count it as not told."
     )

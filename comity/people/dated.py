@@ -78,7 +78,7 @@ def require_some_time(from_: date | None, until: date | None) -> None:
         )
 
 
-def day_given(at: object, called: str = "at") -> date | None:
+def day_given(at: object) -> date | None:
     """The day that a program gives: a date, also with a time, or words; None stays None.
 
     Raises:
@@ -89,12 +89,12 @@ def day_given(at: object, called: str = "at") -> date | None:
     if isinstance(at, date):
         return date(at.year, at.month, at.day)
     if isinstance(at, str):
-        return day_in_words(at, called)
+        return day_in_words(at, "at")
     raise InputError(
         expected="a date, or a day in words: YYYY-MM-DD",
         got=repr(at),
         remedy="Write for example '2026-11-27'.",
-        where=Where(called),
+        where=Where("at"),
     )
 
 

@@ -98,14 +98,6 @@ class Store:
                 self._forget(name, LEARNT)  # what was left of another person of that name
             return self._write(name, PROFILE, document)
 
-    def remember_profile(self, name: str, document: Document) -> Path:
-        """Keep what a person declared, in place of what was kept before.
-
-        Raises:
-            InputError: for a name that cannot be kept, or if the system does not let us write.
-        """
-        return self.change_profile(name, lambda _: document)
-
     def learnt(self, name: str) -> Mapping[str, Any] | None:
         """What was learnt with a person; None where nothing was.
 
@@ -182,17 +174,6 @@ class Store:
                 return False
             self._write(name, PROFILE, {**document, "touch_consent": "withheld"})
             return True
-
-    def remember_learnt(self, name: str, document: Document) -> bool:
-        """Keep what was learnt with a person, in place of what was kept before.
-
-        Returns:
-            Whether the person is still kept here; if not, nothing is written.
-
-        Raises:
-            InputError: as `change_learnt` does.
-        """
-        return self.change_learnt(name, lambda _: document)
 
     def forget_learnt(self, name: str) -> bool:
         """Forget what was learnt with a person, damaged or not; whether there was anything."""

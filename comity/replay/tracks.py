@@ -10,9 +10,9 @@ if TYPE_CHECKING:
     from comity_sim2d import Frames
 
 
-def steps(numbers: Iterable[float], *, per_unit: int = 1000) -> list[int]:
-    """The first number and then the steps, in parts of a unit; a single one where all steps are 0."""
-    whole = [round(number * per_unit) for number in numbers]
+def steps(numbers: Iterable[float]) -> list[int]:
+    """The first number and then the steps, in thousandths of a unit; a single one where all steps are 0."""
+    whole = [round(1000 * number) for number in numbers]
     if not any(b - a for a, b in pairwise(whole)):
         return whole[:1]
     return whole[:1] + [b - a for a, b in pairwise(whole)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeGuard
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -70,16 +70,6 @@ class ProfileComparison(Sentence):
     @abstractmethod
     def compare(self, compared: ComparedProfiles) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
-
-
-def compares(meaning: Expectation | ProfileComparison) -> TypeGuard[ProfileComparison]:
-    """Whether it is compared across all profiles."""
-    return isinstance(meaning, ProfileComparison)
-
-
-def judges(meaning: Expectation | ProfileComparison) -> TypeGuard[Expectation]:
-    """Whether it is compared with one case."""
-    return isinstance(meaning, Expectation)
 
 
 @dataclass(frozen=True, slots=True)

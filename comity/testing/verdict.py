@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.testing.collection.cases import shown
-from comity.testing.expectation import Finding, compares, judges
+from comity.testing.expectation import Expectation, Finding, ProfileComparison
 from comity.testing.golden.file import differences, store
 from comity.testing.golden.place import place_of
 from comity.testing.kinds.state import OUTCOME, State, judge_outcome
@@ -77,13 +77,13 @@ def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured]
 
 def _compared(claim: Claim, compared: ComparedProfiles) -> Iterator[Failure]:
     for one in claim.expectations:
-        assert compares(one.meaning)
+        assert isinstance(one.meaning, ProfileComparison)
         yield from _placed(one, one.meaning.compare(compared))
 
 
 def _failures(claim: Claim, episode: Episode) -> Iterator[Failure]:
     for one in claim.expectations:
-        assert judges(one.meaning)
+        assert isinstance(one.meaning, Expectation)
         yield from _placed(one, one.meaning.judge(episode))
     if not any(_about_outcome(one) for one in claim.expectations):
         for finding in judge_outcome(episode, "success"):

@@ -219,7 +219,7 @@ def test_consent_that_begins_later_covers_nothing_yet_and_deletes_nothing(comity
 
 
 def test_people_of_an_older_store_stay_and_nothing_more_is_kept_of_them(comity, home):
-    Store().remember_profile("old", {"schema_version": 1, "name": "old", "culture": "SWE"})
+    Store().change_profile("old", lambda _: {"schema_version": 1, "name": "old", "culture": "SWE"})
     assert comity("infer", "old").code == 0
     assert "no consent" not in comity("profile", "show", "old").out
     assert "so that nothing more is kept" in comity("profile", "show", "old").out

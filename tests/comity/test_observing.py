@@ -85,7 +85,7 @@ def test_the_same_observations_teach_the_same_with_the_simulation_and_without(se
         document = {**front_profile(shipped)}
         for name in ("robot", "hand"):
             give(name, SCOPES, by="a_test")
-            Store().remember_profile(name, {**document, "name": name})
+            Store().change_profile(name, lambda _, name=name: {**document, "name": name})
         assert remember("robot", by_robot)
         for one in by_robot:
             StoredProfile("hand").observe(one.signal, one.distance_m, at=one.day, situation=one.situation)

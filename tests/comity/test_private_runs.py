@@ -164,7 +164,7 @@ def test_an_export_has_all_that_is_kept_but_the_note_and_comments(note):
     with TemporaryDirectory() as home:
         store = Store(Path(home))
         kept = {"schema_version": 1, "name": "kim", "age": 71, "settings": {"approach_speed": 0.3}}
-        path = store.remember_profile("kim", {**kept, "about": note})
+        path = store.change_profile("kim", lambda _: {**kept, "about": note})
         with path.open("a", encoding="utf-8") as file:
             file.write("# a comment of somebody\n")
         exported = store.exported("kim")

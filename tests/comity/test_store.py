@@ -130,7 +130,7 @@ def test_a_shipped_name_that_was_taken_before_it_shipped_is_no_silent_choice(hom
 def test_deleting_leaves_nothing(comity, home):
     comity("profile", "set", "zebedee", "culture=SWE", "distance=1.1", "about=likes quiet mornings")
     comity("profile", "set", "other", "age=20")
-    Store().remember_learnt("zebedee", {"person": "zebedee", "offset": 0.123})
+    Store().change_learnt("zebedee", lambda _: {"person": "zebedee", "offset": 0.123})
     (home / "people" / "zebedee" / ".profile.yaml.x7f").write_text("half a file of zebedee")
     said = comity("profile", "delete", "zebedee", "--yes")
     assert said.code == 0
@@ -168,7 +168,7 @@ def test_learning_waits_for_a_deletion_and_then_writes_nothing(comity, home):
     comity("profile", "set", "amal", "age=71")
     with ThreadPoolExecutor(1) as pool:
         with locked(home / "people"):
-            written = pool.submit(Store().remember_learnt, "amal", LEARNT)
+            written = pool.submit(Store().change_learnt, "amal", lambda _: LEARNT)
             with pytest.raises(TimeoutError):
                 written.result(timeout=0.2)
             (home / "people" / "amal" / "profile.yaml").unlink()
@@ -189,7 +189,7 @@ def test_reset_goes_back_to_inference_in_one_step(comity, home):
     comity("profile", "set", "amal", "culture=SWE", "gender=female")
     plain = comity("infer", "amal", "--json").json
     comity("profile", "set", "amal", "distance=2", "speed=0.2", "gesture=bow")
-    Store().remember_learnt("amal", {"person": "amal"})
+    Store().change_learnt("amal", lambda _: {"person": "amal"})
     assert comity("infer", "amal", "--json").json != plain
     assert comity("profile", "reset", "amal", "gesture").code == 0
     assert Store().learnt("amal") is not None
@@ -202,7 +202,7 @@ def test_reset_goes_back_to_inference_in_one_step(comity, home):
 
 def test_what_is_exported_is_all_of_it_and_can_be_used(comity, here, home):
     comity("profile", "set", "amal", "culture={Egypt: 1, SWE: 2}", "distance=1.1", "languages=[ara, swe]")
-    Store().remember_learnt("amal", LEARNT)
+    Store().change_learnt("amal", lambda _: LEARNT)
     said = comity("profile", "export", "amal", "--out", "amal.yaml")
     assert said.code == 0
     exported, kept = (here / "amal.yaml").read_text(), Store().path("amal").read_text()
@@ -340,7 +340,7 @@ BAD = {
 @pytest.mark.parametrize("kind", BAD)
 def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kind):
     wish = {"conversational_distance": 1.1}
-    Store().remember_profile("kept", {"name": "kept", "culture": "SWE", "settings": wish})
+    Store().change_profile("kept", lambda _: {"name": "kept", "culture": "SWE", "settings": wish})
     agree(comity, "kept", "new")
     before = everything(home)
     for name in ("new", "kept"):

@@ -13,8 +13,8 @@ import pytest
 from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
 from comity.testing.reporting.account import answer, summary
-from comity.testing.reporting.answers import TestsAnswer
-from comity.testing.reporting.fairness import ASPECTS, differences, spread, unexplained
+from comity.testing.reporting.answers import TestsAnswer, UnexplainedAnswer
+from comity.testing.reporting.fairness import ASPECTS, differences, spread
 from comity.testing.reporting.summary import others, served, shared
 from comity.testing.runner.result import Result, result_of
 from comity.testing.trials import attempt
@@ -33,6 +33,10 @@ def twins(write, tmp_path):
 
 def results(path) -> list[Result]:
     return [result_of(claim) for claim in claims_in(path)]
+
+
+def unexplained(found: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
+    return tuple(one for one in differences(found) if not one.settings)
 
 
 def slow_for(name: str, monkeypatch) -> None:

@@ -271,7 +271,9 @@ def test_what_was_learnt_with_somebody_since_is_named(write, tmp_path, monkeypat
         )
     )
     give("sam", ["remember", "learn"], by="a_test")
-    Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male"})
+    Store().change_profile(
+        "sam", lambda _: {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male"}
+    )
     (claim,) = claims_in(path)
     assert judged(claim, update=True).passed
     said = Stated(day=date(2025, 12, 1), situation={"posture": "standing"}, model_m=1.091, likes_m=0.6)

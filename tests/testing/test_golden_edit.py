@@ -173,7 +173,7 @@ def test_what_the_store_holds_of_somebody_stays_there(write, tmp_path, monkeypat
     """Golden episodes are shared: they name whose profile is another, and not what it says."""
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
     person = {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male", "education": 7}
-    Store().remember_profile("sam", person)
+    Store().change_profile("sam", lambda _: person)
     path = write(
         room=lambda room: (
             room.replace("sam: {profile: german_man", "sam: {profile: sam") + "rulebook: bruno2017\n"
@@ -184,7 +184,7 @@ def test_what_the_store_holds_of_somebody_stays_there(write, tmp_path, monkeypat
     written = json.loads(place_of(claim.case).read_text())["written"]
     assert "profile of host" in written
     assert "profile of sam" not in written
-    Store().remember_profile("sam", {**person, "gender": "female"})
+    Store().change_profile("sam", lambda _: {**person, "gender": "female"})
     (claim,) = claims_in(path)
     (failure,) = judged(claim).failures
     (edit,) = [line for line in failure.finding.because if line.startswith("edited")]
@@ -195,10 +195,10 @@ def test_what_the_store_holds_of_somebody_stays_there(write, tmp_path, monkeypat
 def test_somebody_of_the_store_whom_the_matrix_names_has_the_line_of_the_matrix(write, tmp_path, monkeypatch):
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
     person = {"schema_version": 1, "name": "mira", "culture": "DEU", "gender": "male"}
-    Store().remember_profile("mira", person)
+    Store().change_profile("mira", lambda _: person)
     path = write(more="matrix: {people: [guest], profiles: [mira]}\n")
     assert judged(claims_in(path)[0], update=True).passed
-    Store().remember_profile("mira", {**person, "culture": "JPN"})
+    Store().change_profile("mira", lambda _: {**person, "culture": "JPN"})
     (failure,) = judged(claims_in(path)[0]).failures
     told = "\n".join(failure.finding.because)
     assert re.search(

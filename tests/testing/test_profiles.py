@@ -136,7 +136,9 @@ def test_what_is_wrong_with_a_profile_of_the_command_line_is_said_once(
 def kept(tmp_path, monkeypatch) -> Path:
     """The file of somebody who is kept under another name than the one in it."""
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
-    return Store().remember_profile("noor", {"schema_version": 1, "name": "Noor K.", "culture": "DEU"})
+    return Store().change_profile(
+        "noor", lambda _: {"schema_version": 1, "name": "Noor K.", "culture": "DEU"}
+    )
 
 
 @pytest.fixture

@@ -169,7 +169,7 @@ def test_what_was_learnt_drifts_from_day_to_day(write, tmp_path, monkeypatch):
     """But not what the scenario says that was learnt: it holds as it stands there."""
     monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
     give("sam", ["remember", "learn"], by="a_test")
-    Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU"})
+    Store().change_profile("sam", lambda _: {"schema_version": 1, "name": "sam", "culture": "DEU"})
     path = write("duration at most 1 s", room=lambda room: room.replace(SAM, "sam: {profile: sam"))
     assert day_told(path) == []
     said = Stated(day=date(2025, 12, 1), situation={"posture": "standing"}, model_m=0.9, likes_m=0.6)

@@ -10,7 +10,7 @@ from comity.scenario import Scenario, ScenarioFile
 from comity.specification.matrix import Markers
 from comity.system.library import require_file
 from comity.system.scenario_sets import names_by_path
-from comity.testing.expectation import Written, compares
+from comity.testing.expectation import ProfileComparison, Written
 from comity.testing.grammar.quoting import advised, require_quotes
 from comity.testing.grammar.sentence import parsed
 from comity.testing.kinds.hearing import Hearing
@@ -75,8 +75,8 @@ def claims_in(path: Path, *, profiles: Sequence[str] = (), engine: str = ENGINE)
     _refuse_unknown_people(file)
     own = profiles_of(file)
     written = _expectations(file, {tried.called for tried in own})
-    by_itself = tuple(one for one in written if not compares(one.meaning))
-    compared = tuple(one for one in written if compares(one.meaning))
+    by_itself = tuple(one for one in written if not isinstance(one.meaning, ProfileComparison))
+    compared = tuple(one for one in written if isinstance(one.meaning, ProfileComparison))
     cases = tuple(_cases(file, profiles_of(file, profiles) if profiles else own, engine))
     claims = [
         Claim(
@@ -167,7 +167,7 @@ def _written(file: ScenarioFile, i: int, item: str | Mapping[str, str], known: C
     _require(meaning.people, "somebody from `people`", file.scenario.people, where)
     _require(hearers, "somebody from `people`, or one of `groups`", _with_groups(file), where)
     _refuse_unknown_profiles(profiles, known, where)
-    if compares(meaning):
+    if isinstance(meaning, ProfileComparison):
         different(file, meaning.profiles, where)
     return Written(text, where, meaning, profiles)
 

@@ -92,11 +92,6 @@ ASPECTS = (
 )
 
 
-def unexplained(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
-    """Every difference between two profiles in the same case that no parameter and no setting explains."""
-    return tuple(one for one in differences(results) if not one.settings)
-
-
 def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
     """Every difference that no parameter explains; also where a person's own settings may be behind it."""
     return tuple(found for case, one, other in _pairs(results) for found in _between(case, one, other))

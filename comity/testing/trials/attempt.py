@@ -16,6 +16,7 @@ MOST_STORED = 32
 """Episodes of a process that comparisons of profiles need not run again."""
 
 
+@lru_cache(maxsize=MOST_STORED)
 def attempted(case: Case) -> Episode:
     """Plan a case and carry it out.
 
@@ -23,11 +24,6 @@ def attempted(case: Case) -> Episode:
         InputError: if anything that it names cannot be used.
         PlanningFailed: if there is no plan.
     """
-    return _attempted(case)
-
-
-@lru_cache(maxsize=MOST_STORED)
-def _attempted(case: Case) -> Episode:
     return execute(prepared_case(case), seed=case.seed)
 
 
