@@ -16,6 +16,7 @@ from comity_fis.learning.signals import SAID
 if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.people.learnt_file import Observation
+    from comity.preparation import PlannedEpisode
 
 
 def refuse_nobody_kept(visited: Sequence[str], kept_as: Mapping[str, str | None]) -> None:
@@ -58,18 +59,17 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
             and seen
             and is_covered(kept, "learn")
             and visit.person not in episode.uncertain
-            and _is_adult(episode, visit.person)
+            and _is_adult(prepared, visit.person, in_earnest=episode.loop is not None)
         ):
             invented = person.comfort is not None  # the scenario reacted, not the stored person
             found[kept] = seen.model_copy(update={"simulated": invented})
     return found
 
 
-def _is_adult(episode: Episode, person: str) -> bool:
+def _is_adult(prepared: PlannedEpisode, person: str, *, in_earnest: bool) -> bool:
     """Whether anything may be learnt: about no child, and in earnest about nobody who may be one."""
-    prepared = episode.prepared
     is_child = is_under_age(prepared.profiles[person], prepared.day)
-    return not is_child and (is_child is False or episode.loop is None or prepared.file.scenario.adults_only)
+    return not is_child and (is_child is False or not in_earnest or prepared.file.scenario.adults_only)
 
 
 def keep(seen: Mapping[str, Observation]) -> frozenset[str]:

@@ -39,6 +39,7 @@ def episode_rows(
             words; None for invented ones, of whom all facts are told that the rulebook used.
     """
     whole = {f"episode_{name}": value for name, value in of_episode(episode.metrics).items()}
+    people = episode.prepared.file.scenario.people
     ended = {"episode_outcome": episode.outcome, "trace_sha256": episode.trace_sha256}
     for answer in sorted(visit_answers(episode), key=lambda one: one.person):
         is_filtered = filtered if answer.person == individual else None
@@ -47,7 +48,7 @@ def episode_rows(
                 "person": answer.person,
                 **facts_used(episode.prepared, answer.person, is_filtered),
                 **_visit(answer),
-                **_comfort(episode, answer),
+                **_comfort(people[answer.person].comfort, answer.distance_actual_m),
                 **of_person(episode.metrics, answer.person),
                 **whole,
                 **ended,
@@ -124,18 +125,15 @@ def _visit(answer: VisitAnswer) -> StudyRow:
     }
 
 
-def _comfort(episode: Episode, answer: VisitAnswer) -> StudyRow:
+def _comfort(comfort: ComfortSpec | None, distance_m: float | None) -> StudyRow:
     """The person's comfort interval, and how far outside it the robot stopped."""
-    comfort: ComfortSpec | None = episode.prepared.file.scenario.people[answer.person].comfort
     if comfort is None:
         return {}
     near_m, far_m = comfort.wants_m
     return {
         "comfort_near_m": near_m,
         "comfort_far_m": far_m,
-        "comfort_gap_m": None
-        if answer.distance_actual_m is None
-        else comfort_gap_m(answer.distance_actual_m, near_m, far_m),
+        "comfort_gap_m": None if distance_m is None else comfort_gap_m(distance_m, near_m, far_m),
     }
 
 

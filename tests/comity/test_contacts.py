@@ -62,5 +62,5 @@ def test_the_facing_that_a_run_tells_is_that_at_rest():
     account = {visit.person: visit for visit in episode.visits}
     for person, stop in episode.metrics.stopping.items():
         if stop.robot_facing_error_deg is not None:
-            assert facing_error_deg(episode, account[person]) == stop.robot_facing_error_deg
+            assert facing_error_deg(account[person], stop) == stop.robot_facing_error_deg
     assert any(stop.robot_facing_error_deg is not None for stop in episode.metrics.stopping.values())

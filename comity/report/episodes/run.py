@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 from comity.answers.run import (
     ActAnswer,
     ActTowardsAnswer,
-    Disturbance,
     LoopAnswer,
     PersonAnswer,
     PlannedInsteadAnswer,
@@ -38,7 +37,7 @@ from comity_executor.memory.visit_context import NO_GESTURE
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from rich.console import RenderableType
 
@@ -46,8 +45,9 @@ if TYPE_CHECKING:
     from comity.live_episode import LiveEpisode
     from comity.output.run_folder import RunFolder
     from comity.preparation import PlannedEpisode
+    from comity_domain import PlanStep
     from comity_executor import LoopReport, Visit
-    from comity_fis import ParameterValue
+    from comity_fis import Inference, ParameterValue
     from comity_sim2d import ActEvent
 
 SAME_CM = 0.05
@@ -95,7 +95,7 @@ def _command(folder: RunFolder, seed: int, engine: str) -> list[str]:
 def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
     """What happened, in numbers."""
     measured = of_episode(episode.metrics)
-    simulated_s = measured["duration_s"]
+    simulated_s, near = measured["duration_s"], nearness_answers(episode)
     return replace(
         before,
         status="done",
@@ -108,7 +108,7 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
         metrics=_floats(measured),
         revisions=tuple(revision_answers(episode.events, episode.revisions)),
         doors=tuple(door_answers(episode.door_turns)),
-        disturbances=tuple(_disturbances(episode)),
+        disturbances=tuple(sorted([*episode.disturbances, *near], key=lambda one: one.t)),
         repeated=tuple(repeated(episode.events, episode.nodes)),
         figures={name: _floats(of_person(episode.metrics, name)) for name in episode.frames.entities[1:]},
         loop=_loop(episode.loop),
@@ -119,11 +119,6 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
 def _floats(metrics: Mapping[str, float]) -> dict[str, float]:
     """Counts as numbers like all others, `2.0`."""
     return {name: float(value) for name, value in metrics.items()}
-
-
-def _disturbances(episode: Episode) -> Iterator[Disturbance]:
-    """What happened, and where the robot was nearer to a person than they like, by time."""
-    yield from sorted([*episode.disturbances, *nearness_answers(episode)], key=lambda one: one.t)
 
 
 def _loop(report: LoopReport | None) -> LoopAnswer | None:
@@ -151,7 +146,7 @@ def visit_answers(episode: Episode) -> Iterator[VisitAnswer]:
     """Everybody in the order in which the robot came to them; those it never reached come last."""
     prepared = episode.prepared
     for visit in sorted(episode.visits, key=_reached_s):
-        acts = tuple(ActAnswer(**_facts(event)) for event in _acts_for(visit, episode))
+        acts = tuple(ActAnswer(**_facts(event)) for event in _acts_for(visit.person, episode.acts))
         yield _visit(visit, episode, acts)
     planned = {visit.person for visit in episode.visits}
     for person, reason in prepared.asked.unreachable.items():
@@ -183,15 +178,11 @@ def _reached_s(visit: Visit) -> tuple[float, bool]:
     return (inf if at_s is None else at_s, visit.together_with is not None)
 
 
-def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
+def _acts_for(person: str, acts: Sequence[ActEvent]) -> Iterator[ActEvent]:
     """What was said and done to a person, with what was picked up for them."""
-    for i, event in enumerate(episode.acts):
-        if event.act != PICK_UP:
-            if event.person == visit.person:
-                yield event
-            continue
-        given = (e.person for e in episode.acts[i:] if e.act == HAND_OVER and e.thing == event.thing)
-        if next(given, None) == visit.person:
+    for i, event in enumerate(acts):
+        given = (e.person for e in acts[i:] if e.act == HAND_OVER and e.thing == event.thing)
+        if person == (next(given, None) if event.act == PICK_UP else event.person):
             yield event
 
 
@@ -223,25 +214,26 @@ def _words(event: ActEvent) -> dict[str, Any]:
 
 def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
     prepared, docked, pose = episode.prepared, visit.docked_at, visit.pose
+    values = episode.values[visit.person]
     stopped = episode.metrics.stopping.get(visit.person)
     return VisitAnswer(
         person=visit.person,
         profile=prepared.profiles[visit.person].name,
         outcome=visit.outcome,
-        distance_target_m=episode.values[visit.person]["conversational_distance"].number,
+        distance_target_m=values["conversational_distance"].number,
         distance_actual_m=docked.distance_m if docked else None,
         centre_distance_actual_m=docked.centre_distance_m if docked else None,
-        approach_speed_target_m_s=episode.values[visit.person]["approach_speed"].number,
+        approach_speed_target_m_s=values["approach_speed"].number,
         approach_speed_actual_m_s=stopped.speed_within_1_5_m_m_s if stopped else None,
         bearing_target_deg=visit.wanted.bearing_deg if visit.wanted else None,
         bearing_actual_deg=docked.bearing_deg if docked else None,
-        facing_error_deg=facing_error_deg(episode, visit),
+        facing_error_deg=facing_error_deg(visit, stopped),
         pose_free=pose.pose_free if pose else None,
         deviation_reason=visit.deviation_reason,
         unverified=visit.unverified,
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
-        planned_instead=tuple(_planned_instead(visit.person, episode)),
+        planned_instead=tuple(_planned_instead(episode.steps, values, visit.person)),
         agenda=visit.agenda,
         acts=acts,
         together_with=visit.together_with,
@@ -253,11 +245,13 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
     )
 
 
-def _planned_instead(person: str, episode: Episode) -> Iterator[PlannedInsteadAnswer]:
+def _planned_instead(
+    steps: Iterable[PlanStep], values: Inference, person: str
+) -> Iterator[PlannedInsteadAnswer]:
     """Of categories; a number that the plan moves is told as wanted and reached."""
-    for step in episode.steps:
+    for step in steps:
         for parameter, planned in step.parameters.items():
-            inferred = episode.values[person].parameters.get(parameter)
+            inferred = values.parameters.get(parameter)
             if step.person != person or inferred is None or not isinstance(inferred.value, str):
                 continue
             if planned not in (inferred.value, NO_GESTURE):
