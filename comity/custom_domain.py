@@ -25,7 +25,7 @@ from comity_domain.custom import (
     planned,
     read_custom,
 )
-from comity_fis import InputError, Rulebook, Where, closest, load_rulebook
+from comity_fis import InputError, Rulebook, Where, load_rulebook, unknown_word
 from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 
@@ -118,12 +118,7 @@ def _refuse_strangers(own: CustomProblem, binding: BindingFile, others: Others) 
     people = [name for name, one in known.items() if not types or one.type in types]
     for name in others.profiles:
         if name.lower() not in map(str.lower, known):
-            raise InputError(
-                expected="an object of the problem",
-                got=repr(name),
-                remedy=closest(name, people),
-                where=Where("--as"),
-            )
+            raise unknown_word("an object of the problem", name, people, where=Where("--as"))
 
 
 @dataclass(frozen=True, slots=True)

@@ -128,16 +128,13 @@ def _of_rulebook(
     """A picture for every parameter that something changes, and the names of the others."""
     from comity.commands.facts import precise_facts_in_words
     from comity.report.rulebooks.response import responses
-    from comity_fis import InputError, Where, closest, load_rulebook
+    from comity_fis import InputError, Where, load_rulebook, unknown_word
 
     book = load_rulebook(name)
     for one in asked:
         if one not in book.parameters:
-            raise InputError(
-                expected=f"a parameter of the rulebook {book.name}",
-                got=repr(one),
-                remedy=closest(one, book.parameters),
-                where=Where("--parameter"),
+            raise unknown_word(
+                f"a parameter of the rulebook {book.name}", one, book.parameters, where=Where("--parameter")
             )
     held = precise_facts_in_words(words, book)
     found = {one: responses(book, one, held) for one in asked or book.parameters}

@@ -86,15 +86,12 @@ def _show(name: str, deleted: tuple[str, ...]) -> None:
 
 def _scopes(words: list[str]) -> list[Scope]:
     from comity.people.consents import SCOPES
-    from comity_fis import closest
+    from comity_fis import unknown_word
 
     for word in words:
         if word not in SCOPES:
-            raise InputError(
-                expected=f"{', '.join(SCOPES[:-1])} or {SCOPES[-1]}",
-                got=repr(word),
-                remedy=closest(word, SCOPES),
-                where=Where("profile consent"),
+            raise unknown_word(
+                f"{', '.join(SCOPES[:-1])} or {SCOPES[-1]}", word, SCOPES, where=Where("profile consent")
             )
     return [scope for scope in SCOPES if scope in words]
 

@@ -15,7 +15,7 @@ from comity.parameters.values import refuse_unknown
 from comity.parameters.which_rulebook import ChosenRulebook, chosen_rulebook
 from comity.people.profile import Declared, Profile, ProfileGiven, day_for, declared_by, load_profile
 from comity.specification.goals import agenda_of
-from comity_fis import InputError, Where, closest, load_rulebook
+from comity_fis import InputError, Where, load_rulebook, unknown_word
 
 if TYPE_CHECKING:
     from datetime import date
@@ -149,11 +149,8 @@ def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[st
         )
     for name in others:
         if name not in people:
-            raise InputError(
-                expected=f"somebody of the scenario {file.scenario.name}",
-                got=repr(name),
-                remedy=closest(name, people),
-                where=Where("--as"),
+            raise unknown_word(
+                f"somebody of the scenario {file.scenario.name}", name, people, where=Where("--as")
             )
     return {
         name: declared_by(others[name], called=name, where=Where("--as"))

@@ -27,7 +27,7 @@ from comity.people.culture import Belonging
 from comity.people.dated import UNKNOWN
 from comity.people.profile import PERSONAL
 from comity_domain import refuse_gesture_in_words
-from comity_fis import InputError, Interval, Part, Where, closest, mixed
+from comity_fis import InputError, Interval, Part, Where, mixed, unknown_word
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.one_line import one_line
 
@@ -204,10 +204,8 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
     """
     for name in facts:
         if name not in rulebook.facts and name not in (*PERSONAL, CONSENT):
-            raise InputError(
-                expected=f"a variable of the rulebook {rulebook.name} in {place}",
-                got=repr(name),
-                remedy=closest(name, rulebook.variables),
+            raise unknown_word(
+                f"a variable of the rulebook {rulebook.name} in {place}", name, rulebook.variables
             )
 
 

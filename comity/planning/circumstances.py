@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from comity.parameters.consent import asked_for_no_touch, gestures_of_contact, wishes_at_rest
 from comity.parameters.perception import hears, lacks_hearing, lacks_sight, sees
 from comity_domain import REACH_M, Circumstances
-from comity_fis import Choice, InputError, closest
+from comity_fis import Choice, unknown_word
 
 if TYPE_CHECKING:
     from datetime import date
@@ -77,9 +77,9 @@ def require_gestures(file: ScenarioFile, rulebook: Rulebook) -> None:
     known = sorted({*REACH_M, *(one.name for one in own)})
     for gesture in file.scenario.robot.gesture_reach_m if not file.real_robot else ():
         if gesture not in known:
-            raise InputError(
-                expected=f"a gesture of the rulebook {rulebook.name}, or one that Comity knows",
-                got=repr(gesture),
-                remedy=closest(gesture, known),
+            raise unknown_word(
+                f"a gesture of the rulebook {rulebook.name}, or one that Comity knows",
+                gesture,
+                known,
                 where=file.where("robot", "gesture_reach_m", gesture),
             )

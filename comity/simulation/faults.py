@@ -30,7 +30,7 @@ from comity.specification.fault import (
     in_words,
 )
 from comity_executor import is_called
-from comity_fis import InputError, closest
+from comity_fis import InputError, closest, unknown_word
 from comity_sim2d.maps.doorways import furniture_in
 from comity_sim2d.senses.active_faults import BASE, SENSORS, VOICE
 
@@ -108,10 +108,10 @@ class Faults:
 
     def _require_leaf(self, i: int, leaf: str) -> None:
         if not any(is_called(one, leaf) for one in self.leaves):
-            raise InputError(
-                expected="a leaf of the plan's tree, with or without the person",
-                got=repr(leaf),
-                remedy=closest(leaf, {word for one in self.leaves for word in (one.name, one.action)}),
+            raise unknown_word(
+                "a leaf of the plan's tree, with or without the person",
+                leaf,
+                {word for one in self.leaves for word in (one.name, one.action)},
                 where=self.file.where("faults", i, "leaf"),
             )
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.specification.goals import Goal, greeted
-from comity_fis import InputError, closest
+from comity_fis import InputError, closest, unknown_word
 
 if TYPE_CHECKING:
     from comity.specification.scenario_check import FilePlaces
@@ -39,10 +39,10 @@ class GoalCheck:
         left: set[str] = set()
         for i, goal in enumerate(self.goals):
             if goal.person not in self.people:
-                raise InputError(
-                    expected="somebody from `people`",
-                    got=repr(goal.person),
-                    remedy=closest(goal.person, self.people),
+                raise unknown_word(
+                    "somebody from `people`",
+                    goal.person,
+                    self.people,
                     where=self.where("goals", i, goal.person_key),
                 )
             if goal.greet is None:
@@ -64,12 +64,7 @@ class GoalCheck:
         for name, before in first.items():
             where = self.where("goals", greeted_[name], "after")
             if before not in greeted_:
-                raise InputError(
-                    expected="a person whom another goal greets",
-                    got=repr(before),
-                    remedy=closest(before, greeted_),
-                    where=where,
-                )
+                raise unknown_word("a person whom another goal greets", before, greeted_, where=where)
             seen = [name]
             while (earlier := first.get(seen[-1])) is not None and earlier not in seen:
                 seen.append(earlier)

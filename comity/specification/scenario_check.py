@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from comity_fis import InputError, Where, closest
+from comity_fis import InputError, Where, unknown_word
 from comity_sim2d.scene.group import Group, check_members
 from comity_sim2d.scene_error import SceneError
 
@@ -87,9 +87,4 @@ class NameCheck:
 
     def _require(self, name: str, *location: str | int) -> None:
         if name not in self.people:
-            raise InputError(
-                expected="somebody from `people`",
-                got=repr(name),
-                remedy=closest(name, self.people),
-                where=self.where(*location),
-            )
+            raise unknown_word("somebody from `people`", name, self.people, where=self.where(*location))

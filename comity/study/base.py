@@ -18,7 +18,14 @@ from comity.scenario import MapPlace, Scenario, ScenarioFile
 from comity.simulation.place import written_map
 from comity.study.overlay import laid_over
 from comity.study.roles import located
-from comity_fis import InputError, Rulebook, closest, load_rulebook, read_rulebook, shipped_rulebooks
+from comity_fis import (
+    InputError,
+    Rulebook,
+    load_rulebook,
+    read_rulebook,
+    shipped_rulebooks,
+    unknown_word,
+)
 from comity_fis.errors import Location
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml
 
@@ -106,9 +113,7 @@ def _require_person(keys: Sequence[str], people: Collection[str], roles: Collect
     """Refuse a path into a person whom the scenario has not; a person alone may be added whole."""
     if keys[0] == "people" and len(keys) > 2 and keys[1] not in people:
         known = dict.fromkeys((*people, *roles))
-        raise InputError(
-            expected="a person or a role of the scenario", got=repr(keys[1]), remedy=closest(keys[1], known)
-        )
+        raise unknown_word("a person or a role of the scenario", keys[1], known)
 
 
 def digest_of(content: Any) -> str:

@@ -9,7 +9,7 @@ from itertools import chain, product
 from typing import TYPE_CHECKING, Any
 
 from comity.study.study_file import StudyFile, ValueRange
-from comity_fis import InputError, closest
+from comity_fis import InputError, unknown_word
 
 if TYPE_CHECKING:
     from comity_fis.errors import Location
@@ -142,12 +142,7 @@ def _groups(
         for path in group:
             where = file.where(("in_step", i))
             if path not in lists:
-                raise InputError(
-                    expected="a factor with a list of values",
-                    got=repr(path),
-                    remedy=closest(path, lists),
-                    where=where,
-                )
+                raise unknown_word("a factor with a list of values", path, lists, where=where)
             if path in of:
                 raise InputError(
                     expected="each factor in one group",

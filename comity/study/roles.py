@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from comity.study.study_file import VISITED, StudyFile
-from comity_fis import InputError, closest
+from comity_fis import InputError, closest, unknown_word
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
@@ -39,12 +39,7 @@ def roles_of(file: YamlFile, written: StudyFile, name: str, scenario: ScenarioFi
             )
         if person not in people:
             place = place if isinstance(persons, str) else (*place, name)
-            raise InputError(
-                expected=f"a person of {name}",
-                got=repr(person),
-                remedy=closest(person, people),
-                where=file.where(place),
-            )
+            raise unknown_word(f"a person of {name}", person, people, where=file.where(place))
         roles[role] = person
     return roles
 

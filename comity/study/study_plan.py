@@ -20,7 +20,7 @@ from comity.study.population import StudyPopulation, load_population
 from comity.study.roles import roles_of
 from comity.study.study_file import StudyFile
 from comity.study.unscored import unscored_notes
-from comity_fis import InputError, Rulebook, closest, load_rulebook
+from comity_fis import InputError, Rulebook, load_rulebook, unknown_word
 from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 
@@ -179,12 +179,7 @@ def _population(file: YamlFile, written: StudyFile) -> StudyPopulation | None:
 def _person(file: YamlFile, written: StudyFile, roles: Mapping[str, str]) -> str:
     role = written.individuals_are
     if role not in roles:
-        raise InputError(
-            expected="a role",
-            got=repr(role),
-            remedy=closest(role, roles),
-            where=file.where(("individuals_are",)),
-        )
+        raise unknown_word("a role", role, roles, where=file.where(("individuals_are",)))
     return roles[role]
 
 

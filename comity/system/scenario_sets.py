@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
-from comity_fis import InputError, Where, closest
+from comity_fis import Where, closest, unknown_word
 
 THEMES = (
     "first visits",
@@ -89,12 +89,7 @@ def set_asked(name: str) -> Mapping[str, Path]:
         InputError: if there is none of that name.
     """
     if name not in SETS:
-        raise InputError(
-            expected="a shipped set of scenarios",
-            got=repr(name),
-            remedy=closest(name, SETS),
-            where=Where("--set"),
-        )
+        raise unknown_word("a shipped set of scenarios", name, SETS, where=Where("--set"))
     return set_named(name)
 
 

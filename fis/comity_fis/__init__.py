@@ -3,7 +3,7 @@
 from comity_fis.culture.mixture import Part, mixed
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.engine import Mode
-from comity_fis.errors import ComityError, InputError, Where, closest
+from comity_fis.errors import ComityError, InputError, Where, closest, unknown_word
 from comity_fis.explanation.disclosure import Outvoting, facts_first, kept_back, outvoting, rests_on_facts
 from comity_fis.explanation.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.explanation.sensitivity import Sensitivity
@@ -102,5 +102,6 @@ __all__ = [
     "shipped_rulebooks",
     "terms_known",
     "to_fis",
+    "unknown_word",
     "variable_data",
 ]

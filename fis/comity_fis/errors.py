@@ -134,6 +134,11 @@ def closest(name: str, names: Iterable[str], labels: Mapping[str, str] | None = 
     return f"Known are: {', '.join(known[:MOST_NAMED])}{more}."
 
 
+def unknown_word(expected: str, got: str, known: Iterable[str], *, where: Where | None = None) -> InputError:
+    """A refusal of a word that is none of the known ones; the remedy names the closest of them."""
+    return InputError(expected=expected, got=repr(got), remedy=closest(got, known), where=where)
+
+
 def shown(value: object) -> str:
     """A value as a message names it: what Python calls it, on one line and not too long."""
     text = " ".join(repr(value).split())

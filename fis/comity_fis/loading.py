@@ -7,7 +7,7 @@ from importlib.resources import as_file, files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from comity_fis.errors import InputError, closest, shown
+from comity_fis.errors import InputError, closest, shown, unknown_word
 
 if TYPE_CHECKING:
     from comity_fis.matlab.writer import Exported
@@ -60,10 +60,8 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
     if is_fis(path):
         return _from_matlab(path)
     if path.suffix.lower() not in {".yaml", ".yml"} and not path.exists():
-        raise InputError(
-            expected="a shipped rulebook, a YAML file or a .fis file",
-            got=repr(str(name_or_path)),
-            remedy=closest(str(name_or_path), shipped_rulebooks()),
+        raise unknown_word(
+            "a shipped rulebook, a YAML file or a .fis file", str(name_or_path), shipped_rulebooks()
         )
     return read_yaml(path)
 

@@ -24,7 +24,7 @@ from comity_executor import (
     read_trace,
     tree_text,
 )
-from comity_fis import InputError, Where, closest
+from comity_fis import InputError, Where, unknown_word
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sized
@@ -198,11 +198,8 @@ def _names(recorded: StoredTrace) -> set[str]:
 
 
 def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") -> InputError:
-    return InputError(
-        expected=f"{or_else}a part of the name of a node of this run",
-        got=repr(word),
-        remedy=closest(word, names),
-        where=Where(option),
+    return unknown_word(
+        f"{or_else}a part of the name of a node of this run", word, names, where=Where(option)
     )
 
 

@@ -16,7 +16,7 @@ from comity.study.questionnaires.questionnaire_file import (
     load_questionnaire,
     shipped_questionnaires,
 )
-from comity_fis import InputError, closest
+from comity_fis import unknown_word
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import Name
@@ -101,10 +101,10 @@ class Collection:
         """
         for name in self.written.conditions:
             if name not in allocated:
-                raise InputError(
-                    expected="a condition of the allocation",
-                    got=repr(name),
-                    remedy=closest(name, allocated),
+                raise unknown_word(
+                    "a condition of the allocation",
+                    name,
+                    allocated,
                     where=self.file.where(("conditions", name)),
                 )
 
@@ -119,12 +119,7 @@ def load_collection(path: Path) -> Collection:
     written = file.check(CollectionFile)
     for i, fact in enumerate(written.facts):
         if fact not in FACTS or fact in written.facts[:i]:
-            raise InputError(
-                expected="facts of a profile, each once",
-                got=repr(fact),
-                remedy=closest(fact, FACTS),
-                where=file.where(("facts", i)),
-            )
+            raise unknown_word("facts of a profile, each once", fact, FACTS, where=file.where(("facts", i)))
     found: dict[str, QuestionnaireFile] = {}
     for i, name in enumerate(written.questionnaires):
         with file.placing("questionnaires", i):

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from comity.people.fact import Number
 from comity.specification.matrix import Word
-from comity_fis import InputError, Where, closest
+from comity_fis import Where, unknown_word
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import read_yaml
@@ -135,12 +135,7 @@ def questionnaire_path(name: str) -> Path:
         return known[name]
     if looks_like_a_file(name, Path(name)):
         return Path(name)
-    raise InputError(
-        expected="a questionnaire: a shipped name or a file",
-        got=repr(name),
-        remedy=closest(name, known),
-        where=Where("QUESTIONNAIRE"),
-    )
+    raise unknown_word("a questionnaire: a shipped name or a file", name, known, where=Where("QUESTIONNAIRE"))
 
 
 def load_questionnaire(name: str) -> QuestionnaireFile:

@@ -29,7 +29,7 @@ from comity.study.report.serving import (
 from comity.study.results import Study
 from comity.study.statement import STATEMENT
 from comity.system.own_files import read_regular
-from comity_fis import InputError, Where, closest
+from comity_fis import InputError, Where, closest, unknown_word
 
 if TYPE_CHECKING:
     from comity.study.report.episodes import StudyVisits
@@ -98,12 +98,7 @@ def comparison_named(
         )
     for level in (first, second):
         if level not in found.levels:
-            raise InputError(
-                expected=f"a level of {found.name}",
-                got=repr(level),
-                remedy=closest(level, found.levels),
-                where=Where("--factor"),
-            )
+            raise unknown_word(f"a level of {found.name}", level, found.levels, where=Where("--factor"))
     numbers = found.levels.index(first), found.levels.index(second)
     pairs = pairs_of(visits, found, *numbers)
     if first == second or not len(pairs.first):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity_fis import InputError, Where, closest
+from comity_fis import Where, unknown_word
 from comity_sim2d.metrics import without_unit
 
 if TYPE_CHECKING:
@@ -132,11 +132,8 @@ def pictured(outcomes: Mapping[str, StudyOutcome], asked: Sequence[str]) -> tupl
     """
     for name in asked:
         if name not in outcomes:
-            raise InputError(
-                expected="an outcome in which visits of the study differ",
-                got=repr(name),
-                remedy=closest(name, outcomes),
-                where=Where("--outcome"),
+            raise unknown_word(
+                "an outcome in which visits of the study differ", name, outcomes, where=Where("--outcome")
             )
     names = asked or [name for name in MAIN if name in outcomes and outcomes[name].varies]
     return tuple(outcomes[name] for name in dict.fromkeys(names))

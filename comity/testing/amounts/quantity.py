@@ -15,7 +15,7 @@ from comity.testing.amounts.moments import Moment, intrusion, moment_of, of_mome
 from comity.testing.amounts.standing import DockedPose, standing
 from comity.testing.amounts.touching import CONTACTS, of_contacts
 from comity.testing.trials.visits import approached, require_goal, to_visit, values_when_judged
-from comity_fis import InputError, closest
+from comity_fis import InputError, unknown_word
 from comity_sim2d.metrics import EPISODE, VISIT, Metric, by_short_name, of_episode, of_person
 
 if TYPE_CHECKING:
@@ -99,11 +99,11 @@ def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) 
     """Refuse what is no parameter of the rulebook."""
     if name not in values.parameters:
         known = [*values.parameters, *others]
-        raise InputError(
-            expected=f"a parameter of the rulebook {values.rulebook}"
+        raise unknown_word(
+            f"a parameter of the rulebook {values.rulebook}"
             + (", or one of the other words that may stand here" if others else ""),
-            got=repr(name),
-            remedy=closest(name, known),
+            name,
+            known,
         )
 
 

@@ -18,7 +18,7 @@ from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
 from comity_domain import ENGINE
-from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
+from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, unknown_word
 from comity_fis.errors import ManyInputErrors
 from comity_fis.validation.yaml_file import read_yaml
 
@@ -180,7 +180,7 @@ def _require(names: Sequence[str], expected: str, known: Collection[str], where:
     """Refuse a name that the scenario does not have."""
     for name in names:
         if name not in known:
-            raise InputError(expected=expected, got=repr(name), remedy=closest(name, known), where=where)
+            raise unknown_word(expected, name, known, where=where)
 
 
 def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tuple[str, Where]:
@@ -257,11 +257,8 @@ def _refuse_unknown_people(file: ScenarioFile) -> None:
     """Refuse to give a profile to a person who is not there."""
     for name in file.scenario.matrix.people:
         if name not in file.scenario.people:
-            raise InputError(
-                expected="somebody from `people`",
-                got=repr(name),
-                remedy=closest(name, file.scenario.people),
-                where=file.where("matrix", "people"),
+            raise unknown_word(
+                "somebody from `people`", name, file.scenario.people, where=file.where("matrix", "people")
             )
 
 

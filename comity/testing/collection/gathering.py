@@ -13,7 +13,7 @@ from comity.system.scenario_sets import instead as called_now
 from comity.testing.collection.cases import claims_in
 from comity.testing.naming import SUFFIX
 from comity.testing.trials.case import whole
-from comity_fis import InputError, Where, closest
+from comity_fis import InputError, Where, unknown_word
 
 NONE: Mapping[str, Path] = MappingProxyType({})
 
@@ -82,12 +82,7 @@ def _argument(word: str, profiles: Sequence[str]) -> str:
 def _require_test(wanted: str, path: Path, profiles: Sequence[str]) -> None:
     known = [claim.id for claim in claims_in(path, profiles=profiles)]
     if wanted not in known:
-        raise InputError(
-            expected="a test of the file",
-            got=repr(wanted),
-            remedy=closest(wanted, known),
-            where=Where(str(path)),
-        )
+        raise unknown_word("a test of the file", wanted, known, where=Where(str(path)))
 
 
 def _no_tests(word: str, path: Path) -> InputError:

@@ -14,7 +14,7 @@ from comity.testing.trials.visits import require_goal
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_domain.explanation.agenda_reason import AFTER, BEFORE
 from comity_domain.explanation.company_reason import ONE_BY_ONE
-from comity_fis import InputError, closest
+from comity_fis import unknown_word
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -140,8 +140,6 @@ def require_choice(prepared: PlannedEpisode, person: str, choice: str) -> None:
     planned = [word for step in prepared.plan.steps for word in step.arguments[2:]]
     known = (*SIDES, *words, NO_GESTURE, ONE_BY_ONE, BEFORE, AFTER, *planned)
     if choice not in known:
-        raise InputError(
-            expected="a side, a way to greet, or another choice of a plan",
-            got=repr(choice),
-            remedy=closest(choice, dict.fromkeys(known)),
+        raise unknown_word(
+            "a side, a way to greet, or another choice of a plan", choice, dict.fromkeys(known)
         )

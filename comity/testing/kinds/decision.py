@@ -12,7 +12,7 @@ from comity.testing.amounts.quantity import require_parameter
 from comity.testing.amounts.words import holds
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.trials.visits import to_visit, values_when_judged
-from comity_fis import InputError, closest
+from comity_fis import InputError, unknown_word
 from comity_fis.inference.value import Origin
 
 if TYPE_CHECKING:
@@ -41,11 +41,7 @@ class DecidedBy(Expectation):
         """From a parameter, a person, an origin and words."""
         parameter, person, origin, words = parts
         if origin is not None and origin not in get_args(Origin):
-            raise InputError(
-                expected="what may decide a parameter",
-                got=repr(origin),
-                remedy=closest(origin, get_args(Origin)),
-            )
+            raise unknown_word("what may decide a parameter", origin, get_args(Origin))
         if origin is None and words is None:
             raise InputError(
                 expected="`by` and an origin, or `because` and words of a contribution",

@@ -14,7 +14,7 @@ from comity.testing.amounts.quantity import is_figure, require_parameter
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.trials.visits import outcome_of, require_goal, to_visit, values_when_judged, visit_of
 from comity_executor import PROPER_OUTCOMES
-from comity_fis import InputError, NominalParameter, NumericParameter, closest
+from comity_fis import InputError, NominalParameter, NumericParameter, unknown_word
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -43,9 +43,9 @@ class State(Expectation):
         """From what it is about, whose it is, and a word."""
         subject, person, word = parts
         if subject == OUTCOME and word not in get_args(Outcome):
-            raise InputError(expected="an outcome", got=repr(word), remedy=closest(word, get_args(Outcome)))
+            raise unknown_word("an outcome", word, get_args(Outcome))
         if subject == PLAN and word not in PROOFS:
-            raise InputError(expected="what a plan may be", got=repr(word), remedy=closest(word, PROOFS))
+            raise unknown_word("what a plan may be", word, PROOFS)
         return cls(subject, person, word)
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
@@ -62,11 +62,7 @@ class State(Expectation):
     def _fares(self, episode: Episode) -> Iterator[Finding]:
         require_goal(episode.prepared.file.scenario, self.subject)
         if self.word not in FARES:
-            raise InputError(
-                expected=f"what may come of {self.subject}'s visit",
-                got=repr(self.word),
-                remedy=closest(self.word, FARES),
-            )
+            raise unknown_word(f"what may come of {self.subject}'s visit", self.word, FARES)
         got = outcome_of(episode, self.subject)
         if got != self.word:
             because = tuple(causes.of_visit(episode, self.subject))
@@ -97,11 +93,7 @@ class State(Expectation):
             )
         words = [category.name for category in parameter.categories]
         if self.word not in words:
-            raise InputError(
-                expected=f"a word that {self.subject} may be",
-                got=repr(self.word),
-                remedy=closest(self.word, words),
-            )
+            raise unknown_word(f"a word that {self.subject} may be", self.word, words)
 
 
 def _rounded(value: ParameterValue) -> str:

@@ -13,7 +13,7 @@ from comity.people.store import Store
 from comity.specification.matrix import PAPER
 from comity.system.library import shipped
 from comity.testing.trials.case import beside
-from comity_fis import InputError, Where, closest
+from comity_fis import InputError, Where, unknown_word
 from comity_fis.validation.name_or_path import looks_like_a_file
 
 if TYPE_CHECKING:
@@ -82,10 +82,10 @@ def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | No
     if name in tried:
         return tried[name]
     if not _is_name(name) and not looks_like_a_file(name, file.folder / name):
-        raise InputError(
-            expected="a profile as the tests' names have it, another shipped or stored one, or a file",
-            got=repr(name),
-            remedy=closest(name, [*tried, *shipped("profile"), *Store().names]),
+        raise unknown_word(
+            "a profile as the tests' names have it, another shipped or stored one, or a file",
+            name,
+            [*tried, *shipped("profile"), *Store().names],
             where=where,
         )
     load = _load(file, name)

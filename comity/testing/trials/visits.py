@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from comity.specification.goals import greeted
-from comity_fis import InputError, closest
+from comity_fis import unknown_word
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -83,6 +83,4 @@ def require_goal(scenario: Scenario, *people: str) -> None:
     goals = goals_of(scenario)
     for person in people:
         if person not in goals:
-            raise InputError(
-                expected="somebody whom the goals name", got=repr(person), remedy=closest(person, goals)
-            )
+            raise unknown_word("somebody whom the goals name", person, goals)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import InputError, unknown_word
 from comity_fis.explanation.attribution import NOTHING, Attribution, Portion, attribute
 from comity_fis.explanation.removal import Without, without_each
 from comity_fis.explanation.sensitivity import Sensitivity, sensitivities
@@ -113,11 +113,7 @@ def explain(
     if rulebook.methods != MAMDANI and not is_sugeno(rulebook):
         raise _methods_error(rulebook)
     if parameter not in rulebook.parameters:
-        raise InputError(
-            expected=f"a parameter of the rulebook {rulebook.name}",
-            got=repr(parameter),
-            remedy=closest(parameter, rulebook.parameters),
-        )
+        raise unknown_word(f"a parameter of the rulebook {rulebook.name}", parameter, rulebook.parameters)
     asked, known = dict(settings or {}), dict(learnt or {})
     inference = rulebook.infer(inputs, settings=asked, learnt=known)
     return _Case(rulebook, inference, asked, known, parameter).explanation()

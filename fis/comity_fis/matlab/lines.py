@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from math import isnan
 from pathlib import Path
 
-from comity_fis.errors import InputError, Where, closest
+from comity_fis.errors import InputError, Where, unknown_word
 
 MAX_BYTES = 2_000_000
 MAX_RULES = 10_000
@@ -106,12 +106,7 @@ class Section:
         """Refuse a key that nobody reads: what it means would be lost."""
         for key, entry in self.entries.items():
             if key not in known:
-                raise InputError(
-                    expected=f"a known key in [{self.name}]",
-                    got=repr(key),
-                    remedy=closest(key, known),
-                    where=entry.where,
-                )
+                raise unknown_word(f"a known key in [{self.name}]", key, known, where=entry.where)
 
 
 def sections_of(text: str, name: str) -> Mapping[str, Section]:

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache, partial
 
-from comity_fis.errors import InputError, Location, WrongValueError, closest
+from comity_fis.errors import Location, WrongValueError, unknown_word
 from comity_fis.rulebook.models import (
     NominalParameterModel,
     NominalVariableModel,
@@ -160,6 +160,4 @@ class _RuleReader:
 
 def _check_known(name: str, names: Collection[str], what: str, file: YamlFile, location: Location) -> None:
     if name not in names:
-        raise InputError(
-            expected=what, got=repr(name), remedy=closest(name, names), where=file.where(location)
-        )
+        raise unknown_word(what, name, names, where=file.where(location))

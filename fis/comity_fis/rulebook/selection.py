@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import unknown_word
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rules.rule import Rule, literals
 from comity_fis.variables.parameter import NominalParameter, Parameter
@@ -26,11 +26,7 @@ def selected(rulebook: Rulebook, names: Collection[str]) -> Rulebook:
     """
     for name in names:
         if name not in rulebook.parameters:
-            raise InputError(
-                expected=f"a parameter of the rulebook {rulebook.name}",
-                got=repr(name),
-                remedy=closest(name, rulebook.parameters),
-            )
+            raise unknown_word(f"a parameter of the rulebook {rulebook.name}", name, rulebook.parameters)
     needed = {block.parameter.name for name in names for block in rulebook.program.up_to(name)}
     parameters = {name: kept for name, kept in rulebook.parameters.items() if name in needed}
     rules = tuple(replace(rule, number=i) for i, rule in enumerate(_about(rulebook.rules, needed), 1))

@@ -12,7 +12,7 @@ from io import StringIO
 from pathlib import Path
 from typing import cast, get_args
 
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import unknown_word
 from comity_fis.scores.iso3166 import NO_CODE, country, culture_name
 from comity_fis.scores.population_table import Population, PopulationKind, PopulationTable, Score
 from comity_fis.validation.csv_table import CsvTable, Row, csv_table, opened, short
@@ -132,9 +132,7 @@ def _scores(table: CsvTable, column: str | None, near: Sequence[str]) -> int:
     """The place of the column of scores."""
     if column is not None:
         if column not in table.heading:
-            raise InputError(
-                expected=f"a column of {table.file}", got=repr(column), remedy=closest(column, table.heading)
-            )
+            raise unknown_word(f"a column of {table.file}", column, table.heading)
         return table.heading.index(column)
     plain = [_plain(heading) for heading in table.heading]
     left = [place for place, heading in enumerate(plain) if heading not in (*COUNTRY, KIND, NAME)]

@@ -9,7 +9,7 @@ from itertools import chain
 
 import numpy as np
 
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import InputError, unknown_word
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers, require_pairs
 from comity_sim2d.metrics import motion, proximity
@@ -239,9 +239,7 @@ def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[
 
 def _require_person(what: str, name: str, people: tuple[str, ...]) -> None:
     if name not in people:
-        raise InputError(
-            expected=f"{what} of people of the frames", got=repr(name), remedy=closest(name, people)
-        )
+        raise unknown_word(f"{what} of people of the frames", name, people)
 
 
 def _spl(length_m: float, known: Known) -> float | None:
