@@ -8,6 +8,7 @@ import stat
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from comity_fis import InputError, Where
 
@@ -55,6 +56,8 @@ def check_suffix(picture: Path) -> None:
 
 PRIVATE, PRIVATE_FOLDER = 0o600, 0o700
 """Permissions of what tells of people: the user alone may read it."""
+ASIDE = ".part."
+"""What the name of a folder begins with that is not whole yet."""
 
 
 def write_whole(path: Path, content: bytes, *, private: bool = False) -> None:
@@ -102,6 +105,38 @@ def written_whole(path: Path, *, private: bool = False) -> Iterator[Path]:
         part.replace(path)
     finally:
         part.unlink(missing_ok=True)
+
+
+@contextmanager
+def folder_written_whole(path: Path) -> Iterator[Path]:
+    """Where to write a private folder that has its name once it is all there, and leaves nothing otherwise.
+
+    A folder of that name stays where it is. At the end each new file takes the place of the one of its
+    name there, those on top first; other files stay.
+
+    Raises:
+        InputError: if the system does not let us.
+    """
+    base = path if path.exists() else path.parent  # a folder that is there may be a disk of its own
+    make_folder(base)
+    with writing(path):
+        aside = TemporaryDirectory(prefix=ASIDE, dir=base)
+    with aside as name:
+        new = Path(name) / path.name
+        new.mkdir(mode=PRIVATE_FOLDER)
+        yield new
+        with writing(path):
+            _move(new, path)
+
+
+def _move(new: Path, path: Path) -> None:
+    if not path.exists():
+        new.rename(path)
+        return
+    files = (file.relative_to(new) for file in new.rglob("*") if file.is_file())
+    for file in sorted(files, key=lambda file: (len(file.parts), file)):
+        (path / file).parent.mkdir(parents=True, exist_ok=True, mode=PRIVATE_FOLDER)
+        (new / file).replace(path / file)
 
 
 def read_regular(path: Path) -> bytes:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import csv
 import re
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from study.writing import COMFORT, population, study
+from terminal import signals_of_a_terminal
 
 from comity.study import Study
 from comity.study.report.answering import comparison_answer, comparison_named
@@ -331,6 +335,61 @@ def test_what_was_played_again_is_linked(comity, here, ran):
     answer = report(comity, ran, "--out", here / "r", "--play", 1)
     linked = [one["page"] for one in answer["first_failures"] + answer["farthest_outliers"] if one["page"]]
     assert all((here / "r" / page).is_file() for page in linked)
+
+
+STOPPED_REPORT = """
+import os, runpy, sys
+def stop(event, of):
+    if event == {event!r} and str(of[0]).endswith({ending!r}):
+        os.kill(os.getpid(), {number:d})
+sys.addaudithook(stop)
+sys.argv = {argv!r}
+runpy.run_module("comity", run_name="__main__")
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    ("event", "ending"), [("open", ".pdf"), ("os.rename", ".part.index.html"), ("os.rename", "/r")]
+)
+@pytest.mark.parametrize("older", [False, True])
+def test_a_report_that_is_stopped_leaves_nothing_and_an_older_one_as_it_was(
+    event, ending, number, older, tmp_path
+):
+    """In the first figure, before the page has its name, and before the folder has it."""
+    visits(tmp_path / "s", lambda book, person, seed: book * (person + seed))
+    if older:
+        write_report(Study.load(tmp_path / "s"), tmp_path / "r", (), lambda rows: {})
+        ending = "/index.html" if ending == "/r" else ending
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    argv = ["comity", "study", "report", "s", "--out", "r", "--outcome", "distance_actual_m"]
+    code = STOPPED_REPORT.format(event=event, ending=ending, number=number, argv=argv)
+    with signals_of_a_terminal():
+        done = subprocess.run(
+            [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+    assert (done.returncode, done.stderr) == (128 + number, "comity: interrupted\n")
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
+    assert (tmp_path / "r").exists() == older
+
+
+def test_a_report_takes_the_place_of_an_older_one_and_keeps_what_was_played_again(tmp_path):
+    visits(
+        tmp_path / "s", lambda book, person, seed: book * (person + seed), greeted_s=lambda row: row["seed"]
+    )
+    found = Study.load(tmp_path / "s")
+    write_report(found, tmp_path / "r", ["distance_actual_m"], lambda rows: {})
+    played = tmp_path / "r/episodes/row-1/run.json"
+    played.parent.mkdir(parents=True)
+    played.write_text("{}")
+    answers = [write_report(found, tmp_path / name, ["greeted_s"], lambda rows: {}) for name in ("r", "new")]
+    files = [
+        {path.relative_to(tmp_path / name): path.read_bytes() for path in (tmp_path / name).rglob("*.*")}
+        for name in ("r", "new")
+    ]
+    assert answers[0].figures == answers[1].figures
+    assert files[0].pop(Path("episodes/row-1/run.json")) == b"{}"
+    assert files[0] == files[1]
 
 
 WRONG = [

@@ -17,7 +17,7 @@ from comity.study.statement import STATEMENT
 from comity.study.study_plan import load_study
 from comity.study.tasks import task_of
 from comity.study.worker import installation, prepared_of
-from comity.system.own_files import read_regular
+from comity.system.own_files import make_folder, read_regular
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
@@ -153,6 +153,8 @@ def played_first(study: Study, file: Path, rows: Sequence[int], most: int, out: 
     """
     first = rows[:most]
     replayer = RowReplayer.of(study, file) if first else None
+    for folder in (out, out / EPISODES) if first else ():
+        make_folder(folder, private=True)
     pages = {}
     for number in rows:
         folder = out / EPISODES / f"row-{number}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -32,7 +32,14 @@ from comity.study.report.replaying import EPISODES
 from comity.study.report.serving import SHORTFALLS, served_worse, shortfalls, worst_served
 from comity.study.report.unusual import failures, outliers
 from comity.study.statement import STATEMENT
-from comity.system.own_files import make_folder, refuse_foreign, write_whole, writing
+from comity.system.own_files import (
+    ASIDE,
+    folder_written_whole,
+    make_folder,
+    refuse_foreign,
+    write_whole,
+    writing,
+)
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
@@ -65,7 +72,7 @@ class _Found:
 
 
 def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) -> StudyReportAnswer:
-    """Write the page of a study with its figures.
+    """Write the page of a study with its figures; all of it, or nothing where that was stopped.
 
     Args:
         study: As it was run.
@@ -80,32 +87,35 @@ def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) 
     every = outcomes_of(visits)
     drawn = pictured(every, asked)
     factors = factors_of_visits(visits)
-    _claim(out)
+    _refuse_other(out)
     name = study_name(study)
-    found = _found(visits, factors, every, drawn, name)
-    _draw(out, found.drawings)
-    listed = [*found.failed[:MOST_LISTED], *found.far[:MOST_LISTED]]
-    pages = replay(list(dict.fromkeys(one.row for one in listed if one.what not in (ERROR, NO_PLAN))))
-    answer = _answer(visits, factors, found, pages, name=name, page=out / PAGE)
-    page = page_of_study(answer, study, {one: (out / FIGURES / f"{one}.svg") for one in found.drawings})
-    write_whole(out / PAGE, page.encode(), private=True)
+    with folder_written_whole(out) as new:
+        found = _found(visits, factors, every, drawn, name)
+        _draw(new / FIGURES, found.drawings)
+        listed = [*found.failed[:MOST_LISTED], *found.far[:MOST_LISTED]]
+        pages = replay(list(dict.fromkeys(one.row for one in listed if one.what not in (ERROR, NO_PLAN))))
+        answer = _answer(visits, factors, found, pages, name=name, page=out / PAGE)
+        page = page_of_study(answer, study, {one: new / FIGURES / f"{one}.svg" for one in found.drawings})
+        write_whole(new / PAGE, page.encode(), private=True)
+    _remove_older(out / FIGURES, found.drawings)
     return answer
 
 
-def _claim(out: Path) -> None:
-    """Make the folder; refuse one that holds something else than a report."""
+def _refuse_other(out: Path) -> None:
+    """Refuse a folder that holds something else than a report."""
     with writing(out):
-        taken = out.is_dir() and any(one.name != EPISODES for one in out.iterdir())
-        if taken and not (out / PAGE).exists():
+        names = (
+            {one.name for one in out.iterdir() if not one.name.startswith(ASIDE)} if out.is_dir() else set()
+        )
+        if not names <= {EPISODES} and PAGE not in names:
             raise InputError(
                 expected="a folder for the report",
                 got="a folder with other things in it",
                 remedy="Name a new or an empty folder: nothing is overwritten.",
                 where=Where(str(out)),
             )
-    make_folder(out, private=True)
-    refuse_foreign({out / PAGE: MARK})
-    make_folder(out / FIGURES, private=True)
+    if out.is_dir():
+        refuse_foreign({out / PAGE: MARK})
 
 
 def _found(
@@ -143,14 +153,19 @@ def _sides(visits: StudyVisits, one: LevelComparison, drawn: Sequence[StudyOutco
     return partial(sides_figure, visits, one.pairs, one.names, drawn)
 
 
-def _draw(out: Path, drawings: Mapping[str, Draw]) -> None:
-    """Write each as SVG and PDF; what an older report had besides is removed."""
-    for old in (*(out / FIGURES).glob("*.svg"), *(out / FIGURES).glob("*.pdf")):
+def _draw(folder: Path, drawings: Mapping[str, Draw]) -> None:
+    """Write each as SVG and PDF."""
+    make_folder(folder, private=True)
+    for name, draw in drawings.items():
+        write_whole(folder / f"{name}.svg", picture(draw, "svg"), private=True)
+        write_whole(folder / f"{name}.pdf", picture(draw, "pdf"), private=True)
+
+
+def _remove_older(folder: Path, drawings: Container[str]) -> None:
+    """Remove the figures of an older report that the new one does not have."""
+    for old in (*folder.glob("*.svg"), *folder.glob("*.pdf")):
         if old.stem not in drawings:
             old.unlink()
-    for name, draw in drawings.items():
-        write_whole(out / FIGURES / f"{name}.svg", picture(draw, "svg"), private=True)
-        write_whole(out / FIGURES / f"{name}.pdf", picture(draw, "pdf"), private=True)
 
 
 def _answer(
