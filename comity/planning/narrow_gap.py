@@ -18,6 +18,7 @@ import numpy as np
 
 from comity_sim2d import RouteMap
 from comity_sim2d.pose import XY
+from comity_sim2d.robot.reduced_margin import could_pass
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 
@@ -44,14 +45,27 @@ class NarrowGap:
     width_m: float
     """Between surfaces."""
     needed_m: float
-    """The robot's width and the margins on both sides."""
+    """The robot's width and the full margins on both sides."""
+    passable: tuple[str, ...] = ()
+    """Those of the two whom the robot may pass at the scenario's margin, if they let it."""
+    margin_m: float = PERSON_MARGIN_M
+    """The scenario's margin."""
+
+    @property
+    def needed_past_them_m(self) -> float:
+        """The same where all who are passable let the robot pass."""
+        return self.needed_m - len(self.passable) * (PERSON_MARGIN_M - self.margin_m)
 
     @property
     def words(self) -> str:
-        """Where it is, and both widths."""
+        """Where it is, its width, and the widths that the robot needs."""
         one, *other = self.people
         where = f"between {one} and {other[0]}" if other else f"beside {one}"
-        return f"the widest gap, {where}, is {self.width_m:.2f} m, and the robot needs {self.needed_m:.2f} m"
+        told = f"the widest gap, {where}, is {self.width_m:.2f} m, and the robot needs {self.needed_m:.2f} m"
+        if not self.passable:
+            return told
+        let = f"{' and '.join(self.passable)} {'let' if len(self.passable) > 1 else 'lets'}"
+        return f"{told}, or {self.needed_past_them_m:.2f} m where {let} it pass at {self.margin_m:.2f} m"
 
 
 def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | None:
@@ -85,17 +99,24 @@ def _gaps(scene: Scene, visited: str) -> Iterator[tuple[float, NarrowGap]]:
 
     Where the gap is narrower than the robot, it is how much smaller its radius would have to be, negative.
     """
-    body_m = 2 * scene.robot.radius_m
+    body_m, margin_m = 2 * scene.robot.radius_m, scene.robot.margin_m
     people = [person for person in scene.people if person.name != visited]
+    passable = {person.name for person in people if could_pass(scene.robot, person)}
+
+    def gap_of(width_m: float, needed_m: float, *names: str) -> NarrowGap:
+        return NarrowGap(
+            names, width_m, needed_m, tuple(name for name in names if name in passable), margin_m
+        )
+
     for one, other in combinations(people, 2):
         width_m = math.dist(one.xy, other.xy) - one.radius_m - other.radius_m
-        needed_m = body_m + one.margin_m + other.margin_m
-        yield (width_m - body_m) / 2, NarrowGap((one.name, other.name), width_m, needed_m)
+        needed_m = body_m + 2 * PERSON_MARGIN_M
+        yield (width_m - body_m) / 2, gap_of(width_m, needed_m, one.name, other.name)
     beside_m = body_m + WALL_MARGIN_M
     for person in people:
         for width_m in _to_solids_m(scene, person):
             spare_m = width_m - beside_m
-            gap = NarrowGap((person.name,), width_m, beside_m + person.margin_m)
+            gap = gap_of(width_m, beside_m + PERSON_MARGIN_M, person.name)
             yield spare_m if spare_m >= 0.0 else spare_m / 2, gap
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 from gliding import Gliding
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import comity as front_door
@@ -232,3 +233,60 @@ def test_no_culture_is_passed_nearer_without_the_declared_facts_nor_farther_with
     assert ran.outcome == "success"
     assert gaps_m(ran).min() >= 0.25
     assert len(passages(ran)) == 1
+
+
+def the_needs_told(text: str) -> tuple[float, float, list[str]]:
+    """What the robot needs at the full margin and past those who let it pass, and who these are."""
+    end = re.search(r"the robot needs (\S+) m(?:, or (\S+) m where (.+) lets? it pass at \S+ m)?$", text)
+    assert end is not None, text
+    full_m = float(end[1])
+    return full_m, float(end[2] or full_m), end[3].split(" and ") if end[3] else []
+
+
+BESIDE = """\
+schema_version: 1
+name: beside
+place: {width_m: 10, height_m: %(height)s}
+robot: {at_m: [0.6, 0.4], margin_m: 0.25}
+people:
+  anna: {at_m: [4, %(y)s], facing_deg: 180, lets_pass: true, profile: %(profile)s}
+  bert: {at_m: [8, %(middle)s], facing_deg: 180}
+goals: [{greet: bert}]
+"""
+
+
+@pytest.mark.parametrize("gap_m", [0.78, 0.82])
+@pytest.mark.parametrize("profile", [FIT, FIT.replace("40", "9")])
+def test_the_run_gets_through_where_the_gap_is_as_wide_as_is_told(written, gap_m, profile):
+    """Beside Anna: 0.85 m at the full margin, 0.80 m at 0.25 m, which a child is never passed at."""
+    numbers = {"height": gap_m + 0.5, "middle": gap_m / 2 + 0.25, "y": gap_m + 0.2}
+    ran = front_door.run(written(BESIDE % {**numbers, "profile": profile}))
+    full_m, past_m, names = the_needs_told(ran.prepared.asked.unreachable["bert"])
+    assert (full_m, past_m) == (0.85, 0.80 if profile == FIT else 0.85)
+    assert names == (["anna"] if profile == FIT else [])
+    assert (ran.outcome == "success") == (gap_m >= past_m)
+
+
+@given(
+    st.floats(0.24, 0.3, exclude_max=True),
+    st.lists(st.sampled_from([18, 40, 17, None]), min_size=2, max_size=2),
+)
+@settings(max_examples=12, deadline=None)
+def test_between_two_the_smaller_margin_is_told_for_each_who_may_be_passed_at_it(
+    tmp_path_factory, margin_m, ages
+):
+    """Of adults alone, and in their order."""
+    people = "".join(
+        f"  {name}: {{at_m: [4, {y}], profile: {FIT.replace('age: 40, ', f'age: {age}, ' if age else '')}}}\n"
+        for name, y, age in zip(("anna", "eve"), (0.25, 1.55), ages, strict=True)
+    )
+    path = tmp_path_factory.mktemp("between") / "between.scenario.yaml"
+    path.write_text(
+        f"schema_version: 1\nname: between\nplace: {{width_m: 8, height_m: 1.8}}\n"
+        f"robot: {{at_m: [1, 0.9], margin_m: {margin_m}}}\npeople:\n"
+        f"  ada: {{at_m: [7, 0.9], facing_deg: 180}}\n{people}goals: [{{greet: ada}}]\n"
+    )
+    full_m, past_m, names = the_needs_told(prepare(load_scenario(str(path))).asked.unreachable["ada"])
+    adults = [name for name, age in zip(("anna", "eve"), ages, strict=True) if age and age >= 18]
+    assert (full_m, names) == (1.10, adults)
+    assert past_m == pytest.approx(1.10 - len(adults) * (0.3 - margin_m), abs=0.0051)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from comity_sim2d.base.drive import REDUCED_M_S, SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within, window_ticks
@@ -15,6 +16,9 @@ from comity_sim2d.scene.margin_facts import MarginFacts
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import SceneError
+
+if TYPE_CHECKING:
+    from comity_sim2d.scene.person import Person
 
 BODY_MARGIN_M = 0.15
 """Distance that is left to a body after all errors of the robot [m] (our choice: half of the margin)."""
@@ -90,6 +94,24 @@ CONDITIONS: tuple[Condition, ...] = (
 def reasons_against(now: PassageFacts) -> tuple[str, ...]:
     """Every reason to keep `PERSON_MARGIN_M` from a person; empty where the scenario's margin is granted."""
     return tuple(reason for reason, holds in CONDITIONS if not holds(now))
+
+
+def could_pass(spec: RobotBody, person: Person) -> bool:
+    """Whether the robot may pass a person at the scenario's margin, once the person faces it and lets it."""
+    willing = PassageFacts(
+        asked_m=spec.margin_m,
+        least_m=least_margin_m(spec),
+        declared=person.margin_facts,
+        is_known=True,
+        posture=person.posture,
+        walks=person.may_move,
+        bearing_deg=0.0,
+        has_stepped_aside=True,
+        said_yes=True,
+        has_waited=True,
+        has_other_route=False,
+    )
+    return not reasons_against(willing)
 
 
 def least_margin_m(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> float:
