@@ -415,7 +415,6 @@ class ScenarioFile:
     def __post_init__(self) -> None:
         scenario = self.scenario
         names = NameCheck(scenario.people, self.where)
-        names.robot(scenario.robot.name)
         names.goals(greeted(scenario.goals))
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)

@@ -10,7 +10,7 @@ from comity_fis import InputError
 from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_sim2d import Area, Furniture, PlaceMap, Room, SceneError, Wall
 from comity_sim2d.maps.building import build_map, furniture_of
-from comity_sim2d.maps.file import FurniturePiece, MapFile
+from comity_sim2d.maps.file import FurniturePiece, MapFile, WallLine
 from comity_sim2d.maps.library import read_map, shipped_maps
 
 if TYPE_CHECKING:
@@ -68,9 +68,16 @@ def _one_room(place: Place, file: ScenarioFile) -> PlaceMap:
         name=ROOM,
         room=room,
         areas=(Area(ROOM, room.corners),),
-        walls=tuple(Wall(start, end) for start, end in place.walls_m),
+        walls=tuple(_wall(line, file, i) for i, line in enumerate(place.walls_m)),
         furniture=tuple(_furniture(item, file, i) for i, item in enumerate(place.furniture)),
     )
+
+
+def _wall(line: WallLine, file: ScenarioFile, number: int) -> Wall:
+    try:
+        return Wall(*line)
+    except SceneError as error:
+        raise error.at(file.where("place", "walls_m", number)) from None
 
 
 def _furniture(item: FurniturePiece, file: ScenarioFile, number: int) -> Furniture:

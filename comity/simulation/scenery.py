@@ -167,7 +167,7 @@ def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
         key = {"walk": "walks"}.get(error.field or "", error.field or "at_m")
         return ("people", entity, key if key in ("walks", "reacts", "steps_aside", "lets_pass") else "at_m")
     if entity == scenario.robot.name:
-        return ("robot", "at_m")
+        return ("robot", "name" if error.field == "name" else "at_m")
     if entity == "passers_by":
         return ("passers_by", error.field or "count")
     return ("place", *_in_place(entity, scenario.place))

@@ -31,16 +31,6 @@ class NameCheck:
     people: Collection[str]
     where: FilePlaces
 
-    def robot(self, name: str) -> None:
-        """Refuse a robot that is called like a person."""
-        if name in self.people:
-            raise InputError(
-                expected="different names for the robot and the people",
-                got=f"{name!r} twice",
-                remedy="Rename one of them.",
-                where=self.where("people", name),
-            )
-
     def goals(self, greeted: Iterable[tuple[int, str]]) -> None:
         """Refuse greetings of nobody, and two of one person.
 

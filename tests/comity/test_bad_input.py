@@ -125,7 +125,21 @@ BAD_SCENARIOS = {
     ),
     "person outside": (edited("[3.5, 2.5]", "[50, 2.5]"), ":6", ["ada"]),
     "two people in one place": (edited("[1.5, 3.0]", "[3.5, 2.5]"), ":7", ["ada", "bob"]),
-    "robot named like a person": (edited("{at_m: [1, 1]}", "{name: ada, at_m: [1, 1]}"), ":6", ["twice"]),
+    "robot named like a person": (
+        edited("{at_m: [1, 1]}", "{name: ada, at_m: [1, 1]}"),
+        ":6",
+        ["a name of its own for the robot", "'ada' 2 times"],
+    ),
+    "robot named like a chair": (
+        edited("height_m: 4}", "height_m: 4, furniture: [{name: robot, box_m: [0, 3, 1, 1]}]}"),
+        ":4",
+        ["robot", "a name of its own", "2 times"],
+    ),
+    "furniture outside": (
+        place("furniture: [{name: chair, box_m: [30, 3, 1, 1]}]"),
+        ":3",
+        ["chair", "inside the room", "wholly outside"],
+    ),
     "furniture that crosses itself": (
         edited("height_m: 4}", "height_m: 4, furniture: [{name: x, polygon_m: [[1,2],[2,3],[1,3],[2,2]]}]}"),
         ":3",
@@ -155,7 +169,7 @@ BAD_SCENARIOS = {
     "a wall without length": (
         walls("[[3,3],[3,3]]"),
         ":8",
-        ["two different points", "[3.0, 3.0] twice"],
+        ["wall:", "two different points", "(3.0, 3.0) twice"],
     ),
     "a room smaller than anything": (
         edited("{width_m: 5, height_m: 4}", "\n  width_m: 5\n  height_m: 0.001"),

@@ -5,7 +5,6 @@ The robot is one of the default radius: who gets where in a scenario is for its 
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -14,7 +13,7 @@ from comity_sim2d.maps.file import MAX_CORNERS
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan_of
 from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene.room import CIRCLE_CORNERS
-from comity_sim2d.scene.scene_check import check_count, check_simple
+from comity_sim2d.scene.scene_check import check_count, check_on_floor, check_own_names, check_simple
 from comity_sim2d.scene_error import SceneError, require_finite
 
 if TYPE_CHECKING:
@@ -56,14 +55,7 @@ def check_parts(
             got=f"{corners}",
             remedy="Give polygons fewer corners, write boxes for what is nearly one, or cut the map.",
         )
-    for name, times in Counter(piece.name for piece in furniture).items():
-        if times > 1:
-            raise SceneError(
-                entity=name,
-                expected="a name of its own for every piece of furniture",
-                got=f"{name!r} {times} times",
-                remedy="Rename all but one.",
-            )
+    check_own_names((piece.name for piece in furniture), "every piece of furniture")
     for area in areas:
         for x, y in area.corners:
             require_finite(f"room {area.name}", x=x, y=y)
@@ -81,32 +73,12 @@ def check_map(place: PlaceMap) -> None:
         SceneError: For the first thing that is wrong.
     """
     plan = floor_plan_of(place.room, place.walls, place.furniture, doors=())
-    _check_inside(place, plan)
+    check_on_floor(place.room, place.walls, place.furniture)
     reach = _largest_part(plan)
     for area in place.areas:
         _check_room(area, place, reach)
     for location in place.locations:
         _check_location(location, plan, reach)
-
-
-def _check_inside(place: PlaceMap, plan: FloorPlan) -> None:
-    from shapely import LineString, Polygon
-
-    for wall in place.walls:
-        if not plan.room.intersects(LineString([wall.start, wall.end])):
-            raise _outside(wall.name, f"one from {wall.start} to {wall.end}")
-    for piece in place.furniture:
-        if not plan.room.intersects(Polygon(piece.corners)):
-            raise _outside(piece.name, f"{piece.name} at ({piece.corners[0][0]:g}, {piece.corners[0][1]:g})")
-
-
-def _outside(entity: str, got: str) -> SceneError:
-    return SceneError(
-        entity=entity,
-        expected="something that is at least partly in a room",
-        got=f"{got}, wholly outside",
-        remedy="Move it into a room, or leave it out.",
-    )
 
 
 def _largest_part(plan: FloorPlan) -> Polygon | None:

@@ -21,24 +21,13 @@ MAX_CORNERS = 25_000
 MAX_HOLES = MAX_CORNERS // 3
 
 
-def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
-    start, end = wall
-    if start == end:
-        raise WrongValueError(
-            expected="a wall between two different points",
-            got=f"{list(start)} twice",
-            remedy="Give the wall a length, or use furniture for a pillar.",
-        )
-    return wall
-
-
 Number = Annotated[float, Field(strict=True)]
 """No text that looks like one, and neither true nor false."""
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(one_line)]
 Metres = Annotated[Number, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]
 Point = tuple[Metres, Metres]
-WallLine = Annotated[tuple[Point, Point], AfterValidator(_with_length)]
+WallLine = tuple[Point, Point]
 
 
 class Outline(BaseModel):

@@ -59,7 +59,7 @@ def check_scene(scene: Filled) -> None:
     _check_names(scene)
     _check_margins(scene.people)
     _check_outlines(scene.room, scene.furniture)
-    _check_walls(scene.room, scene.walls)
+    check_on_floor(scene.room, scene.walls, scene.furniture)
     plan = floor_plan(scene)
     bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
     for body in bodies:
@@ -111,12 +111,25 @@ def _check_names(scene: Filled) -> None:
     names = [scene.robot.name, *(p.name for p in scene.people), *(f.name for f in scene.furniture)]
     names += scene.passers_by.names if scene.passers_by else ()
     names += [f"door {door.name}" for door in scene.doors]
+    check_own_names(names, "the robot, every person and every piece of furniture")
+
+
+def check_own_names(names: Iterable[str], bearers: str) -> None:
+    """Refuse a name that stands twice.
+
+    Args:
+        names: Each as often as something bears it.
+        bearers: What bears them, for the message.
+
+    Raises:
+        SceneError: About the first such name.
+    """
     for name, times in Counter(names).items():
         if times > 1:
             raise SceneError(
                 entity=name,
                 field="name",
-                expected="a name of its own for the robot, every person and every piece of furniture",
+                expected=f"a name of its own for {bearers}",
                 got=f"{name!r} {times} times",
                 remedy="Rename all but one.",
             )
@@ -187,18 +200,31 @@ def _without_area(entity: str, area_m2: float) -> SceneError:
 
 
 @lru_cache(maxsize=PLACES_KEPT)
-def _check_walls(room: Room, walls: tuple[Wall, ...]) -> None:
+def check_on_floor(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> None:
+    """Refuse walls and furniture that stand wholly outside the room.
+
+    Raises:
+        SceneError: About the first of them; a wall without a name is called by its number, from 1.
+    """
     from shapely import LineString, Polygon
 
     floor = Polygon(room.corners, room.holes)
     for number, wall in enumerate(walls, 1):
         if floor.distance(LineString([wall.start, wall.end])) > wall.thickness_m / 2:
-            raise SceneError(
-                entity=wall.name or f"wall {number}",
-                expected="a wall that is at least partly inside the room",
-                got=f"one from {wall.start} to {wall.end}, wholly outside",
-                remedy="Move it into the room, or leave it out.",
-            )
+            raise _outside(wall.name or f"wall {number}", f"a wall from {wall.start} to {wall.end}")
+    for piece in furniture:
+        if not floor.intersects(Polygon(piece.corners)):
+            x, y = piece.corners[0]
+            raise _outside(piece.name, f"{piece.name} at ({x:g}, {y:g})")
+
+
+def _outside(entity: str, got: str) -> SceneError:
+    return SceneError(
+        entity=entity,
+        expected="walls and furniture that are at least partly inside the room",
+        got=f"{got}, wholly outside",
+        remedy="Move it into the room, or leave it out.",
+    )
 
 
 def _check_place(plan: FloorPlan, body: Person | RobotBody) -> None:
