@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 from comity.adaptation.observers_words import signal_in_words, situation_told
 from comity.adaptation.observing import ObservedSignal
-from comity.people.dated import read_day
+from comity.people.dated import day_in_words
 from comity.people.profile import Profile
 from comity.tables.measurements import OPTIONAL, REQUIRED
 from comity_fis import Where
-from comity_fis.errors import WrongValueError
 from comity_fis.validation.csv_table import CsvTable, Row, read_csv
 
 if TYPE_CHECKING:
@@ -75,12 +74,13 @@ def _sights(
         if count == MOST_ROWS:
             raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file.", row.line)
         where = Where(table.file, row.line)
+        on = row.cell(place["date"]) if "date" in place else ""
         told = {key: row.cell(place[key]) for key in situations if key in place and row.cell(place[key])}
         yield ObservedSignal(
             name=_name(table, row, place, name),
             signal=signal_in_words(row.cell(place["signal"]), where),
             distance_m=table.number(row.cell(place["distance_m"]), row.line, "a distance in metres"),
-            day=_day(row.cell(place["date"]), where) if "date" in place and row.cell(place["date"]) else day,
+            day=day_in_words(on, where) if on else day,
             situation=situation_told(told, rulebook, where),
             where=where,
         )
@@ -94,10 +94,3 @@ def _name(table: CsvTable, row: Row, place: Mapping[str, int], name: str | None)
     if not (told or name):
         raise table.refusal("who it was", "an empty cell", "Write the name.", row.line)
     return told or str(name)
-
-
-def _day(words: str, where: Where) -> date:
-    try:
-        return read_day(words)
-    except WrongValueError as error:
-        raise error.at(where) from None

@@ -104,7 +104,7 @@ def day(words: str | None) -> date | None:
     """
     from comity.people.dated import day_in_words
 
-    return None if words is None else day_in_words(words)
+    return None if words is None else day_in_words(words, Where("--at"))
 
 
 def pairs(words: Iterable[str], option: str, example: str) -> dict[str, str]:

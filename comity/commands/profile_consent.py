@@ -51,7 +51,7 @@ def consent(
     if withdraw:
         deleted = take_back(name, asked, day(at))
     elif asked and by is not None:
-        end = None if until is None else day_in_words(until, "--until")
+        end = None if until is None else day_in_words(until, Where("--until"))
         give(name, asked, by=by, day=day(at), until=end)
     else:
         deleted = lapse(name)

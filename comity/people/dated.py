@@ -18,6 +18,7 @@ from pydantic import (
 
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
+from comity_fis.validation.day import read_day
 
 T = TypeVar("T")
 
@@ -28,40 +29,36 @@ UNKNOWN = "unknown"
 """What anybody may write instead of a fact."""
 
 
-def read_day(words: object) -> date:
-    """A day as people write it: 2004-07-01, or 2004 for its first day.
+def read_day_or_year(words: object) -> date:
+    """A day as facts are dated: 2004-07-01, or 2004 for its first day.
 
     Raises:
         WrongValueError: if it is none.
     """
     try:
-        if isinstance(words, date):
-            return words
         if isinstance(words, int) and not isinstance(words, bool):
             return date(words, 1, 1)
         if isinstance(words, str) and len(words) == 4:
             return date(int(words), 1, 1)
-        if isinstance(words, str) and len(words) == 10:
-            return date.fromisoformat(words)
-    except (ValueError, OverflowError):
-        pass
-    raise WrongValueError(
-        expected="a day as YYYY-MM-DD, or a year",
-        got=repr(words),
-        remedy="Write for example 2010-06-01, or 2010 for its first day.",
-    )
+        return read_day(words)
+    except (ValueError, OverflowError):  # `WrongValueError` too, which knows nothing of years
+        raise WrongValueError(
+            expected="a day as YYYY-MM-DD, or a year",
+            got=repr(words),
+            remedy="Write for example 2010-06-01, or 2010 for its first day.",
+        ) from None
 
 
-def day_in_words(words: str, option: str = "--at") -> date:
-    """The day that an option gives.
+def day_in_words(words: str, where: Where) -> date:
+    """The day that an option, an argument or a cell of a table gives.
 
     Raises:
         InputError: if it is none.
     """
     try:
-        return read_day(words)
+        return read_day_or_year(words)
     except WrongValueError as error:
-        raise error.at(Where(option)) from None
+        raise error.at(where) from None
 
 
 def require_some_time(from_: date | None, until: date | None) -> None:
@@ -89,7 +86,7 @@ def day_given(at: object) -> date | None:
     if isinstance(at, date):
         return date(at.year, at.month, at.day)
     if isinstance(at, str):
-        return day_in_words(at, "at")
+        return day_in_words(at, Where("at"))
     raise InputError(
         expected="a date, or a day in words: YYYY-MM-DD",
         got=repr(at),
@@ -100,7 +97,7 @@ def day_given(at: object) -> date | None:
 
 Day = Annotated[
     date,
-    BeforeValidator(read_day),
+    BeforeValidator(read_day_or_year),
     WithJsonSchema({"type": ["string", "integer"], "description": "YYYY-MM-DD, or a year: its first day."}),
 ]
 
@@ -173,7 +170,7 @@ def age_on(day: date, born: date | int) -> float | Interval:
     Raises:
         WrongValueError: for a day before it.
     """
-    if day < (first := read_day(born)):
+    if day < (first := read_day_or_year(born)):
         raise WrongValueError(
             expected=f"a birth before the day in question, {day}",
             got=f"{born}, in the future of that day",

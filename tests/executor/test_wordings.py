@@ -399,7 +399,7 @@ wordings:
         ("script: Latn", "script: Latin", 4, "ISO 15924"),
         ("language: fr", "language: französisch", 2, "BCP 47"),
         ("2026-11-02", "20261102", 8, "a day"),
-        ("2026-11-02", "2026-13-02", 8, ""),
+        ("2026-11-02", "2026-13-02", 8, "a day as YYYY-MM-DD"),
         (", reviewed_on: 2026-11-02", "", 8, "reviewed_on"),
         ('plain, text: "Bonjour, {name}."', 'plain, text: "Bonjour."', 7, "{name} once"),
         ("occasion: first_meeting, ", "", 9, "one wording for each"),

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from datetime import date
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
 
@@ -12,10 +11,10 @@ from comity_executor.speech.script import read_script, read_tag
 from comity_executor.speech.utterance import Spelling
 from comity_executor.speech.wording import NAME, Occasion, Register, Use, Wording
 from comity_fis.errors import WrongValueError
+from comity_fis.validation.day import read_day
 from comity_fis.validation.one_line import one_line
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-DAY = re.compile(r"\d{4}-\d{2}-\d{2}")
 Text = Annotated[str, AfterValidator(one_line), Field(min_length=1, max_length=300)]
 
 
@@ -40,10 +39,8 @@ class WordingEntry(BaseModel):
 
     @field_validator("reviewed_on", mode="before")
     @classmethod
-    def _as_written(cls, said: Any) -> Any:
-        if said is None or isinstance(said, date) or (isinstance(said, str) and DAY.fullmatch(said)):
-            return said
-        raise WrongValueError(expected="a day", got=repr(said), remedy="Write for example 2026-11-27.")
+    def _as_written(cls, said: object) -> date | None:
+        return None if said is None else read_day(said)
 
     @field_validator("reviewed_on")
     @classmethod
