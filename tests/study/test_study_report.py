@@ -178,8 +178,8 @@ def test_a_group_is_served_worse_by_the_parameter_that_is_aimed_elsewhere(tmp_pa
     )
     group = next(one for one in factors_of_visits(found) if one.name == "group")
     worse = list(served_worse(shortfalls(found, group)))
-    assert {(one.worst.parameter, one.worst.group) for one in worse} == {("conversational_distance", "far")}
-    assert all(one.is_told_apart and one.worst.missed.mean == pytest.approx(0.4) for one in worse)
+    assert {(one.parameter, one.worst) for one in worse} == {("conversational_distance", "far")}
+    assert all(one.told_apart and one.worst_missed == pytest.approx(0.4) for one in worse)
     assert {one.individual for one in worst_served(found, 9)} == {"p2", "p3"}
 
 

@@ -3,29 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.answers.study_report import (
     EstimateAnswer,
-    IndividualServedAnswer,
-    ServedWorseAnswer,
-    ShortfallAnswer,
     StudyCompareAnswer,
-    StudyDifferenceAnswer,
     StudyLevelAnswer,
-    UnusualVisitAnswer,
 )
 from comity.study.columns import column_of
 from comity.study.folder import ACCOUNT
 from comity.study.report.pairs import VisitPairs, paired_difference, pairs_of
-from comity.study.report.serving import (
-    SHORTFALLS,
-    IndividualServed,
-    ServedWorse,
-    Shortfall,
-)
 from comity.study.results import Study
 from comity.study.statement import STATEMENT
 from comity.system.own_files import read_regular
@@ -35,8 +24,6 @@ if TYPE_CHECKING:
     from comity.study.report.episodes import StudyVisits
     from comity.study.report.factors import StudyFactor
     from comity.study.report.outcomes import StudyOutcome
-    from comity.study.report.resampling import ClusterEstimate
-    from comity.study.report.unusual import UnusualVisit
 
 
 def study_name(study: Study) -> str:
@@ -128,38 +115,13 @@ def comparison_answer(
             one
             for outcome in outcomes
             for name in (None, *(names if len(names) > 1 else ()))
-            if (one := _difference(visits, compared, outcome, name)) is not None
+            if (one := paired_difference(visits, compared.factor, compared.pairs, outcome, name))
         ),
     )
 
 
-def _difference(
-    visits: StudyVisits, compared: LevelComparison, outcome: StudyOutcome, group: str | None
-) -> StudyDifferenceAnswer | None:
-    pairs = compared.pairs
-    if group is not None:
-        chosen = visits.words("group")[pairs.first] == group
-        pairs = VisitPairs(pairs.first[chosen], pairs.second[chosen])
-    found = paired_difference(visits, compared.factor, pairs, outcome)
-    if found is None:
-        return None
-    return StudyDifferenceAnswer(
-        outcome=outcome.name,
-        unit=outcome.unit,
-        group=group,
-        first=found.first,
-        second=found.second,
-        difference=estimate_answer(found.difference),
-    )
-
-
-def estimate_answer(found: ClusterEstimate) -> EstimateAnswer:
-    """The same as an answer."""
-    return EstimateAnswer(**asdict(found))
-
-
 def level_answers(
-    outcome: StudyOutcome, estimates: Sequence[tuple[StudyFactor, Sequence[ClusterEstimate | None]]]
+    outcome: StudyOutcome, estimates: Sequence[tuple[StudyFactor, Sequence[EstimateAnswer | None]]]
 ) -> Iterator[StudyLevelAnswer]:
     """An outcome at every level of every factor."""
     for factor, some in estimates:
@@ -169,59 +131,15 @@ def level_answers(
                 unit=outcome.unit,
                 factor=factor.name,
                 level=level,
-                estimate=None if one is None else estimate_answer(one),
+                estimate=one,
             )
 
 
 def level_estimates(
     visits: StudyVisits, outcome: StudyOutcome, factors: Sequence[StudyFactor]
-) -> list[tuple[StudyFactor, list[ClusterEstimate | None]]]:
+) -> list[tuple[StudyFactor, list[EstimateAnswer | None]]]:
     """By factor, the estimate of an outcome at each level."""
     return [
         (one, [visits.estimated(outcome.values, one.level_of == i) for i in range(len(one.levels))])
         for one in factors
     ]
-
-
-def shortfall_answer(one: Shortfall) -> ShortfallAnswer:
-    """The same as an answer."""
-    return ShortfallAnswer(
-        parameter=one.parameter,
-        unit=SHORTFALLS[one.parameter][0],
-        rulebook=one.rulebook,
-        group=one.group,
-        missed=estimate_answer(one.missed),
-    )
-
-
-def served_worse_answer(one: ServedWorse) -> ServedWorseAnswer:
-    """The same as an answer."""
-    return ServedWorseAnswer(
-        parameter=one.worst.parameter,
-        unit=SHORTFALLS[one.worst.parameter][0],
-        rulebook=one.worst.rulebook,
-        worst=one.worst.group,
-        worst_missed=one.worst.missed.mean,
-        best=one.best.group,
-        best_missed=one.best.missed.mean,
-        told_apart=one.is_told_apart,
-    )
-
-
-def individual_answer(one: IndividualServed) -> IndividualServedAnswer:
-    """The same as an answer."""
-    return IndividualServedAnswer(
-        individual=one.individual, group=one.group, rulebook=one.rulebook, outside_comfort_m=one.excess_m
-    )
-
-
-def unusual_answers(
-    found: Sequence[UnusualVisit], pages: Mapping[int, str]
-) -> tuple[UnusualVisitAnswer, ...]:
-    """The same as answers, each with its page.
-
-    Args:
-        found: All of them.
-        pages: By row, the page of an episode that was played again.
-    """
-    return tuple(UnusualVisitAnswer(**asdict(one), page=pages.get(one.row)) for one in found)

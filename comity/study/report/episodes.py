@@ -11,13 +11,14 @@ import numpy as np
 
 from comity.study.columns import FILE, PEOPLE
 from comity.study.folder import RESULTS
-from comity.study.report.resampling import ClusterEstimate, estimate
+from comity.study.report.resampling import estimate
 from comity.study.results import Study
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from comity.answers.study_report import EstimateAnswer
     from comity.study.report.resampling import Floats
 
 NO_INDIVIDUAL = ""
@@ -76,7 +77,7 @@ class StudyVisits:
         """By row, the seed."""
         return self.words("seed")
 
-    def estimated(self, values: Floats, chosen: NDArray[Any] | None = None) -> ClusterEstimate | None:
+    def estimated(self, values: Floats, chosen: NDArray[Any] | None = None) -> EstimateAnswer | None:
         """The mean of an outcome over some visits, with its uncertainty.
 
         Args:

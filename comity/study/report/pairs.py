@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from comity.study.report.resampling import ClusterEstimate, averaged, estimate
+from comity.answers.study_report import StudyDifferenceAnswer
+from comity.study.report.resampling import averaged, estimate
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,18 +29,6 @@ class VisitPairs:
     """Rows of the visits at the first level, by number."""
     second: Whole
     """Their partners at the second level, in the same order."""
-
-
-@dataclass(frozen=True, slots=True)
-class PairedDifference:
-    """An outcome at two levels of a factor, over the visits that have it at both."""
-
-    outcome: StudyOutcome
-    first: float
-    """Mean at the first level, in the outcome's unit."""
-    second: float
-    difference: ClusterEstimate
-    """Second minus first."""
 
 
 def pairs_of(visits: StudyVisits, factor: StudyFactor, first: int, second: int) -> VisitPairs:
@@ -66,9 +55,12 @@ def _same(visits: StudyVisits, factor: StudyFactor) -> Iterator[str]:
 
 
 def paired_difference(
-    visits: StudyVisits, factor: StudyFactor, pairs: VisitPairs, outcome: StudyOutcome
-) -> PairedDifference | None:
-    """How an outcome differs within pairs; None where no pair has it at both levels."""
+    visits: StudyVisits, factor: StudyFactor, pairs: VisitPairs, outcome: StudyOutcome, group: str | None
+) -> StudyDifferenceAnswer | None:
+    """How an outcome differs within pairs, of a group or of all; None where no pair has it at both levels."""
+    if group is not None:
+        chosen = visits.words("group")[pairs.first] == group
+        pairs = VisitPairs(pairs.first[chosen], pairs.second[chosen])
     before, after = outcome.values[pairs.first], outcome.values[pairs.second]
     individuals, rooms = visits.individuals[pairs.first], visits.rooms[pairs.first]
     others = [visits.words(column)[pairs.first] for column in _same(visits, factor)]
@@ -78,4 +70,6 @@ def paired_difference(
         return None
     gap = np.where(np.isnan(before + after), np.nan, 0.0)
     first, second = (float(np.nanmean(averaged(side + gap, individuals, rooms))) for side in (before, after))
-    return PairedDifference(outcome, first, second, found)
+    return StudyDifferenceAnswer(
+        outcome=outcome.name, unit=outcome.unit, group=group, first=first, second=second, difference=found
+    )

@@ -15,11 +15,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from comity.answers.study_report import EstimateAnswer
     from comity.study.report.episodes import StudyVisits
     from comity.study.report.factors import StudyFactor
     from comity.study.report.outcomes import StudyOutcome
     from comity.study.report.pairs import VisitPairs
-    from comity.study.report.resampling import ClusterEstimate, Floats
+    from comity.study.report.resampling import Floats
 
 ROW_IN, GAP_IN, FOOT_IN = 0.42, 0.5, 0.62
 """Height of a level, of what is above a panel, and of the axis below the last."""
@@ -31,7 +32,7 @@ SHAPES = "os^Dv<>p"
 FEW = 3000
 """More points than these are drawn as pixels: a vector for each makes a page slow."""
 
-Estimates = Sequence["ClusterEstimate | None"]
+Estimates = Sequence["EstimateAnswer | None"]
 
 
 def outcome_figure(
@@ -94,7 +95,7 @@ def _draw_levels(
     ax.locator_params(axis="x", nbins=8)
 
 
-def _draw_mean(ax: Axes, found: ClusterEstimate, height: float) -> None:
+def _draw_mean(ax: Axes, found: EstimateAnswer, height: float) -> None:
     if found.low is not None and found.high is not None:
         ax.plot([found.low, found.high], [height] * 2, color=INK, lw=2.2, solid_capstyle="butt", zorder=3)
     ax.plot(found.mean, height, "D", ms=7, mfc=COLOURS[0], mec=INK, mew=1, zorder=4)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,13 +14,9 @@ from comity.study.episode_rows import ERROR, NO_PLAN
 from comity.study.report.answering import (
     comparison_answer,
     comparisons_of,
-    individual_answer,
     level_answers,
     level_estimates,
-    served_worse_answer,
-    shortfall_answer,
     study_name,
-    unusual_answers,
 )
 from comity.study.report.episodes import StudyVisits
 from comity.study.report.factors import factors_of_visits
@@ -45,10 +41,10 @@ from comity_fis import InputError, Where
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from comity.answers.study_report import UnusualVisitAnswer
     from comity.study.report.answering import LevelComparison
     from comity.study.report.factors import StudyFactor
     from comity.study.report.outcomes import StudyOutcome
-    from comity.study.report.unusual import UnusualVisit
     from comity.study.results import Study
 
 PAGE, FIGURES = "index.html", "figures"
@@ -67,8 +63,8 @@ class _Found:
     levels: tuple[StudyLevelAnswer, ...]
     compared: tuple[StudyCompareAnswer, ...]
     drawings: Mapping[str, Draw]
-    failed: tuple[UnusualVisit, ...]
-    far: tuple[UnusualVisit, ...]
+    failed: tuple[UnusualVisitAnswer, ...]
+    far: tuple[UnusualVisitAnswer, ...]
 
 
 def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) -> StudyReportAnswer:
@@ -194,11 +190,18 @@ def _answer(
         meanings=dict(found.meanings) | {one: means for one, (_, means, _) in SHORTFALLS.items()},
         levels=found.levels,
         comparisons=found.compared,
-        shortfalls=tuple(map(shortfall_answer, missed)),
-        served_worse=tuple(map(served_worse_answer, served_worse(missed))),
-        individuals_served_worst=tuple(map(individual_answer, worst_served(visits, MOST_INDIVIDUALS))),
+        shortfalls=missed,
+        served_worse=tuple(served_worse(missed)),
+        individuals_served_worst=worst_served(visits, MOST_INDIVIDUALS),
         failures=len(found.failed),
-        first_failures=unusual_answers(found.failed, pages),
+        first_failures=_with_pages(found.failed, pages),
         outliers=len(found.far),
-        farthest_outliers=unusual_answers(found.far, pages),
+        farthest_outliers=_with_pages(found.far, pages),
     )
+
+
+def _with_pages(
+    found: Iterable[UnusualVisitAnswer], pages: Mapping[int, str]
+) -> tuple[UnusualVisitAnswer, ...]:
+    """The same visits, each with the page of its episode, by row, where that was played again."""
+    return tuple(replace(one, page=pages.get(one.row)) for one in found)

@@ -16,11 +16,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from comity.answers.study_report import EstimateAnswer
 
 Floats = NDArray[np.float64]
 Whole = NDArray[np.intp]
@@ -36,25 +37,9 @@ AT_ONCE = 2_000_000
 """Weights that are held at a time, which bounds memory to 16 MB a table."""
 
 
-@dataclass(frozen=True, slots=True)
-class ClusterEstimate:
-    """A mean over individuals and rooms, in the unit of the values."""
-
-    mean: float
-    low: float | None
-    """End of the interval; None where one individual, room and seed leave nothing to resample."""
-    high: float | None
-    monte_carlo_error: float | None
-    """Standard error of the mean from seeds alone; None where nothing was repeated by another seed."""
-    episodes: int
-    individuals: int
-    rooms: int
-    seeds: int
-
-
 def estimate(
     values: Floats, individuals: Labels, rooms: Labels, repeated: Labels, seeds: Labels
-) -> ClusterEstimate | None:
+) -> EstimateAnswer | None:
     """The mean of some episodes, with its uncertainty; None without a value.
 
     Args:
@@ -71,7 +56,7 @@ def estimate(
     table = averaged(values, individuals, rooms)
     ends = interval(values, individuals, rooms, seeds)
     persons, room_count = table.shape
-    return ClusterEstimate(
+    return EstimateAnswer(
         mean=float(np.nanmean(table)),
         low=ends and ends[0],
         high=ends and ends[1],

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import groupby
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.answers.study_report import (
+    EstimateAnswer,
+    IndividualServedAnswer,
+    ServedWorseAnswer,
+    ShortfallAnswer,
+)
 from comity.study.episode_rows import comfort_gap_m
 from comity.study.report.outcomes import excess_m, served
-from comity.study.report.resampling import ClusterEstimate, averaged
+from comity.study.report.resampling import averaged
 
 if TYPE_CHECKING:
     from comity.study.report.episodes import StudyVisits
@@ -74,71 +79,54 @@ SHORTFALLS: Mapping[str, tuple[str, str, Callable[[StudyVisits], Floats]]] = Map
 """By the parameter that each is a matter of, with its unit and meaning: 0 is best."""
 
 
-@dataclass(frozen=True, slots=True)
-class Shortfall:
-    """What one group misses by one parameter under one rulebook."""
-
-    parameter: str
-    rulebook: str
-    group: str
-    missed: ClusterEstimate
-    """In the unit of `SHORTFALLS`."""
-
-
-def shortfalls(visits: StudyVisits, group: StudyFactor) -> Iterator[Shortfall]:
+def shortfalls(visits: StudyVisits, group: StudyFactor) -> Iterator[ShortfallAnswer]:
     """Every shortfall, parameter by parameter and rulebook by rulebook, the worst served group first."""
     books = visits.words(RULEBOOK)
-    for parameter, (_, _, derive) in SHORTFALLS.items():
+    for parameter, (unit, _, derive) in SHORTFALLS.items():
         values = derive(visits)
         for book in dict.fromkeys(books.tolist()):
             found = []
             for i, name in enumerate(group.levels):
                 one = visits.estimated(values, (group.level_of == i) & (books == book))
                 if one is not None:
-                    found.append(Shortfall(parameter, book, name, one))
+                    answer = ShortfallAnswer(
+                        parameter=parameter, unit=unit, rulebook=book, group=name, missed=one
+                    )
+                    found.append(answer)
             yield from sorted(found, key=lambda one: -one.missed.mean)
 
 
-@dataclass(frozen=True, slots=True)
-class ServedWorse:
-    """The group that a parameter serves worst under a rulebook, beside the one that it serves best."""
-
-    worst: Shortfall
-    best: Shortfall
-
-    @property
-    def is_told_apart(self) -> bool:
-        """Whether their intervals lie apart, by more than twice what seeds alone make of it."""
-        worst, best = self.worst.missed, self.best.missed
-        if worst.low is None or best.high is None or worst.low <= best.high:
-            return False
-        seeds = math.hypot(worst.monte_carlo_error or 0, best.monte_carlo_error or 0)
-        return worst.mean - best.mean > 2 * seeds
-
-
-def served_worse(found: Iterable[Shortfall]) -> Iterator[ServedWorse]:
+def served_worse(found: Iterable[ShortfallAnswer]) -> Iterator[ServedWorseAnswer]:
     """By parameter and rulebook, who misses most; nothing where all groups miss the same.
 
     Args:
         found: As `shortfalls` gives them.
     """
-    for _, some in groupby(found, key=lambda one: (one.parameter, one.rulebook)):
+    for (parameter, rulebook), some in groupby(found, key=lambda one: (one.parameter, one.rulebook)):
         ranked = list(some)
-        if ranked[0].missed.mean - ranked[-1].missed.mean > SAME:
-            yield ServedWorse(ranked[0], ranked[-1])
+        worst, best = ranked[0], ranked[-1]
+        if worst.missed.mean - best.missed.mean > SAME:
+            yield ServedWorseAnswer(
+                parameter=parameter,
+                unit=worst.unit,
+                rulebook=rulebook,
+                worst=worst.group,
+                worst_missed=worst.missed.mean,
+                best=best.group,
+                best_missed=best.missed.mean,
+                told_apart=_are_apart(worst.missed, best.missed),
+            )
 
 
-@dataclass(frozen=True, slots=True)
-class IndividualServed:
-    """How far outside its comfort an individual was met under a rulebook."""
-
-    individual: str
-    group: str
-    rulebook: str
-    excess_m: float
+def _are_apart(worst: EstimateAnswer, best: EstimateAnswer) -> bool:
+    """Whether two intervals lie apart, by more than twice what seeds alone make of it."""
+    if worst.low is None or best.high is None or worst.low <= best.high:
+        return False
+    seeds = math.hypot(worst.monte_carlo_error or 0, best.monte_carlo_error or 0)
+    return worst.mean - best.mean > 2 * seeds
 
 
-def worst_served(visits: StudyVisits, most: int) -> tuple[IndividualServed, ...]:
+def worst_served(visits: StudyVisits, most: int) -> tuple[IndividualServedAnswer, ...]:
     """The individuals that were met farthest outside their comfort on average; none that were within it.
 
     Args:
@@ -152,8 +140,10 @@ def worst_served(visits: StudyVisits, most: int) -> tuple[IndividualServed, ...]
         means = np.nanmean(averaged(values[chosen], visits.individuals[chosen], visits.rooms[chosen]), axis=1)
         of = dict(zip(visits.individuals[chosen].tolist(), groups[chosen].tolist(), strict=True))
         found += [
-            IndividualServed(name, of[name], book, float(mean))
+            IndividualServedAnswer(
+                individual=name, group=of[name], rulebook=book, outside_comfort_m=float(mean)
+            )
             for name, mean in zip(sorted(of), means, strict=True)
         ]
-    worst = sorted(found, key=lambda one: (-one.excess_m, one.individual, one.rulebook))
-    return tuple(one for one in worst[:most] if one.excess_m > SAME)
+    worst = sorted(found, key=lambda one: (-one.outside_comfort_m, one.individual, one.rulebook))
+    return tuple(one for one in worst[:most] if one.outside_comfort_m > SAME)

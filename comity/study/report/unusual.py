@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.answers.study_report import UnusualVisitAnswer
 from comity.study.report.resampling import numbered
 
 if TYPE_CHECKING:
@@ -27,31 +28,14 @@ NO_FAILURES = ("greeted", "declined")
 """A visit that a person declined is one that the robot ended as it was asked to."""
 
 
-@dataclass(frozen=True, slots=True)
-class UnusualVisit:
-    """A row of the table to look at."""
-
-    row: int
-    scenario: str
-    condition: str
-    individual: str
-    seed: str
-    what: str
-    """`unreached`, or `late [s]`."""
-    why: str
-    """The reason of a failure; of an outlier its value and the fence."""
-    alike: int = 1
-    """Visits of the table that have the same trace, of which an outlier is one."""
-
-
-def failures(study: Study) -> Iterator[UnusualVisit]:
+def failures(study: Study) -> Iterator[UnusualVisitAnswer]:
     """All visits that failed, in the order of the table; also those of people who are no individuals."""
     for row in study.rows:
         if row["outcome"] not in NO_FAILURES:
             yield _unusual(row, row["outcome"], row.get("error") or row.get("reason") or "no reason given")
 
 
-def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[UnusualVisit, ...]:
+def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[UnusualVisitAnswer, ...]:
     """Visits unlike the other seeds of the same individual, the farthest beyond the fence first.
 
     People differ from each other, which the figures show. So the fence is set around differences from the
@@ -120,14 +104,14 @@ def _beyond(rows: Whole, values: Floats, least: float) -> Iterator[tuple[int, fl
 
 def _outlier(
     cells: Mapping[str, str], row: int, outcome: StudyOutcome, fence: float, alike: int
-) -> UnusualVisit:
+) -> UnusualVisitAnswer:
     value = outcome.values[row]
     side = "below" if value < fence else "above"
     return replace(_unusual(cells, outcome.label, f"{value:.3g}, {side} {fence:.3g}"), alike=alike)
 
 
-def _unusual(row: Mapping[str, str], what: str, why: str) -> UnusualVisit:
-    return UnusualVisit(
+def _unusual(row: Mapping[str, str], what: str, why: str) -> UnusualVisitAnswer:
+    return UnusualVisitAnswer(
         row=int(row["row"]),
         scenario=row["scenario"],
         condition=row["condition"],
@@ -135,4 +119,6 @@ def _unusual(row: Mapping[str, str], what: str, why: str) -> UnusualVisit:
         seed=row["seed"],
         what=what,
         why=why,
+        alike=1,
+        page=None,
     )
