@@ -36,10 +36,10 @@ def clips(
     """
     from comity.report.text import show
     from comity.study.clips.making import make_clips
-    from comity.study.clips.telling import clips_answer, clips_text
+    from comity.study.clips.telling import clips_text
     from comity.study.clips.variation import varied
 
-    answer = clips_answer(make_clips(varied(scenario, vary, seed), out), out)
+    answer = make_clips(varied(scenario, vary, seed), out)
     if as_json:
         print_json(answer)
     else:

@@ -52,14 +52,15 @@ def source_of(lesson: Lesson, kind: Kind) -> Source:
     found, path = lesson.examples, Path(lesson.examples.file)
     judged = lesson.judgement
     against = judged.differences[kind][CONSTANT]
+    error = judged.errors[kind].mean_absolute_error
     unit = "" if found.parameter.unit == "1" else f" {found.parameter.unit}"
     interval = "" if against.low is None else f" (95 % {against.low:+.4f} to {against.high:+.4f})"
     named = f"; {'; '.join(found.sources)}" if found.sources else ""
     return Source(
         key=re.sub(r"[^\w.-]+", "-", f"{path.stem}-{found.parameter.name}")[-LONGEST_NAME:].strip("-"),
         citation=f"The table {path.name} (SHA-256 {lesson.digest[:DIGITS]}){named}",
-        verified=f"Leaving one {judged.left_out} out: mean absolute error {judged.errors[kind].mean:.4f}"
-        f"{unit}, {against.mean:+.4f}{unit} against a constant{interval}",
+        verified=f"Leaving one {judged.left_out} out: mean absolute error {error:.4f}{unit}, "
+        f"{against.difference:+.4f}{unit} against a constant{interval}",
         found=f"{kind.capitalize()} of {found.parameter.name}",
         measured=f"{len(found.rows)} rows of {found.people} people, {found.studies} studies",
     )

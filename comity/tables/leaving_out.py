@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from comity.answers.learning import ErrorAnswer, ErrorDifferenceAnswer
 from comity.tables.contenders import Learner
 from comity.tables.examples import ExampleRow, LeftOut, unit_of
 from comity_fis import InputError, Where
@@ -22,43 +23,14 @@ ENDS = (2.5, 97.5)
 
 
 @dataclass(frozen=True, slots=True)
-class Error:
-    """How far one contender is off."""
-
-    mean: float
-    """Mean absolute error: of each unit's rows, then of the units. In the parameter's unit."""
-    units: int
-    """Participants, studies or rows of which it says anything."""
-
-
-@dataclass(frozen=True, slots=True)
-class Difference:
-    """One contender's error less another's, where both say something."""
-
-    mean: float
-    """Below 0 where the first is nearer to what people said."""
-    low: float | None
-    """Of the 95 % interval by the paired bootstrap over units (Efron 1979); None for too few units."""
-    high: float | None
-    units: int
-
-    @property
-    def verdict(self) -> Literal["better", "worse", "not told apart"]:
-        """What can be said of the first, beyond chance."""
-        if self.high is not None and self.high < 0:
-            return "better"
-        return "worse" if self.low is not None and self.low > 0 else "not told apart"
-
-
-@dataclass(frozen=True, slots=True)
 class Judgement:
     """All contenders on the same rows, each of them left out once."""
 
     left_out: LeftOut
     units: int
-    errors: Mapping[str, Error]
+    errors: Mapping[str, ErrorAnswer]
     """Of those that say something; of all rows that they do."""
-    differences: Mapping[str, Mapping[str, Difference]]
+    differences: Mapping[str, Mapping[str, ErrorDifferenceAnswer]]
     """By proposal, then by the contender that it is compared with."""
 
 
@@ -107,7 +79,9 @@ def judged(
         left_out=left_out,
         units=len(units),
         errors={
-            name: Error(float(np.nanmean(values)), int((~np.isnan(values)).sum()))
+            name: ErrorAnswer(
+                mean_absolute_error=float(np.nanmean(values)), units=int((~np.isnan(values)).sum())
+            )
             for name, values in per_unit.items()
             if not np.isnan(values).all()
         },
@@ -147,15 +121,24 @@ def _per_unit(values: Floats, of_row: Floats, units: int) -> Floats:
     return means
 
 
-def _difference(differences: Floats, of_row: Floats, units: int) -> Difference | None:
+def _difference(differences: Floats, of_row: Floats, units: int) -> ErrorDifferenceAnswer | None:
     """The mean over units with its interval; None where no row has both."""
     per_unit = _per_unit(differences, of_row, units)
     found = per_unit[~np.isnan(per_unit)]
     if not len(found):
         return None
-    if len(found) < LEAST_UNITS:
-        return Difference(float(found.mean()), None, None, len(found))
-    random = np.random.default_rng(SEED)
-    means = [found[random.integers(0, len(found), len(found))].mean() for _ in range(RESAMPLES)]
-    low, high = np.percentile(means, ENDS)
-    return Difference(float(found.mean()), float(low), float(high), len(found))
+    low = high = None
+    if len(found) >= LEAST_UNITS:  # the paired bootstrap over units (Efron 1979)
+        random = np.random.default_rng(SEED)
+        means = [found[random.integers(0, len(found), len(found))].mean() for _ in range(RESAMPLES)]
+        low, high = map(float, np.percentile(means, ENDS))
+    return ErrorDifferenceAnswer(
+        difference=float(found.mean()), low=low, high=high, units=len(found), verdict=_verdict(low, high)
+    )
+
+
+def _verdict(low: float | None, high: float | None) -> Literal["better", "worse", "not told apart"]:
+    """What can be said beyond chance of the first of two errors, by the interval of their difference."""
+    if high is not None and high < 0:
+        return "better"
+    return "worse" if low is not None and low > 0 else "not told apart"

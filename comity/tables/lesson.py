@@ -58,7 +58,7 @@ class Lesson:
         always a little farther off than any fixed number near it: that alone says nothing about people.
         """
         against, least = self.judgement.differences[kind], equality_band(self.examples.parameter)
-        beaten = {name for name, one in against.items() if one.low is not None and one.mean < -least}
+        beaten = {name for name, one in against.items() if one.low is not None and one.difference < -least}
         if against[CONSTANT].verdict != "better":
             beaten -= {CONSTANT}
         return tuple(name for name in self.rivals(kind) if name not in beaten)
@@ -76,7 +76,7 @@ class Lesson:
     def standing(self) -> Kind | None:
         """The proposal of the smallest error with nothing in its way; None: nothing is learnt."""
         free: list[Kind] = [kind for kind in self.proposals if not self.in_the_way(kind)]
-        free.sort(key=lambda kind: self.judgement.errors[kind].mean)
+        free.sort(key=lambda kind: self.judgement.errors[kind].mean_absolute_error)
         return free[0] if free else None
 
     def learnt(self, kind: Kind, source: Source) -> Rulebook:

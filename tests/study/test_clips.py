@@ -127,7 +127,7 @@ NUMBERS = st.dictionaries(
 
 @given(NUMBERS, NUMBERS)
 def test_a_confound_is_whatever_differs_and_nothing_else(one, other):
-    found = {(each.person, each.column) for each in confounds_of([one, other])}
+    found = {(each.person, each.quantity) for each in confounds_of([one, other])}
     for place in {*one, *other}:
         values = [None if facts.get(place) is None else round(facts[place], 3) for facts in (one, other)]
         assert (place in found) == (values[0] != values[1])

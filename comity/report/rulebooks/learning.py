@@ -6,8 +6,6 @@ from collections import defaultdict
 from typing import TYPE_CHECKING
 
 from comity.answers.learning import (
-    ErrorAnswer,
-    ErrorDifferenceAnswer,
     GroupPriorAnswer,
     LearnAnswer,
     LearntRuleAnswer,
@@ -26,7 +24,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.tables.leaving_out import Difference
+    from comity.answers.learning import ErrorDifferenceAnswer
     from comity.tables.lesson import Kind, Lesson
     from comity_fis.learning.pooling import PooledPrior
     from comity_fis.learning.rule_table import Cell
@@ -73,14 +71,8 @@ def learn_answer(lesson: Lesson, written: Kind | None, files: tuple[str, ...] = 
         constant=found.mean,
         left_out=judged.left_out,
         units=judged.units,
-        errors={
-            name: ErrorAnswer(mean_absolute_error=one.mean, units=one.units)
-            for name, one in judged.errors.items()
-        },
-        differences={
-            kind: {other: _difference_answer(one) for other, one in judged.differences[kind].items()}
-            for kind in lesson.proposals
-        },
+        errors=judged.errors,
+        differences={kind: judged.differences[kind] for kind in lesson.proposals},
         in_the_way={kind: lesson.in_the_way(kind) for kind in lesson.proposals},
         stands=lesson.standing,
         written=written,
@@ -120,12 +112,6 @@ def _prior_answer(lesson: Lesson, prior: PooledPrior) -> PriorAnswer:
             for person, given in answers.items()
             if known
         },
-    )
-
-
-def _difference_answer(one: Difference) -> ErrorDifferenceAnswer:
-    return ErrorDifferenceAnswer(
-        difference=one.mean, low=one.low, high=one.high, units=one.units, verdict=one.verdict
     )
 
 
@@ -242,7 +228,7 @@ def _judgement(lesson: Lesson) -> Iterator[RenderableType]:
         [
             (
                 name,
-                bare(error.mean, unit, sign=False),
+                bare(error.mean_absolute_error, unit, sign=False),
                 str(error.units),
                 *(_against(judged.differences[kind].get(name), unit) for kind in lesson.proposals),
             )
@@ -257,12 +243,12 @@ def _judgement(lesson: Lesson) -> Iterator[RenderableType]:
     )
 
 
-def _against(one: Difference | None, unit: str) -> str:
+def _against(one: ErrorDifferenceAnswer | None, unit: str) -> str:
     if one is None:
         return ""
     if one.low is None:
-        return bare(one.mean, unit)
-    return f"{bare(one.mean, unit)} ({bare(one.low, unit)} to {bare(one.high, unit)})"
+        return bare(one.difference, unit)
+    return f"{bare(one.difference, unit)} ({bare(one.low, unit)} to {bare(one.high, unit)})"
 
 
 def _verdict(lesson: Lesson) -> Iterator[str]:
@@ -275,8 +261,8 @@ def _verdict(lesson: Lesson) -> Iterator[str]:
         yield "Nothing stands."
         return
     asked = lesson.judgement.differences[lesson.standing].get(ASK)
-    if asked is not None and asked.mean > 0:
-        nearer = difference(asked.mean, lesson.examples.parameter.unit, sign=False)
+    if asked is not None and asked.difference > 0:
+        nearer = difference(asked.difference, lesson.examples.parameter.unit, sign=False)
         yield f"Asking the person once is nearer than the {lesson.standing} by {nearer}: ask where you can."
 
 
@@ -290,7 +276,7 @@ def _standing(lesson: Lesson, kind: Kind) -> str:
     nearer, level, beaten, perhaps = [], [], [], []
     for name in dict.fromkeys((*lesson.rivals(kind), *((LINE,) if LINE in against else ()))):
         one, called = against[name], named.get(name, f"the rulebook {name}")
-        by = difference(abs(one.mean), unit, sign=False)
+        by = difference(abs(one.difference), unit, sign=False)
         if one.verdict == "worse":
             nearer.append(f"{called} is nearer by {by}")
         elif name in barred or (name == LINE and one.verdict != "better"):

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.answers.study_with_people import ConfoundAnswer
 from comity.study.columns import FACT, OWN, PROVENANCE, WISH, ColumnDefinition, columns_of
 from comity.study.episode_rows import episode_rows
 
@@ -38,24 +38,6 @@ ClipFacts = Mapping[tuple[str, str], float | str]
 """What was measured in a clip, by person and column."""
 
 
-@dataclass(frozen=True, slots=True)
-class Confound:
-    """A quantity that differs between clips."""
-
-    person: str
-    """Empty for the whole episode."""
-    column: str
-    definition: ColumnDefinition
-    values: tuple[float | str | None, ...]
-    """Of each clip; None where it has none."""
-
-    @property
-    def difference(self) -> float | None:
-        """Between the largest and the smallest number; None where one is no number."""
-        numbers = [one for one in self.values if isinstance(one, int | float)]
-        return max(numbers) - min(numbers) if len(numbers) == len(self.values) else None
-
-
 def clip_facts(episode: Episode, frames: Frames) -> ClipFacts:
     """What a study would measure of an episode, where the robot looked, and what it said."""
     found: dict[tuple[str, str], float | str] = {}
@@ -78,7 +60,7 @@ def gaze_share(frames: Frames, robot: str, person: str) -> float:
     return round(float(np.mean(past <= np.radians(GAZE_DEG))), 4)
 
 
-def confounds_of(facts: Sequence[ClipFacts]) -> tuple[Confound, ...]:
+def confounds_of(facts: Sequence[ClipFacts]) -> tuple[ConfoundAnswer, ...]:
     """All that differs between clips: duration, path, speed and gaze first, then in the order of a study.
 
     Args:
@@ -88,11 +70,25 @@ def confounds_of(facts: Sequence[ClipFacts]) -> tuple[Confound, ...]:
     columns = {**columns_of((), (column for _, column in places)), **OF_CLIPS}
     order = {column: i for i, column in enumerate(dict.fromkeys((*FIRST, *columns)))}
     found = [
-        Confound(person, column, columns[column], tuple(one.get((person, column)) for one in facts))
+        _confound(person, column, columns[column], tuple(one.get((person, column)) for one in facts))
         for person, column in places
     ]
     differing = [one for one in found if len(set(map(_rounded, one.values))) > 1]
-    return tuple(sorted(differing, key=lambda one: (order[one.column], one.person)))
+    return tuple(sorted(differing, key=lambda one: (order[one.quantity], one.person)))
+
+
+def _confound(
+    person: str, column: str, definition: ColumnDefinition, values: tuple[float | str | None, ...]
+) -> ConfoundAnswer:
+    numbers = [one for one in values if isinstance(one, int | float)]
+    return ConfoundAnswer(
+        person=person,
+        quantity=column,
+        unit=definition.unit,
+        values=values,
+        difference=max(numbers) - min(numbers) if len(numbers) == len(values) else None,
+        definition=definition.means,
+    )
 
 
 def _rounded(value: float | str | None) -> float | str | None:

@@ -10,13 +10,14 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
+from comity.answers.study_with_people import ClipAnswer, ConfoundAnswer, StudyClipsAnswer
 from comity.output.csv_text import csv_text
 from comity.output.run_folder import open_run
 from comity.recording import record
 from comity.replay import replay_page
 from comity.replay.pictures import film_stimulus
 from comity.replay.saved_run import read_run
-from comity.study.clips.confounds import ClipFacts, Confound, clip_facts, confounds_of
+from comity.study.clips.confounds import ClipFacts, clip_facts, confounds_of
 from comity.study.clips.film import ffmpeg_program, write_mp4
 from comity.study.clips.variation import opaque_name
 from comity.study.tasks import task_of
@@ -51,21 +52,7 @@ class Clip:
     facts: ClipFacts
 
 
-@dataclass(frozen=True, slots=True)
-class ClipSet:
-    """Films of one scenario that differ in one parameter."""
-
-    scenario: str
-    parameter: str
-    clips: tuple[Clip, ...]
-    """In the order of their opaque names."""
-    confounds: tuple[Confound, ...]
-    speed: float
-    """Simulated seconds per second of every film."""
-    files: tuple[str, ...]
-
-
-def make_clips(plan: StudyPlan, out: Path) -> ClipSet:
+def make_clips(plan: StudyPlan, out: Path) -> StudyClipsAnswer:
     """Play, film and compare the conditions of a study with one factor.
 
     Args:
@@ -86,7 +73,24 @@ def make_clips(plan: StudyPlan, out: Path) -> ClipSet:
     (scenario,), (parameter,) = plan.written.scenarios, plan.written.factors
     write_whole(out / KEY, key_csv(scenario, parameter, clips).encode())
     write_whole(out / CONFOUNDS, confounds_csv(clips, confounds).encode())
-    return ClipSet(scenario, parameter, tuple(clips), confounds, speed, (*films, KEY, CONFOUNDS))
+    return StudyClipsAnswer(
+        scenario=scenario,
+        parameter=parameter,
+        speed=speed,
+        clips=tuple(
+            ClipAnswer(
+                clip=one.name,
+                value=one.value,
+                outcome=one.outcome,
+                length_s=one.length_s,
+                trace_sha256=one.trace_sha256,
+            )
+            for one in clips
+        ),
+        confounds=confounds,
+        folder=str(out),
+        files=(*films, KEY, CONFOUNDS),
+    )
 
 
 def _require_empty(out: Path) -> None:
@@ -148,13 +152,12 @@ def plain(value: Any) -> str:
     return value if isinstance(value, str) else json.dumps(value)
 
 
-def confounds_csv(clips: Sequence[Clip], confounds: Sequence[Confound]) -> str:
+def confounds_csv(clips: Sequence[Clip], confounds: Sequence[ConfoundAnswer]) -> str:
     """What differs, a row for each quantity, a column for each clip."""
     rows = []
     for one in confounds:
         values = ["" if value is None else value for value in one.values]
         difference = "" if one.difference is None else f"{one.difference:.6g}"
-        unit, means = one.definition.unit, one.definition.means
-        rows.append((one.person, one.column, unit, *values, difference, means))
+        rows.append((one.person, one.quantity, one.unit, *values, difference, one.definition))
     heading = ("person", "quantity", "unit", *(one.name for one in clips), "difference", "definition")
     return csv_text(heading, rows)

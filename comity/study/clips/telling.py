@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.answers.study_with_people import ClipAnswer, ConfoundAnswer, StudyClipsAnswer
+from comity.answers.study_with_people import StudyClipsAnswer
 from comity.report.text import number, table, unbroken, words
 from comity.study.clips.film import INSTALL
-from comity.study.clips.making import CONFOUNDS, KEY, PAGES, ClipSet
+from comity.study.clips.making import CONFOUNDS, KEY, PAGES
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -18,45 +17,8 @@ SHOWN = 12
 """Confounds on the terminal; the file has all."""
 
 
-def clips_answer(made: ClipSet, out: Path) -> StudyClipsAnswer:
-    """All clips of a set, and what differs between them.
-
-    Args:
-        made: The clips.
-        out: Their folder.
-    """
-    return StudyClipsAnswer(
-        scenario=made.scenario,
-        parameter=made.parameter,
-        speed=made.speed,
-        clips=tuple(
-            ClipAnswer(
-                clip=one.name,
-                value=one.value,
-                outcome=one.outcome,
-                length_s=one.length_s,
-                trace_sha256=one.trace_sha256,
-            )
-            for one in made.clips
-        ),
-        confounds=tuple(
-            ConfoundAnswer(
-                person=one.person,
-                quantity=one.column,
-                unit=one.definition.unit,
-                values=one.values,
-                difference=one.difference,
-                definition=one.definition.means,
-            )
-            for one in made.confounds
-        ),
-        folder=str(out),
-        files=made.files,
-    )
-
-
 def clips_text(answer: StudyClipsAnswer) -> Iterator[RenderableType]:
-    """The same for a reader; the values stay in the key."""
+    """What was made, for a reader; the values stay in the key."""
     fast = "" if answer.speed == 1 else f", played {answer.speed:g} times as fast"
     yield f"{answer.scenario} with {answer.parameter} changed: {len(answer.clips)} clips{fast}"
     yield table([(one.clip, one.outcome, f"{one.length_s:.1f} s") for one in answer.clips])
