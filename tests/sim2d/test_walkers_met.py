@@ -120,6 +120,22 @@ def test_turning_away_speeding_up_and_walking_by_are_told_apart(does, velocity) 
     assert does in world.robot.motion().text
 
 
+def test_a_person_who_stands_before_they_turn_away_has_declined() -> None:
+    """What the robot offered still stands while they do, and while they turn."""
+    world = hall()
+
+    def paces(t: float) -> tuple[float, float]:
+        turned_s = t - (stood_s[0] if stood_s else t)
+        if stands(world)[0] < 1.4 and not stood_s:
+            stood_s.append(t)
+        return (0.6, 0.0) if not stood_s else (0.0, 0.0) if turned_s < 0.4 else (0.6, math.pi)
+
+    stood_s: list[float] = []
+    walk_on(world, paces, 30.0)
+    assert stood_s
+    assert "turned away from" in world.robot.motion().text
+
+
 def test_a_step_is_no_walk_and_declines_nothing() -> None:
     world = hall(at=(5.5, 2.0))
     world.run(1.0)
@@ -149,6 +165,18 @@ def test_beside_a_person_who_agreed_the_robot_goes_along_and_not_behind() -> Non
         distance_m, bearing_deg = stands(world)
         beside_s += world.step_s * (distance_m < 0.9 and 60.0 < bearing_deg < 120.0)
     assert beside_s > 5.0
+    assert longest_behind_s(world.frames) == 0.0
+
+
+def test_a_robot_on_two_wheels_goes_along_with_nobody() -> None:
+    """It could not face them: it waits, and is passed, as by anybody who walks."""
+    ada = Person("p0", 2.0, 4.0, 0.0, walk=Walk(((12.0, 4.0),), speed_m_s=0.4, accompanied=True))
+    world = World(Scene(HALL, RobotBody(7.0, 2.0, drive="differential"), (ada,)))
+    world.robot.navigate("p0", POSE, speed_m_s=0.7)
+    while world.robot.motion().state == "running" and world.time_s < 30.0:
+        world.step()
+    assert world.robot.motion().state == "declined"
+    assert "walked by" in world.robot.motion().text
     assert longest_behind_s(world.frames) == 0.0
 
 

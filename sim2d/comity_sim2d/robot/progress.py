@@ -76,7 +76,7 @@ class ApproachProgress:
             return MotionProgress("succeeded", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
         if approach.gives_way_to and not approach.stalled(now_s, left_m):
             return MotionProgress("running", f"giving way to {approach.gives_way_to}")
-        if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)):
+        if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)) and not self._walks(approach):
             return blocked(f"no progress towards {approach.person} for 3 s{self._beside(plan)}")
         return MotionProgress("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
 

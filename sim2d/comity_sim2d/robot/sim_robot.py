@@ -25,7 +25,7 @@ from comity_sim2d.robot.carrying import carried_at
 from comity_sim2d.robot.lease import LEASE_S, Lease
 from comity_sim2d.robot.margins import MarginDecision
 from comity_sim2d.robot.motion import BaseCapabilities, MotionProgress, MotionRequest, PersonEstimate
-from comity_sim2d.robot.walkers_met import agreed, pose_at_side
+from comity_sim2d.robot.walkers_met import goes_along, pose_at_side
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import RobotBody
@@ -208,7 +208,7 @@ class SimRobot:
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
         walks = self._senses.walks(person)
-        if walks and agreed(someone := self._senses.person(person)):
+        if walks and goes_along(self._spec, someone := self._senses.person(person)):
             return pose_at_side(docked(self._physics.pose, self._spec.radius_m, someone), wish)
         past = PastPeople(ways.surroundings)
         pose = choose_pose(ways, here, wish) or choose_pose(past.to(person), here, wish)

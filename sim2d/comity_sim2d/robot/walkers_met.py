@@ -9,7 +9,7 @@ initiate interaction", HRI; the rest is our choice.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -103,25 +103,27 @@ class WalkersMet:
             ways: Its routes around those who stand.
         """
         if name != self._person:
-            self._person, self._stood, self._along = name, None, False
+            self._person, self._stood, self._along, self._offer = name, None, False, None
         walker = self._walker(name)
-        if walker is None:
-            self._offer = self._place = None
+        if walker is None:  # they stopped, or turn round: an offer that was made still stands
+            self._place = None
+            if self._offer is not None:
+                xy, now_s = self._senses.person(name).xy, self._clock.now_s
+                self._offer = replace(self._offer, mark=xy, mark_s=now_s, pace_m_s=None)
             return None
         stands = docked(robot, self._spec.radius_m, walker.person)
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
-        if agrees_to_company(walker):
+        along = goes_along(self._spec, walker.person)
+        if along and math.hypot(*walker.velocity) <= ALONG_M_S:
             near = bearing_deg <= IN_VIEW_DEG and gap_m <= OFFER_M
             self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= FAR_M)
         else:
             self._along = False
-            if not agreed(walker.person):
+            if not along:
                 self._note_offer(walker, gap_m, bearing_deg)
         if self._along:
             return None
-        too_fast = (
-            agreed(walker.person) and gap_m <= OFFER_M
-        )  # to be gone along with: it stands as they come by
+        too_fast = along and gap_m <= OFFER_M  # to be gone along with: it stands as they come by
         if self._offer is not None or too_fast or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
@@ -228,11 +230,9 @@ def pose_at_side(stands: Docked, wish: Wish) -> DockingPose:
     return DockingPose(wish.distance_m, bearing_deg, pose_free=False, deviation_reason=reason)
 
 
-def agrees_to_company(walker: Walker) -> bool:
-    """Whether the robot may go along with a walker: they agreed to it, and do not walk too fast."""
-    return agreed(walker.person) and math.hypot(*walker.velocity) <= ALONG_M_S
+def goes_along(robot: RobotBody, person: Person) -> bool:
+    """Whether the robot goes along with a person who walks: they agreed, and it can face them meanwhile.
 
-
-def agreed(person: Person) -> bool:
-    """Whether a person agreed that the robot goes along with them while they walk."""
-    return person.walk is not None and person.walk.accompanied
+    Next to a person it drives past, a base on two wheels faces where it drives; to face them it has to stand.
+    """
+    return robot.drive == "omnidirectional" and person.walk is not None and person.walk.accompanied
