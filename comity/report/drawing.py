@@ -1,4 +1,4 @@
-"""What all figures share: the sheet with its words, colours that all can tell apart, the bytes of files."""
+"""What all figures share: the sheet with its words, the colours, the bytes of files."""
 
 from __future__ import annotations
 

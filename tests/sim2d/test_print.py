@@ -71,9 +71,30 @@ def test_twelve_people_have_colours_far_from_each_other(ground: str) -> None:
     assert min(math.dist(one, other) for one, other in combinations(shades, 2)) > 0.07
 
 
-def oklab(colour: str) -> list[float]:
+PROTANOPIA = [
+    [0.152286, 1.052583, -0.204868],
+    [0.114503, 0.786281, 0.099216],
+    [-0.003882, -0.048116, 1.051998],
+]
+DEUTERANOPIA = [
+    [0.367322, 0.860646, -0.227968],
+    [0.280085, 0.672501, 0.047413],
+    [-0.011820, 0.042940, 0.968881],
+]
+"""Of linear RGB, at severity 1.0 (Machado, Oliveira and Fernandes 2009)."""
+
+
+@pytest.mark.parametrize("sight", [PROTANOPIA, DEUTERANOPIA], ids=["protanopia", "deuteranopia"])
+@pytest.mark.parametrize("ground", ["on_light", "on_dark"])
+def test_six_people_have_colours_apart_for_red_green_blind_eyes(ground: str, sight) -> None:
+    shades = [oklab(getattr(person_colour(place), ground), sight) for place in range(6)]
+    assert min(math.dist(one, other) for one, other in combinations(shades, 2)) > 0.04
+
+
+def oklab(colour: str, sight=((1, 0, 0), (0, 1, 0), (0, 0, 1))) -> list[float]:
     rgb = np.array(to_rgb(colour))
     linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    linear = np.clip(np.array(sight) @ linear, 0.0, 1.0)
     cones = [[0.4122, 0.5363, 0.0514], [0.2119, 0.6807, 0.1074], [0.0883, 0.2817, 0.6300]]
     mixed = [[0.2105, 0.7936, -0.0041], [1.9780, -2.4286, 0.4506], [0.0259, 0.7828, -0.8087]]
     return (np.array(mixed) @ np.cbrt(np.array(cones) @ linear)).tolist()

@@ -1,4 +1,4 @@
-"""How things look on a map: colours for every eye (Okabe and Ito, 2008), bodies, walls, paths."""
+"""How things look on a map: bodies, walls, paths."""
 
 from __future__ import annotations
 
