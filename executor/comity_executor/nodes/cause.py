@@ -26,7 +26,7 @@ CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule"
 
 @dataclass(frozen=True, slots=True)
 class Cause(Record):
-    """One link of the chain."""
+    """One link of the chain, as traces and answers hold it; `chain` makes them of a node's `Account`."""
 
     kind: CauseKind
     text: str
@@ -42,7 +42,11 @@ class Cause(Record):
 
 @dataclass(frozen=True, slots=True)
 class Account:
-    """What a node has to say about its last result."""
+    """What a node itself knows about its last result: the near end of the chain, from which `chain` makes it.
+
+    It is no `Cause`, for it gives more than one: the fault, the reading, and the names of parameters of which
+    the node knows no rule and no culture score; those come from its `Provenance`.
+    """
 
     text: str
     value: float | None = None
