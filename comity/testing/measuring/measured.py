@@ -9,7 +9,6 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from comity.testing.amounts.course import runs
-from comity.testing.amounts.moments import intrusion
 from comity.testing.amounts.ordering import visited
 from comity.testing.amounts.standing import DockedPose, standing
 from comity.testing.measuring.safety import Danger, dangers
@@ -36,7 +35,7 @@ _SERVED = ("greeted", "skipped")
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """One episode, small enough to keep and to send to another process."""
+    """One episode, small enough to keep and to send to another process; `TESTED` defines its numbers."""
 
     scenario: str
     profile: str
@@ -48,11 +47,10 @@ class Measured:
     time_s: float
     """Until the last node ended."""
     phases_s: Mapping[str, float]
-    """By phase, summed over the visits."""
+    """By phase: those of `PHASES`."""
     intrusion_s: float
-    """The longest time in the distance of a person who was not visited then, passers-by among them."""
+    """`longest_intrusion_s` of the episode's metrics."""
     detour_m: float
-    """The way beyond the straight lines from stop to stop."""
     distances_m: Mapping[str, tuple[float, float | None]]
     """By person, wanted at last and reached."""
     values: Mapping[str, float | str]
@@ -80,7 +78,7 @@ def measured(case: Case, episode: Episode) -> Measured:
     stops = {person: standing(frames, episode.visits, person) for person in approached(prepared.plan)}
     fared = [outcome_of(episode, person) for person in prepared.file.scenario.visited()]
     outcomes = [outcome for outcome in fared if outcome != "declined"]
-    person, stay = case.people[0], intrusion(episode).longest(frames)
+    person = case.people[0]
     values = {
         name: values_when_judged(episode, person, name)[name] for name in prepared.values[person].parameters
     }
@@ -93,7 +91,7 @@ def measured(case: Case, episode: Episode) -> Measured:
         wanted=len(outcomes),
         time_s=episode.history.end_s,
         phases_s=_phases(episode.events),
-        intrusion_s=stay.length_s if stay else 0.0,
+        intrusion_s=episode.metrics.longest_intrusion_s,
         detour_m=_detour_m(frames, episode.metrics.path_length_m, [stop for stop in stops.values() if stop]),
         distances_m={
             name: (_target_m(episode, name), stop.distance_m if stop else None)

@@ -15,12 +15,14 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from comity.testing.measuring.registry import TESTED
 from comity.testing.reporting.answers import UnexplainedAnswer
 from comity.testing.reporting.summary import by_case, served_alike, shared
 
 if TYPE_CHECKING:
     from comity.testing.measuring.measured import Measured
     from comity.testing.runner.result import Result
+    from comity_sim2d import Metric
 
 PLACE = ("conversational_distance", "approach_direction")
 """What decides where the robot stops, and with it the way there and who of a group is greeted together."""
@@ -47,14 +49,20 @@ class Aspect:
     """One number of an episode, and the parameters that bear on it."""
 
     what: str
+    metric: Metric
+    """Its definition."""
     value: Callable[[Measured], float]
     bears: Sequence[str]
     """Parameters by which it may come out otherwise."""
     small: float
-    unit: str
     owed: bool = False
     """Whether everybody is owed the same: then no parameter explains a difference, and only what a person
     asked for may be behind it. Anything else is compared where as many people were served."""
+
+    @property
+    def unit(self) -> str:
+        """As sentences have it: none of a count."""
+        return "" if self.metric.unit == "1" else self.metric.unit
 
     @property
     def hangs_on(self) -> Sequence[str]:
@@ -75,20 +83,28 @@ def _error_m(one: Measured) -> float:
 
 
 ASPECTS = (
-    Aspect("people served", lambda one: one.served, (*PLACE, *ACTS), 0.0, "", owed=True),
-    Aspect("distance off the wanted one", _error_m, PLACE, SMALL_ERROR_M, "m", owed=True),
-    Aspect("time on the way", lambda one: one.phases_s["way"], PLACE, SMALL_S, "s"),
+    Aspect("people served", TESTED["served"], lambda one: one.served, (*PLACE, *ACTS), 0.0, owed=True),
+    Aspect(
+        "distance off the wanted one", TESTED["distance_error_m"], _error_m, PLACE, SMALL_ERROR_M, owed=True
+    ),
+    Aspect("time on the way", TESTED["way_s"], lambda one: one.phases_s["way"], PLACE, SMALL_S),
     Aspect(
         "time of coming near",
+        TESTED["coming_near_s"],
         lambda one: one.phases_s["coming near"],
         (*PLACE, "approach_speed"),
         SMALL_S,
-        "s",
     ),
-    Aspect("time of the greeting", lambda one: one.phases_s["greeting"], (*GREETING, *PLACE), SMALL_S, "s"),
-    Aspect("time of attending", lambda one: one.phases_s["attending"], PLACE, SMALL_S, "s"),
-    Aspect("intrusion", lambda one: one.intrusion_s, PLACE, SMALL_S, "s"),
-    Aspect("detour", lambda one: one.detour_m, PLACE, SMALL_M, "m"),
+    Aspect(
+        "time of the greeting",
+        TESTED["greeting_s"],
+        lambda one: one.phases_s["greeting"],
+        (*GREETING, *PLACE),
+        SMALL_S,
+    ),
+    Aspect("time of attending", TESTED["attending_s"], lambda one: one.phases_s["attending"], PLACE, SMALL_S),
+    Aspect("intrusion", TESTED["intrusion_s"], lambda one: one.intrusion_s, PLACE, SMALL_S),
+    Aspect("detour", TESTED["detour_m"], lambda one: one.detour_m, PLACE, SMALL_M),
 )
 
 

@@ -61,11 +61,12 @@ def without_unit(name: str, unit: str) -> str:
     return name.removesuffix(_ENDS.get(unit, ""))
 
 
-def _by_name(*metrics: Metric) -> Mapping[str, Metric]:
+def by_name(*metrics: Metric) -> Mapping[str, Metric]:
+    """The metrics by their names, in their order."""
     return MappingProxyType({metric.name: metric for metric in metrics})
 
 
-EPISODE: Mapping[str, Metric] = _by_name(
+EPISODE: Mapping[str, Metric] = by_name(
     Metric("duration_s", "s", "From the first frame to the last.", FRANCIS),
     Metric("path_length_m", "m", "Path length of the robot's centre.", FRANCIS),
     Metric(
@@ -202,7 +203,7 @@ EPISODE: Mapping[str, Metric] = _by_name(
 )
 """Per run. What has no value (nobody there, no path known) is left out."""
 
-VISIT: Mapping[str, Metric] = _by_name(
+VISIT: Mapping[str, Metric] = by_name(
     Metric(
         "docking_error_m",
         "m",
