@@ -195,7 +195,10 @@ def test_a_track_is_drawn_whole_and_darkest_at_its_end(corners) -> None:
     points = np.array(corners)
     drawing.draw_track(ax, points, colours.PALETTE[0])
     (lines,) = (one for one in ax.collections if isinstance(one, LineCollection))
-    alphas = lines.get_colors()[:, 3]
-    assert (np.diff(alphas) <= 1e-9).all()
+    lightness = lines.get_colors()[:, :3].sum(axis=1)
+    assert (np.diff(lightness) <= 1e-9).all()
+    assert lines.get_colors()[-1, :3] == pytest.approx(
+        drawing.tint(colours.PALETTE[0], 1.0 - drawing.TRACK_DARK)
+    )
     legs = {tuple(map(tuple, leg)) for piece in lines.get_segments() for leg in pairwise(piece)}
     assert all((tuple(a), tuple(b)) in legs for a, b in pairwise(points))

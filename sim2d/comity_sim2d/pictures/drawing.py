@@ -41,8 +41,8 @@ NOSE = 1.42
 O_SPACE = "#EEEFF1"
 RECENT_M, MOST_SHADES = 5.0, 6
 """Of a path: pieces of this length are equally dark, and there are so many shades (our choice)."""
-TRACK_ALPHA, FADED = 0.8, 0.25
-"""How dark the newest piece is, and what share of that the oldest."""
+TRACK_DARK, TRACK_FADED = 0.8, 0.25
+"""Of a person's path: how dark the newest piece is, and what share of that the oldest."""
 MOVED_M = 0.05
 """Who moved less has no track."""
 BARS_M = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0)
@@ -173,19 +173,44 @@ def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
 
 
 def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:
-    """The path of a person who walks: a thin line from a small ring at its start.
+    """The path of a person who walks: a thin line from a small ring at its start."""
+    start = draw_faded(ax, points, colour, dark=TRACK_DARK, faded=TRACK_FADED, width_pt=1.0, level=4.2)
+    ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=start, mew=1.1, zorder=4.3)
 
-    The last `RECENT_M` are drawn in full; of a longer path what lies before fades, the start most.
+
+def draw_faded(
+    ax: Axes,
+    points: NDArray[np.float64],
+    colour: str,
+    *,
+    dark: float,
+    faded: float,
+    width_pt: float,
+    level: float,
+) -> tuple[float, float, float]:
+    """A path whose last `RECENT_M` are drawn in full; of a longer one the rest fades, the start most.
+
+    Args:
+        ax: Where to draw it.
+        points: Along the path, one a row, the oldest first [m].
+        colour: Of the line.
+        dark: The share of the colour in the newest piece, in (0, 1]; the rest is white.
+        faded: What share of that the oldest has, in (0, 1].
+        width_pt: Of the line [pt].
+        level: What lies higher covers it.
+
+    Returns:
+        The colour of the oldest piece, red, green and blue in [0, 1].
     """
     from matplotlib.collections import LineCollection
 
-    ends = _recent_first(points[:, :2])
-    alphas = np.linspace(1.0, FADED, len(ends)) * TRACK_ALPHA
-    lines = LineCollection(ends, colors=[(colour, float(alpha)) for alpha in alphas], linewidths=1.0)
-    lines.set(zorder=4.2, capstyle="butt")
+    pieces = _recent_first(points[:, :2])
+    shades = [tint(colour, 1.0 - dark * share) for share in np.linspace(1.0, faded, len(pieces)).tolist()]
+    # the oldest first, so that newer pieces lie on it
+    lines = LineCollection(pieces[::-1], colors=shades[::-1], linewidths=width_pt)
+    lines.set(zorder=level, capstyle="butt")
     ax.add_collection(lines, autolim=False)
-    start = tint(colour, 1.0 - alphas[-1])
-    ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=start, mew=1.1, zorder=4.3)
+    return shades[-1]
 
 
 def _recent_first(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:

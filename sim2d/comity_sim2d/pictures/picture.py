@@ -51,6 +51,11 @@ LEAST_IN_PER_M = 0.8
 """On a smaller map arrows are larger than they are in metres."""
 MARK_M = 0.06
 """The radius that labels keep off a small mark."""
+WAY_DARK, WAY_FADED = 0.85, 0.58
+"""Of the driven path: how dark the newest piece is, and what share of that the oldest.
+
+The oldest has a contrast of 3 with the floor (WCAG 2.2, criterion 1.4.11).
+"""
 SAME_M = 0.02
 """Of two places that are nearer than this, one is drawn."""
 
@@ -261,7 +266,7 @@ class _Picture:
         from matplotlib.patches import Polygon
 
         points = self._frames.of(self._robot)[:, :2]
-        ax.plot(points[:, 0], points[:, 1], color=d.ROBOT, lw=1.7, alpha=0.75, zorder=4.5)
+        d.draw_faded(ax, points, d.ROBOT, dark=WAY_DARK, faded=WAY_FADED, width_pt=1.7, level=4.5)
         ax.plot(*points[0], marker="o", ms=7, mfc="#FFFFFF", mec=d.ROBOT, mew=1.7, zorder=6)
         for (x, y), (dx, dy) in d.marks_along(points, ARROWS_EVERY_M * size, 0.6 * size):
             tip, back = 0.09 * size, 0.06 * size
