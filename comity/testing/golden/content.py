@@ -10,14 +10,12 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from comity.parameters.cast import cast_of, rulebook_of
 from comity.scenario import MapPlace
 from comity.simulation.changes import changes_of_values
 from comity.simulation.place import written_map
 from comity.testing.golden.leaves import SourceFile, source_of
 
 if TYPE_CHECKING:
-    from comity.parameters.cast import Cast
     from comity.testing.trials.case import Case
 
 _PROSE = ("name", "description", "reason", "reasons", "note")
@@ -38,8 +36,7 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
     Raises:
         InputError: if anything that the case names cannot be used.
     """
-    cast = _cast(case)
-    data, rulebook = case.file.file.data, rulebook_of(case.file, case.rulebook, case.profiles).data
+    cast, data, rulebook = case.cast, case.file.file.data, case.rulebook_file.data
     map_name = _map_name(case)
     yield "scenario", _without(data, (*_ABOUT_TESTS, "rulebook"))
     map_data = written_map(case.file, map_name)[0].data if map_name else None
@@ -60,25 +57,21 @@ def sources_of(case: Case) -> Iterator[tuple[str, SourceFile]]:
     Raises:
         InputError: if anything that the case names cannot be used.
     """
-    file, rulebook, map_name = (
-        case.file.file,
-        rulebook_of(case.file, case.rulebook, case.profiles),
-        _map_name(case),
-    )
+    file, rulebook, map_name = case.file.file, case.rulebook_file, _map_name(case)
     yield "scenario", source_of(file, _without(_as_played(case), _HEADS), _ABOUT)
     if map_name:
         found = written_map(case.file, map_name)[0]
         yield f"map {map_name}", source_of(found, _without(found.data, _HEADS), _ABOUT)
     figures = _without(rulebook.data, (*_HEADS, "rules", "sources"))
     yield "rulebook", source_of(rulebook, figures, _PROSE)
-    for name, each in _cast(case).declared.items():
+    for name, each in case.cast.declared.items():
         if each.file and not (each.kept_as or is_written_out(case, name)):
             yield profile_of(name), source_of(each.file, _without(each.file.data, _HEADS), _ABOUT)
 
 
 def kept_of(case: Case) -> Iterator[tuple[str, str]]:
     """What a case reads from the store, by what golden episodes call it: who is kept, and what names them."""
-    for name, each in _cast(case).declared.items():
+    for name, each in case.cast.declared.items():
         if each.kept_as:
             at = ("matrix", "profiles") if name in case.profiles else ("people", name, "profile")
             named = f"{each.kept_as} of the store, whom {' '.join(at)} names in {case.file.where(*at)}"
@@ -103,11 +96,7 @@ def is_written_out(case: Case, person: str) -> bool:
 
 def rules_of(case: Case) -> tuple[str, ...]:
     """The rules in their order."""
-    return tuple(map(_rule, rulebook_of(case.file, case.rulebook, case.profiles).data.get("rules") or ()))
-
-
-def _cast(case: Case) -> Cast:
-    return cast_of(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
+    return tuple(map(_rule, case.rulebook_file.data.get("rules") or ()))
 
 
 def _as_played(case: Case) -> dict[str, Any]:

@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from comity.episode import fingerprint
-from comity.parameters.cast import rulebook_of
 from comity.system import own_files
 from comity.system.scenario_sets import names_by_path
 from comity.testing.golden.content import (
@@ -98,7 +97,7 @@ def _read_by(case: Case) -> Iterator[tuple[str, str]]:
             for person, part in content.items():
                 yield learnt_with(person), digest_of(part)
         elif name == "rulebook":
-            yield name, digest_of(rulebook_of(case.file, case.rulebook, case.profiles).data)
+            yield name, digest_of(case.rulebook_file.data)
         elif name.split()[0] in _FILES and content is not None:
             yield name, digest_of(content)
 

@@ -8,7 +8,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.parameters.cast import rulebook_of
 from comity.testing.trials.case import Across, from_here
 from comity_fis.loading import is_fis
 
@@ -30,7 +29,7 @@ def cited(case: Case | Across, reasons: Iterable[str]) -> str:
         reasons: The lines of a failure.
     """
     one = case.cases[0] if isinstance(case, Across) else case
-    file = rulebook_of(one.file, one.rulebook, one.profiles)
+    file = one.rulebook_file
     if is_fis(file.path):  # was turned into YAML, and has other lines
         return ""
     rules = [str(rule["rule"]) for rule in file.data.get("rules") or ()]

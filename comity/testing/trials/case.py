@@ -10,12 +10,14 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.parameters.cast import rulebook_of
+from comity.parameters.cast import cast_of, rulebook_of
 from comity_domain import ENGINE
 from comity_fis.validation.name_or_path import looks_like_a_file
 
 if TYPE_CHECKING:
+    from comity.parameters.cast import Cast
     from comity.scenario import ScenarioFile
+    from comity_fis.validation.yaml_file import YamlFile
 
 ACROSS = "across"
 """The case that compares the profiles of a scenario."""
@@ -49,6 +51,16 @@ class Case:
     def day(self) -> date:
         """On which facts are taken."""
         return self.file.scenario.at or DAY
+
+    @property
+    def cast(self) -> Cast:
+        """Its people, with their profiles on its day."""
+        return cast_of(self.file, profiles=self.profiles, rulebook=self.rulebook, at=self.day)
+
+    @property
+    def rulebook_file(self) -> YamlFile:
+        """The rulebook that it reads."""
+        return rulebook_of(self.file, self.rulebook, self.profiles)
 
     @property
     def parts(self) -> tuple[str, ...]:
@@ -85,7 +97,7 @@ class Case:
         """For JUnit reports: what profiles of one scenario share; a world has a name only in a matrix."""
         rulebook = self.rulebook or self.file.scenario.rulebook
         if rulebook is None:
-            rulebook = str(rulebook_of(self.file, profiles=self.profiles).data["name"])
+            rulebook = str(self.rulebook_file.data["name"])
         yield "seed", self.seed
         yield "rulebook", Path(rulebook).stem if isinstance(rulebook, str) else "of the scenario"
         if self.world is not None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from comity.parameters.cast import cast_of
 from comity.testing.trials.case import DAY, Across
 
 if TYPE_CHECKING:
@@ -24,7 +23,7 @@ def day_taken(case: Case | Across) -> str:
 
 def _depending(case: Case) -> Iterator[bool]:
     """Of everybody, whether a fact is another on another day, and what meetings taught worth less or more."""
-    cast = cast_of(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
+    cast = case.cast
     for name, declared in cast.declared.items():
         embedded = case.file.scenario.people[name].learnt is not None and name not in case.profiles
         yield declared.profile.depends_on_date or (name in cast.learnt and not embedded)
