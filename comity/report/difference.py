@@ -32,8 +32,3 @@ def share(part: float) -> str:
     if 0.99 < part < 1:
         return "over 99 %"
     return f"{100 * part:.0f} %"
-
-
-def counted(count: int, one: str, more: str | None = None) -> str:
-    """`1 row`, `2 rows`, `2 studies`."""
-    return f"{count} {one if count == 1 else more or one + 's'}"

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from comity.report.difference import counted
 from comity_fis import InputError, closest
+from comity_fis.validation.complaint import counted
 from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d import load_map, shipped_maps
 from comity_sim2d.maps.library import SUFFIX

@@ -20,7 +20,6 @@ class MeasuredSpread:
     sd_cm: float
     """Within groups, pooled over them."""
     people: int
-    groups: int
 
 
 def measured_spread(path: Path, column: str, by: str | None = None) -> MeasuredSpread:
@@ -59,4 +58,4 @@ def measured_spread(path: Path, column: str, by: str | None = None) -> MeasuredS
                 "two people or more in a group", str(people), "Add rows, or leave --by out.", table.line
             )
     squares = sum(sum((one - sum(group) / len(group)) ** 2 for one in group) for group in values.values())
-    return MeasuredSpread(sqrt(squares / (people - len(values))), people, len(values))
+    return MeasuredSpread(sqrt(squares / (people - len(values))), people)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from itertools import groupby
 from typing import TYPE_CHECKING, get_args
 
-from comity.report.difference import counted, difference, share
+from comity.report.difference import difference, share
 from comity.report.text import number, table, words, words_of
 from comity_fis import NumericParameter
 from comity_fis.audit.audit import Audit
 from comity_fis.audit.order import BAND_M
 from comity_fis.rules.rule import Evidence
+from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers.measuring import EvaluateAnswer, MeasuredRowAnswer, NumbersAnswer, WordsAnswer
-from comity.report.difference import bare, counted, difference, shown_unit
+from comity.report.difference import bare, difference, shown_unit
 from comity.report.text import number, stated, table, words
 from comity_fis.audit.accuracy import StudyAccuracy
+from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

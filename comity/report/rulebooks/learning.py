@@ -11,13 +11,14 @@ from comity.answers.learning import (
     LearntRuleAnswer,
     PriorAnswer,
 )
-from comity.report.difference import bare, counted, difference, share, shown_unit
+from comity.report.difference import bare, difference, share, shown_unit
 from comity.report.text import number, table, words, words_of
 from comity.tables.contenders import ASK, CONSTANT, INDIVIDUAL, LINE
 from comity.tables.leaving_out import LEAST_UNITS
 from comity_fis.learning.pooling import DECLARED_PEOPLE, LEAST_PEOPLE
 from comity_fis.learning.rule_table import LEAST_SUPPORT
 from comity_fis.rules.rule import Is
+from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

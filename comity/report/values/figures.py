@@ -65,7 +65,7 @@ def _education() -> bytes:
 
 def _age() -> bytes:
     return variable_picture.numeric_variable(
-        _numeric("bruno2017", "age"),
+        _numeric("age"),
         about="The terms are known, their shapes are not: each stage of life becomes a trapezoid.",
         note="The terms are the paper's. Where they meet (3, 12, 19, 65 years) and how wide they overlap "
         "is a design choice.",
@@ -153,8 +153,8 @@ def _mapping_note() -> str:
     )
 
 
-def _numeric(rulebook: str, name: str) -> NumericVariable:
-    variable = load_rulebook(rulebook).variables[name]
+def _numeric(name: str) -> NumericVariable:
+    variable = load_rulebook("bruno2017").variables[name]
     assert isinstance(variable, NumericVariable)
     return variable
 
@@ -162,7 +162,7 @@ def _numeric(rulebook: str, name: str) -> NumericVariable:
 @cache
 def _fit() -> Fit:
     """The paper's partition, made again."""
-    coercion = _numeric("bruno2017", "individualism").coercion
+    coercion = _numeric("individualism").coercion
     scores = tuple(float(row.value) for row in individualism_scores())
     return fit_column(
         TableColumn("individualism.csv", "individualism", scores, 0),

@@ -72,7 +72,8 @@ def claims_in(path: Path, *, profiles: Sequence[str] = (), engine: str = ENGINE)
         InputError: with the line, for whatever in the file cannot be used.
     """
     file = _read(path)
-    _refuse_unknown_people(file)
+    people = file.scenario.people
+    _require(file.scenario.matrix.people, "somebody from `people`", people, file.where("matrix", "people"))
     own = profiles_of(file)
     written = _expectations(file, {tried.called for tried in own})
     by_itself = tuple(one for one in written if not isinstance(one.meaning, ProfileComparison))
@@ -251,15 +252,6 @@ def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
     for case in cases:
         groups.setdefault((case.world, case.rulebook, case.seed), []).append(case)
     yield from map(tuple, groups.values())
-
-
-def _refuse_unknown_people(file: ScenarioFile) -> None:
-    """Refuse to give a profile to a person who is not there."""
-    for name in file.scenario.matrix.people:
-        if name not in file.scenario.people:
-            raise unknown_word(
-                "somebody from `people`", name, file.scenario.people, where=file.where("matrix", "people")
-            )
 
 
 def _refuse_unknown_profiles(names: Sequence[str], known: Collection[str], where: Where) -> None:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from comity.report.difference import counted
 from comity.report.text import console, show, table, unbroken
 from comity.testing.reporting.answers import TestAnswer, TestsAnswer
 from comity.testing.reporting.broken import OVERVIEW, broken, broken_table
@@ -15,6 +14,7 @@ from comity.testing.reporting.contrasts import contrasts
 from comity.testing.reporting.fairness import Reach, differences, reach, spread, thresholds, too_small
 from comity.testing.reporting.summary import others, served, served_table, shared
 from comity.testing.runner.telling import wraps
+from comity_fis.validation.complaint import counted
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

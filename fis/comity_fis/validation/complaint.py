@@ -149,9 +149,9 @@ def _unit(key: str) -> str:
     return next((unit for end, unit in _UNITS.items() if key.endswith(end)), "")
 
 
-def counted(count: int, thing: str) -> str:
-    """A count with its noun."""
-    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+def counted(count: int, one: str, more: str | None = None) -> str:
+    """A count with its noun: `1 row`, `2 rows`, `2 studies`."""
+    return f"{count} {one if count == 1 else more or one + 's'}"
 
 
 def shown(value: object, limit: int = 60) -> str:
