@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import networkx as nx
@@ -107,6 +108,12 @@ def test_a_world_tells_its_doors_as_they_are_now():
 def test_its_picture_is_the_same_in_every_run(form):
     place = load_map("apartment")
     assert draw_topology(place, title="a", form=form) == draw_topology(place, title="a", form=form)
+
+
+def test_its_picture_names_rooms_doors_and_places():
+    drawn = draw_topology(load_map("apartment"), title="the flat", form="svg").decode()
+    words = re.findall(r"<text[^>]*>([^<]+)</text>", drawn)
+    assert {"the flat", "living room", "front door", "passage, 1.8 m", "0.8 m, shut"} <= set(words)
 
 
 def test_the_command_draws_it(comity, here):

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from comity_sim2d.maps.topology import topology
 from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures.map_labels import MapLabels
 from comity_sim2d.pictures.page import DPI, as_bytes, in_per_m, own_page
+from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -16,11 +19,17 @@ if TYPE_CHECKING:
     from comity_sim2d.maps.place_map import PlaceMap
     from comity_sim2d.scene.scene import Scene
 
-EDGE_IN, HEADER_IN = 0.4, 0.5
+EDGE_IN, HEADER_IN = 0.7, 0.5
+"""The edge holds names of marks that lie at the border."""
 LEAST_IN, MOST_IN = 7.0, 16.0
 IN_PER_M = 0.6
 ROOM, LIGHT, SHUT = "#0B6E6E", "#8FA3A3", "#B3261E"
-BOX = {"boxstyle": "round,pad=0.1", "fc": "#FFFFFF", "ec": "none", "alpha": 0.8}
+MARK_PT = {"room": 15.0, "place": 7.0, "door": 6.5}
+"""How wide the mark of each is."""
+WORDS_PT = {"room": 10.0, "door": 8.0, "place": 8.0}
+"""The size of their names, in the order in which these are written."""
+PREFER_RAD = {"room": -math.pi / 2, "door": 0.0, "place": math.pi / 2}
+"""Where a name goes if it can: below a room, to the right of a door, above a place."""
 
 
 def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> bytes:
@@ -40,68 +49,89 @@ def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> 
     graph = topology(place)
     if not graph:
         raise ValueError("a place without rooms has no graph")
-    wide, high = d.extent_m(place)
+    left, bottom, right, top = _bounds(graph)
+    wide, high = right - left, top - bottom
     scale = in_per_m((wide, high), IN_PER_M, least_in=LEAST_IN, most_in=MOST_IN)
-    size = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN)
-    with own_page([*graph, title]):
+    size = (wide * scale + 2 * EDGE_IN, high * scale + 2 * EDGE_IN + HEADER_IN)
+    with own_page([title, *(words for _, words, _ in _names(graph))]):
         figure = Figure(figsize=size, dpi=DPI[form], facecolor="#FFFFFF")
-        FigureCanvasAgg(figure)
-        beside, above = EDGE_IN / size[0], HEADER_IN / size[1]
-        ax = figure.add_axes((beside, 0.0, 1.0 - 2.0 * beside, 1.0 - above))
-        ax.set_title(title, loc="left", size=15, weight="bold", color=d.INK)
-        _draw(ax, graph, scale)
+        canvas = FigureCanvasAgg(figure)
+        beside, above = EDGE_IN / 2.0 / size[0], HEADER_IN / size[1]
+        figure.text(beside, 1.0 - above / 2.0, title, size=15, weight="bold", color=d.INK, va="center")
+        ax = figure.add_axes((0.0, 0.0, 1.0, 1.0 - above))
+        ax.set_axis_off()
+        edge_m = EDGE_IN / scale
+        ax.set_xlim(left - edge_m, right + edge_m)
+        ax.set_ylim(bottom - edge_m, top + edge_m)
+        _draw(ax, graph)
+        _write(MapLabels(ax, canvas), graph, scale)
         return as_bytes(figure, form)
 
 
-def _draw(ax: Axes, graph: nx.MultiGraph[str], scale: float) -> None:
-    """The edges of a door bend at the door, so that lines lie where one walks."""
-    import networkx as nx
+def _bounds(graph: nx.MultiGraph[str]) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of all marks [m], a metre apart at least."""
+    marks: list[XY] = [facts["at"] for _, facts in graph.nodes(data=True)]
+    marks += [facts["at"] for _, _, facts in graph.edges(data=True) if facts["kind"] == "door"]
+    xs, ys = zip(*marks, strict=True)
+    left, bottom = min(xs), min(ys)
+    return left, bottom, max(*xs, left + 1.0), max(*ys, bottom + 1.0)
 
-    at = nx.get_node_attributes(graph, "at")
-    ax.axis("off")
-    ax.set_aspect("equal")
-    ax.margins(0.06)
+
+def _draw(ax: Axes, graph: nx.MultiGraph[str]) -> None:
+    """The lines and the marks."""
     for one, other, facts in graph.edges(data=True):
-        points = [at[one], *([facts["at"]] if facts["kind"] == "door" else []), at[other]]
-        colour, style = (d.INK, "solid") if facts["is_open"] else (SHUT, "dashed")
         thin = facts["kind"] == "in"
+        colour, style = (d.INK, "solid") if facts["is_open"] else (SHUT, "dashed")
         colour = LIGHT if thin else colour
-        ax.plot(*zip(*points, strict=True), color=colour, ls=style, lw=0.9 if thin else 1.8, zorder=1)
-    for kind, colour, size in (("room", ROOM, 220), ("place", LIGHT, 45)):
-        nodes = [node for node, facts in graph.nodes(data=True) if facts["kind"] == kind]
-        nx.draw_networkx_nodes(graph, at, ax=ax, nodelist=nodes, node_color=colour, node_size=size)
-        for node in nodes:
-            _name(ax, graph, node, scale)
+        points = zip(*_line(graph, one, other, facts), strict=True)
+        ax.plot(*points, color=colour, ls=style, lw=0.9 if thin else 1.8, zorder=1)
+        if facts["kind"] == "door":
+            ax.plot(
+                *facts["at"], marker="s", ms=MARK_PT["door"], mfc="#FFFFFF", mec=colour, mew=1.6, zorder=3
+            )
+    for _, facts in graph.nodes(data=True):
+        kind = facts["kind"]
+        colour, level = (ROOM, 4) if kind == "room" else (LIGHT, 5)  # a place may lie on its room's mark
+        ax.plot(*facts["at"], marker="o", ms=MARK_PT[kind], mfc=colour, mec="#FFFFFF", mew=0.8, zorder=level)
+
+
+def _line(graph: nx.MultiGraph[str], one: str, other: str, facts: Mapping[str, Any]) -> list[XY]:
+    """An edge from mark to mark; that of a door bends at the door, so that it lies where one walks."""
+    bend = [facts["at"]] if facts["kind"] == "door" else []
+    return [graph.nodes[one]["at"], *bend, graph.nodes[other]["at"]]
+
+
+def _write(labels: MapLabels, graph: nx.MultiGraph[str], scale: float) -> None:
+    """The names, off the lines and the marks: of rooms, then of doors, then of places."""
+    reach_m = {kind: points / 2.0 / 72.0 / scale for kind, points in MARK_PT.items()}
+    for one, other, facts in graph.edges(data=True):
+        labels.avoid_line(_line(graph, one, other, facts))
+        if facts["kind"] == "door":
+            labels.avoid_disc(facts["at"], reach_m["door"])
+    for _, facts in graph.nodes(data=True):
+        labels.avoid_disc(facts["at"], reach_m[facts["kind"]])
+    for kind, words, about in sorted(_names(graph), key=lambda name: list(WORDS_PT).index(name[0])):
+        labels.near(
+            about["at"],
+            reach_m[kind],
+            words,
+            size=WORDS_PT[kind],
+            colour=SHUT if about.get("is_open") is False else d.GREY if kind == "place" else d.INK,
+            weight="bold" if kind == "room" else "normal",
+            prefer_rad=PREFER_RAD[kind],
+        )
+
+
+def _names(graph: nx.MultiGraph[str]) -> Iterator[tuple[str, str, Mapping[str, Any]]]:
+    """What has a name: its kind, the name, and its facts; of doors also the width, and that they are shut.
+
+    A place that is called like its room has no name, and a door that is called like a room only the rest.
+    """
+    for node, facts in graph.nodes(data=True):
+        if facts["name"] == node:
+            yield facts["kind"], node, facts
     for one, other, key, facts in graph.edges(keys=True, data=True):
         if facts["kind"] == "door":
-            _draw_door(ax, key if key not in (one, other) else "", facts)
-
-
-def _name(ax: Axes, graph: nx.MultiGraph[str], node: str, scale: float) -> None:
-    """Rooms below their mark, places above theirs; a place that is called like its room has no name."""
-    facts = graph.nodes[node]
-    x, y = facts["at"]
-    words: dict[str, Any] = {"color": d.INK, "ha": "center", "bbox": BOX, "zorder": 5}
-    if facts["kind"] == "room":
-        ax.text(x, y - 0.13 / scale, facts["name"], size=10.0, weight="bold", va="top", **words)
-    elif facts["name"] == node:
-        ax.text(x, y + 0.08 / scale, facts["name"], size=7.5, va="bottom", **words)
-
-
-def _draw_door(ax: Axes, name: str, facts: Mapping[str, Any]) -> None:
-    """A mark where it is, with its name, unless that is a room's, its width, and that it is shut."""
-    x, y = facts["at"]
-    colour = d.INK if facts["is_open"] else SHUT
-    ax.plot(x, y, marker="s", ms=6, mfc="#FFFFFF", mec=colour, mew=1.6, zorder=3)
-    words = [name, f"{facts['width_m']:.2g} m", "" if facts["is_open"] else "shut"]
-    ax.annotate(
-        ", ".join(filter(None, words)),
-        (x, y),
-        xytext=(6, 0),
-        textcoords="offset points",
-        size=7.5,
-        color=colour,
-        va="center",
-        bbox=BOX,
-        zorder=4,
-    )
+            name = key if key not in (one, other) else ""
+            words = [name, f"{facts['width_m']:.2g} m", "" if facts["is_open"] else "shut"]
+            yield "door", ", ".join(filter(None, words)), facts
