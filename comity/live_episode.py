@@ -26,6 +26,7 @@ from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import told as told_only
 from comity.simulation.passages import passages
 from comity.simulation.walks import walks
+from comity_domain.choices.greeting import NO_GESTURE
 from comity_executor import (
     NO_ACTS,
     PROPER_OUTCOMES,
@@ -38,7 +39,7 @@ from comity_executor import (
     TraceEvent,
     Write,
 )
-from comity_executor.memory.visit_context import NO_GESTURE, SAY_ACT
+from comity_executor.memory.visit_context import SAY_ACT
 from comity_fis.errors import InputError
 from comity_sim2d import DoorTurn, Frames, World
 from comity_sim2d.base.drive import stopping_time_s

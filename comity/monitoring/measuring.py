@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from comity.monitoring.parameter_updates import later_distances_m, values_at
 from comity_domain.plans.actions import REACH
-from comity_domain.problem.bound_parameters import DISTANCE
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE
 from comity_executor import PROPER_OUTCOMES
+from comity_executor.trees.tree import VISITED
 from comity_sim2d import Contacts, Known, Metrics, Span, TargetStop, measure
 
 if TYPE_CHECKING:
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import Frames, RouteMap, Scene, Touch
 
-_VISITED, _DOCKED = "visited", "docked?"
-"""What the nodes of the tree do by which a visit is done, and which ask whether the robot has docked."""
+_DOCKED = "docked?"
+"""What the nodes of the tree do that ask whether the robot has docked."""
 TAKES_OVER = ("rebound", "replanned")
 """Events from which on another plan, or the same with other numbers, holds."""
 
@@ -125,7 +126,7 @@ def _wanted(
     asked = _asked(prepared.plan, events, revisions)
     ever = _distances_m(prepared.plan, events, revisions)
     for visit in visits:
-        times = [event.t for event in events if is_of(event, _VISITED, visit.person)]
+        times = [event.t for event in events if is_of(event, VISITED, visit.person)]
         if not times or visit.pose is None or visit.wanted is None:
             continue
         distance_m, bearing_deg = asked.get(visit.person, (visit.wanted.distance_m, visit.wanted.bearing_deg))
@@ -163,7 +164,7 @@ def stretches(events: Sequence[TraceEvent]) -> tuple[tuple[str, Span], ...]:
     found: list[tuple[str, Span]] = []
     about: tuple[str, float] | None = None
     for event in events:
-        if event.action != _VISITED or (person := event.person) is None:
+        if event.action != VISITED or (person := event.person) is None:
             continue
         if about and (event.status == "running" or person == about[0]):
             found.append((about[0], Span(about[1], event.t)))
@@ -222,7 +223,7 @@ def _stops(plan: Plan) -> dict[str, tuple[float, float]]:
     return {
         step.person: (
             float(step.parameters["conversational_distance"]),
-            float(step.parameters["approach_bearing"]),
+            float(step.parameters[BEARING]),
         )
         for step in plan.steps
         if step.action == REACH

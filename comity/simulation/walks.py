@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.answers.run import Disturbance
+from comity_sim2d.robot.walkers_met import WALK_M
 
 if TYPE_CHECKING:
     from comity_sim2d import Frames
@@ -17,8 +18,6 @@ MOVES_M_S = 0.05
 """A person who is slower stands."""
 PAUSE_S = 1.0
 """Two walks with a shorter stop between them are one: the person waited for another."""
-WALK_M = 0.3
-"""What is shorter is a step, and no walk."""
 
 
 def walks(frames: Frames, people: Iterable[str]) -> Iterator[Disturbance]:

@@ -9,8 +9,8 @@ from types import MappingProxyType
 
 from comity.study.statement import STATEMENT
 from comity_sim2d import EPISODE, VISIT
+from comity_sim2d.metrics.registry import OWN
 
-OWN = "Comity's own"
 FILE = "the study's file"
 PEOPLE = "the population"
 

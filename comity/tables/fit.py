@@ -18,13 +18,11 @@ from comity_fis import (
     from_data,
 )
 from comity_fis.errors import InputError
+from comity_fis.rulebook.models import LONGEST_NAME
 from comity_fis.variables.partitioning import RADII
 
 if TYPE_CHECKING:
     from comity.tables.column import TableColumn
-
-LONGEST = 80
-"""Characters of a name that a rulebook takes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,4 +88,4 @@ def fit_column(
 def _name(heading: str) -> str:
     """A name that a rulebook takes: no quotes, not too long, cut between words where it can be."""
     clean = " ".join(re.sub(r"['\"]", " ", heading).split())
-    return shorten(clean, LONGEST, placeholder="") or clean[:LONGEST] or "variable"
+    return shorten(clean, LONGEST_NAME, placeholder="") or clean[:LONGEST_NAME] or "variable"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import Literal
 
+from comity.parameters.which_rulebook import EVIDENCE
 from comity.tables.basis import basis_of
 from comity.tables.contenders import CONSTANT, PRIOR, RULES, Contenders
 from comity.tables.evaluation import USUAL_RADII, Radii
@@ -20,8 +21,6 @@ from comity_fis.learning.pooling import PooledPrior
 from comity_fis.learning.rule_table import Cell
 
 Kind = Literal["rules", "prior"]
-EVIDENCE = "evidence"
-"""The rulebook that whatever is learnt has to be compared with."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

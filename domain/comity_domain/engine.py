@@ -14,9 +14,7 @@ from unified_planning.model import AbstractProblem, Problem, ProblemKind
 from comity_domain.classical.solving import solved
 from comity_domain.classical.visit_domain import empty_problem
 from comity_domain.errors import NoPlan, PlanningFailed
-
-NAME = "comity"
-"""What unified-planning's factory calls it."""
+from comity_domain.planner import ENGINE
 
 
 class ComityEngine(Engine, OneshotPlannerMixin):  # type: ignore[misc]
@@ -24,8 +22,8 @@ class ComityEngine(Engine, OneshotPlannerMixin):  # type: ignore[misc]
 
     @property
     def name(self) -> str:
-        """See `NAME`."""
-        return NAME
+        """See `ENGINE`."""
+        return ENGINE
 
     @staticmethod
     def supported_kind() -> ProblemKind:
@@ -53,17 +51,17 @@ class ComityEngine(Engine, OneshotPlannerMixin):  # type: ignore[misc]
         try:
             plan, order = solved(problem, time_limit_s=timeout or 30.0)
         except NoPlan:
-            return PlanGenerationResult(PlanGenerationResultStatus.UNSOLVABLE_PROVEN, None, NAME)
+            return PlanGenerationResult(PlanGenerationResultStatus.UNSOLVABLE_PROVEN, None, ENGINE)
         except PlanningFailed:
-            return PlanGenerationResult(PlanGenerationResultStatus.TIMEOUT, None, NAME)
+            return PlanGenerationResult(PlanGenerationResultStatus.TIMEOUT, None, ENGINE)
         status = PlanGenerationResultStatus
         return PlanGenerationResult(
-            status.SOLVED_OPTIMALLY if order.proven else status.SOLVED_SATISFICING, plan, NAME
+            status.SOLVED_OPTIMALLY if order.proven else status.SOLVED_SATISFICING, plan, ENGINE
         )
 
 
 def register(environment: Environment | None = None) -> None:
     """Make it known to the factory of an environment; of unified-planning's global one without any."""
     factory = (environment or get_environment()).factory
-    if NAME not in factory.engines:
-        factory.add_engine(NAME, __name__, ComityEngine.__name__)
+    if ENGINE not in factory.engines:
+        factory.add_engine(ENGINE, __name__, ComityEngine.__name__)

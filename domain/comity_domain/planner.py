@@ -20,7 +20,7 @@ from comity_domain.tours.bound import lower_bound
 from comity_domain.tours.tour import best_tour
 
 ENGINE = "comity"
-"""The planner's name in a plan."""
+"""The planner's name in a plan and in unified-planning's factory."""
 
 
 def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:

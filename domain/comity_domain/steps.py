@@ -26,6 +26,7 @@ from comity_domain.plans.actions import (
 )
 from comity_domain.plans.plan import PlanStep, StepExplanation
 from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
+from comity_domain.problem.bound_parameters import BEARING
 from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import PlannedVisit, farewell_cost, greeting_parts, served
 
@@ -124,7 +125,7 @@ class _Steps:
         values = self.choices.people[spot.place].values
         return {
             "conversational_distance": values["conversational_distance"].number,
-            "approach_bearing": self.choices.side(spot).bearing_deg,
+            BEARING: self.choices.side(spot).bearing_deg,
         }
 
     def _fetch(self, offer: Offer, start: Spot) -> PlanStep:
@@ -149,7 +150,7 @@ class _Steps:
             parameters={
                 "conversational_distance": values["conversational_distance"].number,
                 "approach_direction": values["approach_direction"].number,
-                "approach_bearing": self.choices.side(spot).bearing_deg,
+                BEARING: self.choices.side(spot).bearing_deg,
                 "approach_speed": values["approach_speed"].number,
                 **(TOLD if person.is_told else {}),
             },

@@ -6,13 +6,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from comity_fis.errors import InputError, Where, WrongValueError, closest
+from comity_fis.errors import LONGEST_SHOWN, InputError, Where, WrongValueError, closest
 
 FARTHEST_M = 1000.0
 """No coordinate is farther out: it would be a slip of the pen (our choice)."""
 NUMBERS = (float, int, np.floating, np.integer)
-LONGEST = 80
-"""Characters of what came, in a message (our choice)."""
 
 
 class SceneError(InputError):
@@ -199,4 +197,4 @@ def shown(value: object) -> str:
         text = f"{value}" if is_number(value) else repr(value)
     except Exception:  # of somebody else's class, of which anything may come
         return f"an object of the class {type(value).__name__}"
-    return text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…"
+    return text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 1]}…"

@@ -17,7 +17,7 @@ from comity.planning.companies import companies
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_domain import Circumstances, Spot, greetings, ruled_out, sides
-from comity_executor.memory.visit_context import NO_GESTURE
+from comity_domain.choices.greeting import NO_GESTURE
 from comity_fis import InputError
 from comity_sim2d import Person, Pose, RobotBody, Room, RouteMap, Scene, docked
 

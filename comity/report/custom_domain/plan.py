@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from comity.answers.plan import CustomDomainAnswer, FailureAnswer, PlanAnswer, StepAnswer
-from comity.report.plans.plan import no_plan, quality_of, step_answer
+from comity.report.plans.plan import ALTERNATIVES_SHOWN, no_plan, quality_of, step_answer
 from comity.report.plans.proof import quality
 from comity.report.text import unbroken
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     from comity_domain import PlanningFailed
     from comity_domain.custom import Bound, CustomPlan
-
-ALTERNATIVES_SHOWN = 3
 
 
 def custom_plan_answer(

@@ -14,6 +14,8 @@ from comity.simulation.scene_later import scene_at
 from comity_executor.trees.passing import ASK
 from comity_sim2d import RouteMap, SceneError
 from comity_sim2d.metrics import clearances_m, intrusion_of, own_distances_m
+from comity_sim2d.metrics.intrusion import TICK_S
+from comity_sim2d.robot.margins import MOVED_M
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -26,8 +28,6 @@ if TYPE_CHECKING:
 
 SHORTEST_S = 0.1
 """A shorter stay is told by nothing: it is the precision of docking and of the frames."""
-MOVED_M = 0.1
-"""By so much a person has moved, and is not only drawn elsewhere by noise."""
 SAME_M = 0.05
 """Routes that differ by less are as long [m]."""
 FOLLOWS_M = 0.03
@@ -38,8 +38,6 @@ ASKED_S = 15.0
 """So long after a request to let it pass the robot still goes by it [s]."""
 BEFORE_S = 1.0
 """So long before a stay it is looked at who comes to whom [s]."""
-TICK_S = 1e-3
-"""Times within it are one: a tick is at least as long."""
 
 
 def nearness_answers(episode: Episode) -> Iterator[Disturbance]:

@@ -32,8 +32,8 @@ from comity.report.text import number, spans, table, words
 from comity.report.values.inference import because, settled
 from comity.report.values.wordings import unreviewed_text, wording_answers
 from comity_domain import ENGINE
+from comity_domain.choices.greeting import NO_GESTURE
 from comity_executor import Utterance
-from comity_executor.memory.visit_context import NO_GESTURE
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:

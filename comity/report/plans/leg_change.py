@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.text import number
 from comity_domain import START
-from comity_domain.problem.bound_parameters import DISTANCE
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE
 from comity_sim2d import spot_pose
 from comity_sim2d.pose import XY
 
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from comity_sim2d import Pose, Scene
 
 HERE = (START.place, START.side)
-BEARING = "approach_bearing"
 UNITS = {DISTANCE: "m", BEARING: "deg"}
 SHOWN = {"m": 0.0005, "deg": 0.05}
 """Less than this is not seen in print."""

@@ -13,6 +13,7 @@ from comity.report.plans.proof import quality
 from comity.report.plans.side import SIDES
 from comity.report.plans.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
+from comity_domain.problem.bound_parameters import BEARING
 from comity_executor import other_parameters
 from comity_sim2d.senses.sight import too_short_for
 
@@ -144,7 +145,7 @@ SILENT = frozenset({"text", "thing", "place", "modality"})
 UNITS = {
     "conversational_distance": "m",
     "approach_direction": "deg",
-    "approach_bearing": "deg",
+    BEARING: "deg",
     "approach_speed": "m/s",
     "cap_s": "s",
 }
@@ -223,7 +224,7 @@ def _values(step: StepAnswer) -> Iterator[str]:
             yield f"{'at most ' if 'until' in step.parameters else ''}{value:g} s"
         elif name == "approach_direction":
             yield f"{words(name)} {text} off the front{origin}"
-        elif name == "approach_bearing":
+        elif name == BEARING:
             side = f"side {step.arguments[-1]}: " if "approach_direction" in step.parameters else ""
             yield f"{side}bearing {text}"
         else:

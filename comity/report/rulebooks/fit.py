@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from comity.answers.fit import ClusterCount, FitAnswer, FittedTermAnswer
 from comity.report.text import table
-from comity.tables.fit import LONGEST
 from comity_fis import variable_data
 from comity_fis.membership.function import TwoTermGaussian
+from comity_fis.rulebook.models import LONGEST_NAME
 from comity_fis.validation.yaml_file import dump_yaml
 from comity_fis.variables.resolution import resolved
 
@@ -60,8 +60,8 @@ def fit_text(fit: Fit) -> Iterator[RenderableType]:
         return
     if fit.variable.name != column.name:
         yield (
-            f"\nThe variable is called {fit.variable.name!r}: a name has no quotes and at most {LONGEST} "
-            "characters."
+            f"\nThe variable is called {fit.variable.name!r}: a name has no quotes and "
+            f"at most {LONGEST_NAME} characters."
         )
     yield f"\nTerms at radius {fit.radius:g}"
     span = max(values) - min(values)

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.answers.study_with_people import ConfoundAnswer
-from comity.study.columns import FACT, OWN, PROVENANCE, WISH, ColumnDefinition, columns_of
+from comity.study.columns import FACT, PROVENANCE, WISH, ColumnDefinition, columns_of
 from comity.study.episode_rows import episode_rows
+from comity_sim2d.metrics.registry import OWN
 
 if TYPE_CHECKING:
     from comity.episode import Episode

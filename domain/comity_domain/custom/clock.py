@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 
 from comity_domain.custom.process import LATEST_S
 from comity_domain.custom.solving.bound import Bound
-from comity_domain.custom.solving.engines import GRACE_S
+from comity_domain.custom.solving.engines import GRACE_S, LEAST_S
 from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_custom
 from comity_domain.errors import PlanningFailed, out_of_time
 
 READING_S = 0.5
 """So much of starting, reading and binding takes nothing from the engine's time (our choice)."""
-LEAST_S, HANDING_OVER_S = 0.1, 0.5
+HANDING_OVER_S = 0.5
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from comity_domain.choices.side import sides
 from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, REACH, RETURN, TASKS
 from comity_domain.plans.plan import Plan, PlanStep
+from comity_domain.problem.bound_parameters import BEARING
 from comity_fis.inference.value import Inference
 
 GREETINGS = (GREET, GREET_TOGETHER)
@@ -86,7 +87,7 @@ def _renumbered(step: PlanStep, values: Inference) -> PlanStep:
     known = (name for name in step.parameters if name in values.parameters)
     numbers = {name: number for name in known if not isinstance(number := values[name].value, str)}
     side = sides(values).get(step.arguments[2]) if step.action in (REACH, RETURN) else None
-    bearing = {} if side is None else {"approach_bearing": side.bearing_deg}
+    bearing = {} if side is None else {BEARING: side.bearing_deg}
     return replace(step, parameters={**step.parameters, **numbers, **bearing})
 
 

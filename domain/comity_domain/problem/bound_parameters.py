@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 DISTANCE, SPEED, GREETING_LANGUAGE = "conversational_distance", "approach_speed", "greeting_language"
+BEARING = "approach_bearing"
+"""No parameter of a person, but of a step: where the robot stands, as the planner chose it [deg]."""
 ABOUT_VISITS = (DISTANCE, "approach_direction", SPEED, "greeting_modality", "greeting_gesture")
 """What reaching and greeting a person binds; a rulebook for visits has all of them."""
 ABOUT_WORDS = (GREETING_LANGUAGE, "formality", "rhetorical_style", "verbal_directness")

@@ -10,8 +10,9 @@ from types import MappingProxyType
 from py_trees.behaviour import Behaviour
 
 from comity_domain.choices.distances import distance_desirability
+from comity_domain.choices.greeting import NO_GESTURE
 from comity_domain.plans.plan import PlanStep
-from comity_domain.problem.bound_parameters import DISTANCE
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE
 from comity_executor.memory.asking import Asking
 from comity_executor.memory.drive import Drive
 from comity_executor.memory.shared import SharedMemory
@@ -30,7 +31,6 @@ from comity_fis.inference.value import Inference
 from comity_fis.membership.interval import Interval
 
 SAY_ACT = "say"
-NO_GESTURE = "none"
 POSE = ("pose", "reach", "values", "shown")
 """Entries that say where the robot is to stand."""
 DONE = ("greet", "performed", "done_before")
@@ -149,7 +149,7 @@ class VisitContext:
         """Where the plan wants the robot to stand."""
         return PlannedPose(
             distance_m=_number(self.reach, DISTANCE),
-            bearing_deg=_number(self.reach, "approach_bearing"),
+            bearing_deg=_number(self.reach, BEARING),
         )
 
     @property

@@ -8,6 +8,7 @@ from functools import cache
 
 from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, OFFER, REACH, TASKS
 from comity_domain.plans.plan import Plan, PlanStep, StepExplanation
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE, SPEED
 from comity_executor.nodes.limits import Limits
 from comity_executor.nodes.node import describe
 from comity_executor.robots.scripted import ScriptedRobot
@@ -20,9 +21,9 @@ _Kinds = tuple[tuple[str, tuple[str, ...], Mapping[str, float | str]], ...]
 """Of steps: the action, its choices, its parameters."""
 _THING: Mapping[str, float | str] = {"thing": "thing", "place": "place"}
 _THERE: Mapping[str, float | str] = {
-    "conversational_distance": 1.0,
-    "approach_bearing": 0.0,
-    "approach_speed": 0.3,
+    DISTANCE: 1.0,
+    BEARING: 0.0,
+    SPEED: 0.3,
 }
 _ANY: Mapping[str, float | str] = defaultdict(lambda: 1.0, {**_THING, "text": "text", "modality": "both"})
 """What some task of an agenda reads: these words, and else numbers."""

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 
 from comity_fis.audit.attributes import attributes
 from comity_fis.audit.conflicts import Conflict, conflicts
-from comity_fis.audit.coverage import CULTURE, Coverage, coverage
+from comity_fis.audit.coverage import Coverage, coverage
 from comity_fis.audit.evidence import EvidenceCount, count_evidence
 from comity_fis.audit.findings import HeldToFindings, held_to, shipped_findings
 from comity_fis.audit.sweep import decided_by, sweep
 from comity_fis.audit.treatment import Effect, Pairs, effect, pairs
 from comity_fis.record import Record
+from comity_fis.variables.own_words import CULTURE
 from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:

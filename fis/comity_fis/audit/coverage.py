@@ -11,14 +11,12 @@ from comity_fis.audit.sweep import decided_by
 from comity_fis.record import Record
 from comity_fis.rules.rule import literals
 from comity_fis.scores.shipped import individualism_scores
+from comity_fis.variables.own_words import CULTURE
 from comity_fis.variables.variable import NominalVariable
 
 if TYPE_CHECKING:
     from comity_fis.audit.attributes import Attribute
     from comity_fis.rulebook.rulebook import Rulebook
-
-CULTURE = "culture"
-"""The fact that says where a person is from."""
 
 
 @dataclass(frozen=True, slots=True)

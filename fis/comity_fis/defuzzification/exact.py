@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from comity_fis.defuzzification.gauss_kronrod import integrals, places_in
 from comity_fis.defuzzification.panels import Panels
 from comity_fis.defuzzification.sets import Sets, Whole
-from comity_fis.defuzzification.spikes import Spikes, centre, halfway, spikes_of
+from comity_fis.defuzzification.spikes import HALF, Spikes, centre, halfway, spikes_of
 from comity_fis.membership.turns import GOLDEN
 from comity_fis.rules.methods import Defuzzification
 
@@ -28,8 +28,6 @@ LEVEL = 1e-9
 ROUNDING = 1e-14
 """Degrees that differ by less are the same: a peak stands where its panel ends if it is as high there."""
 
-HALF = 1e-12
-"""Of an area: a part that lacks no more of half of it is half of it."""
 
 STEPS = 60
 """Of a search by halves or by the golden section: to 1e-12 of a panel at least."""

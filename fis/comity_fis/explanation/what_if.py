@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
+from comity_fis.explanation.attribution import TIE
 from comity_fis.inference.value import Inference, ParameterValue
 from comity_fis.learning.learnt import Learnt
 from comity_fis.membership.interval import Interval
@@ -18,9 +19,6 @@ from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rules.rule import Is, literals
 from comity_fis.variables.parameter import NumericParameter, Parameter
 from comity_fis.variables.variable import NominalVariable, NumericVariable
-
-TIE = 1e-12
-"""Strengths that differ by less lead together."""
 
 STEPS = 24
 """Places that a search tries on the way to each end of the domain, beside every knot of the terms."""

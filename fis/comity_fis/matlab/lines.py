@@ -14,12 +14,10 @@ from math import isnan
 from pathlib import Path
 
 from comity_fis.errors import InputError, Where, unknown_word
+from comity_fis.validation.yaml_file import MAX_BYTES
 
-MAX_BYTES = 2_000_000
 MAX_RULES = 10_000
 MAX_VARIABLES = 100
-MAX_TERMS = 100
-"""Of one variable."""
 
 HEAD = re.compile(r"\[\s*(System|Input[1-9]\d{0,2}|Output[1-9]\d{0,2}|Rules)\s*\]")
 ASSIGNMENT = re.compile(r"([A-Za-z]+\d{0,4})\s*=\s*(.*)")

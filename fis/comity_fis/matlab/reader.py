@@ -21,7 +21,6 @@ from pathlib import Path
 from comity_fis.errors import WrongValueError, closest
 from comity_fis.matlab.lines import (
     MAX_RULES,
-    MAX_TERMS,
     MAX_VARIABLES,
     MatlabLine,
     Section,
@@ -32,7 +31,7 @@ from comity_fis.matlab.rows import negated, read_rows
 from comity_fis.membership.curved import CURVED
 from comity_fis.membership.function import Complement, NumericMembership, Singleton, Trapezoid
 from comity_fis.membership.interval import Interval
-from comity_fis.rulebook.models import LONGEST_NAME, NAME_PATTERN
+from comity_fis.rulebook.models import LONGEST_NAME, MAX_TERMS, NAME_PATTERN
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rules.methods import CHOICES, Methods
 from comity_fis.rules.rule import And, Or, Rule, Source

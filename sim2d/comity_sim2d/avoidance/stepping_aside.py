@@ -22,6 +22,7 @@ from comity_sim2d.avoidance.foresight import (
     CandidateDirection,
     Foresight,
 )
+from comity_sim2d.avoidance.oncoming import COMES_S
 from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
@@ -38,8 +39,6 @@ WAITS_S = 1.0
 a time."""
 AHEAD_M = 1.5
 """Length of the line that is kept free ahead of a waiting person [m]."""
-COMES_S = 0.35
-"""A person who has walked for less may only lean in, or step up [s] (our choice)."""
 DRIFTS_M_S = 0.3
 """The robot follows a visited person who comes more slowly than this, and does not step aside [m/s] (our
 choice)."""

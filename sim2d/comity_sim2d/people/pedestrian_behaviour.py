@@ -8,7 +8,7 @@ import numpy as np
 
 from comity_sim2d.people.itinerary import Itinerary, Leg
 from comity_sim2d.people.social_force import RELAXATION_S, Numbers, Vectors
-from comity_sim2d.people.stepping_out import STAYS, SteppingOut
+from comity_sim2d.people.stepping_out import PAST_M, STAYS, SteppingOut
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_reaction import (
     LASTS_S,
@@ -30,8 +30,6 @@ NEARER_M = 0.05
 PATIENCE = 3
 """Number of times a person is blocked before they look for another path, or accept being near."""
 NEAR_M = 1.0
-PAST_M = 0.08
-"""Gap to the robot's body at which a person blocked by it goes round it [m] (our choice)."""
 FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 """Tolerance of a turn to the robot, and the bearing at which people turn again [rad] (our choice)."""
 

@@ -15,14 +15,13 @@ from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.people.said import GO_AHEAD, Said
 from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.robot.reduced_margin import FACING_DEG, PassageFacts, reasons_against
+from comity_sim2d.robot.standing import STANDS_S
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 
 WAITED_S = 2.0
 """Minimum time that the robot has stood before a person [s] (our choice: the executor asks after as long)."""
-STANDS_S = 1.0
-"""Time after which a person who moved stands again [s] (our choice)."""
 MOVED_M = 0.1
 """Distance by which a person has moved, noise of the sensor apart [m] (our choice)."""
 PASSED_M = 1.5

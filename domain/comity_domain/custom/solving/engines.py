@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 GRACE_S = 1.5
 """So much longer than its limit an engine may take to end by itself and to answer [s] (our choice)."""
 LEAST_S = 0.1
+"""An engine is given so much also where its time is over [s] (our choice)."""
 
 
 def solve(
