@@ -11,7 +11,6 @@ from rooms import FIRST_LINE, scenario
 from comity.testing.amounts.moments import intrusion
 from comity.testing.collection.cases import claims_in
 from comity.testing.kinds import KINDS
-from comity.testing.measuring.measured import measured
 from comity.testing.measuring.safety import dangers
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.attempt import attempted
@@ -363,7 +362,6 @@ def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrude
     planted = replace(trial, frames=replace(frames, poses=poses))
     stay = intrusion(planted).longest(frames, "passer-by 1")
     assert (stay is not None and stay.length_s == whole_s) == intrudes
-    assert (measured(claim.case, planted).intrusion_s == whole_s) == intrudes
 
 
 PAST_ANNA = """\
