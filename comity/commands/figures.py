@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -42,21 +43,27 @@ def figures(
         list[str], typer.Option(metavar="NAME", help="Of the rulebook; all of them without it.")
     ] = [],  # noqa: B006  (Typer copies it)
     set_: Set = [],  # noqa: B006  (Typer copies it)
+    format_: Annotated[
+        Literal["png", "svg", "pdf"] | None,
+        typer.Option("--format", help="Of the pictures in a folder; png without it."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Draw response curves and surfaces of a rulebook, or the paper's figures.
 
-    Examples: `comity figures bruno2017 --out figures`, `comity figures tip.fis --out tip.svg`.
+    Examples: `comity figures bruno2017 --out figures`, `comity figures --format pdf --out figures`,
+    `comity figures tip.fis --out tip.svg`.
     """
     from comity.report.text import show, table
     from comity.system.own_files import make_folder, refuse_foreign, write_whole
 
+    form = _form(out, format_)
     if rulebook is None:
         _refuse_without_rulebook({"--parameter": parameter, "--set": set_})
         idle: Sequence[str] = ()
-        pictures: Mapping[Path, _Picture] = _of_the_paper(out)
+        pictures: Mapping[Path, _Picture] = _of_the_paper(out, form)
     else:
-        pictures, idle = _of_rulebook(rulebook, out, parameter, set_)
+        pictures, idle = _of_rulebook(rulebook, out, form, parameter, set_)
     if not _is_file(out):
         make_folder(out)
     refuse_foreign({path: _mark(path) for path in pictures})
@@ -89,6 +96,27 @@ def _is_file(out: Path) -> bool:
     return out.suffix.lower() in {".png", ".svg", ".pdf"} and not out.is_dir()
 
 
+def _form(out: Path, asked: str | None) -> str:
+    """The form of the pictures: of a file by its ending, of those in a folder the one asked for.
+
+    Raises:
+        InputError: for a file that ends otherwise than asked for.
+    """
+    from comity_fis import InputError, Where
+
+    if not _is_file(out):
+        return asked or "png"
+    form = out.suffix.lower().removeprefix(".")
+    if asked not in (None, form):
+        raise InputError(
+            expected=f"a file that ends with .{asked}, or a folder",
+            got=repr(str(out)),
+            remedy=f"Leave out --format, or name it {out.with_suffix(f'.{asked}')}.",
+            where=Where("--out"),
+        )
+    return form
+
+
 def _mark(path: Path) -> bytes:
     from comity.report.drawing import MARKS
 
@@ -108,7 +136,7 @@ def _refuse_without_rulebook(given: Mapping[str, Sequence[str]]) -> None:
             )
 
 
-def _of_the_paper(out: Path) -> Mapping[Path, _Picture]:
+def _of_the_paper(out: Path, form: str) -> Mapping[Path, _Picture]:
     from comity.report.values.figures import FIGURES
     from comity_fis import InputError, Where
 
@@ -119,11 +147,14 @@ def _of_the_paper(out: Path) -> Mapping[Path, _Picture]:
             remedy="Name a folder: they are several.",
             where=Where("--out"),
         )
-    return {out / f"{name}.png": _Picture(figure.shows, figure.draw) for name, figure in FIGURES.items()}
+    return {
+        out / f"{name}.{form}": _Picture(figure.shows, partial(figure.draw, form))
+        for name, figure in FIGURES.items()
+    }
 
 
 def _of_rulebook(
-    name: str, out: Path, asked: Sequence[str], words: Sequence[str]
+    name: str, out: Path, form: str, asked: Sequence[str], words: Sequence[str]
 ) -> tuple[Mapping[Path, _Picture], Sequence[str]]:
     """A picture for every parameter that something changes, and the names of the others."""
     from comity.commands.facts import precise_facts_in_words
@@ -154,17 +185,16 @@ def _of_rulebook(
             where=Where("--out"),
         )
     pictures = {
-        out if _is_file(out) else out / f"{slug}.png": _response(shown, book.name, out)
+        out if _is_file(out) else out / f"{slug}.{form}": _response(shown, book.name, form)
         for slug, shown in zip(_slugs(list(drawn)), drawn.values(), strict=True)
     }
     return pictures, [one for one in found if one not in drawn]
 
 
-def _response(shown: Responses, rulebook: str, out: Path) -> _Picture:
+def _response(shown: Responses, rulebook: str, form: str) -> _Picture:
     from comity.report.rulebooks.response_picture import response_picture
     from comity.report.text import words, words_of
 
-    form = out.suffix.lower().removeprefix(".") if _is_file(out) else "png"
     over = words_of(curve.variable.name for curve in shown.curves)
     surfaces = len(shown.surfaces)
     more = f", and {surfaces} surface{'s' if surfaces > 1 else ''}" if surfaces else ""

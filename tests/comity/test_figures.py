@@ -60,6 +60,22 @@ def test_they_are_written_renewed_and_listed(comity, here):
     assert [figure["file"] for figure in again.json["figures"]] == [f"figures/{name}.png" for name in FIGURES]
 
 
+@pytest.mark.parametrize(("form", "start"), [("svg", b"<?xml"), ("pdf", b"%PDF")])
+def test_a_folder_has_them_in_the_form_that_is_asked_for(comity, here, form, start):
+    assert comity("figures", "--out", "paper", "--format", form).code == 0
+    assert comity("figures", "bruno2017", "--out", "rules", "--format", form).code == 0
+    files = [*(here / "paper").iterdir(), *(here / "rules").iterdir()]
+    assert {file.suffix for file in files} == {f".{form}"}
+    assert all(file.read_bytes().startswith(start) for file in files)
+    assert comity("figures", "--out", "paper", "--format", form).code == 0, "its own pictures are renewed"
+
+
+def test_a_file_that_ends_otherwise_than_asked_for_is_refused(comity, here):
+    said = comity("figures", "bruno2017", "--out", "a.png", "--format", "svg")
+    assert (said.code, list(here.iterdir())) == (2, [])
+    assert "a.svg" in said.err
+
+
 def test_a_picture_of_somebody_else_is_left_alone(comity, here):
     theirs = here / "mapping-case2.png"
     theirs.write_bytes(b"\x89PNG by somebody else")

@@ -78,7 +78,6 @@ def _note(fit: Fit) -> str:
     )
 
 
-@drawn
 def scores_picture(fit: Fit, *, title: str, about: str, note: str, marks: Sequence[Label] = ()) -> Figure:
     """The values alone."""
     figure, (ax,) = sheet(title, about, [2.2], note=note)
@@ -86,7 +85,6 @@ def scores_picture(fit: Fit, *, title: str, about: str, note: str, marks: Sequen
     return figure
 
 
-@drawn
 def terms_picture(fit: Fit, *, title: str, about: str, note: str) -> Figure:
     """Degrees and fitted terms alone."""
     figure, (ax,) = sheet(title, about, [3.4], note=note)
@@ -94,7 +92,6 @@ def terms_picture(fit: Fit, *, title: str, about: str, note: str) -> Figure:
     return figure
 
 
-@drawn
 def counts_picture(fit: Fit, *, title: str, about: str, note: str) -> Figure:
     """The number of clusters alone."""
     figure, (ax,) = sheet(title, about, [2.6], note=note)

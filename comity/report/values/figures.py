@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from typing import TYPE_CHECKING
 
-from comity.report.drawing import COLOURS, GREY, INK, Label
+from comity.report.drawing import COLOURS, GREY, INK, Label, picture
 from comity.report.rulebooks import fit_picture
 from comity.report.values import variable_picture
 from comity.report.values.mapping_picture import Line, mapping_picture, parameter_picture
@@ -22,6 +23,9 @@ from comity_fis import (
     individualism_scores,
     load_rulebook,
 )
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 BLUE, VERMILLION = COLOURS[:2]
 RECONSTRUCTED = (
@@ -39,11 +43,14 @@ class PaperFigure:
     """One picture of the set."""
 
     shows: str
-    draw: Callable[[], bytes]
-    """Gives a PNG."""
+    sheet: Callable[[], Figure]
+
+    def draw(self, form: str = "png") -> bytes:
+        """The picture as the bytes of a `png`, `svg` or `pdf`."""
+        return picture(self.sheet, form)
 
 
-def _gender() -> bytes:
+def _gender() -> Figure:
     variable = load_rulebook("bruno2017").variables["gender"]
     assert isinstance(variable, NominalVariable)
     return variable_picture.worded_variable(
@@ -53,7 +60,7 @@ def _gender() -> bytes:
     )
 
 
-def _education() -> bytes:
+def _education() -> Figure:
     variable = load_rulebook("illustrative-levels").variables["education"]
     assert isinstance(variable, NominalVariable)
     return variable_picture.worded_variable(
@@ -63,7 +70,7 @@ def _education() -> bytes:
     )
 
 
-def _age() -> bytes:
+def _age() -> Figure:
     return variable_picture.numeric_variable(
         _numeric("age"),
         about="The terms are known, their shapes are not: each stage of life becomes a trapezoid.",
@@ -72,7 +79,7 @@ def _age() -> bytes:
     )
 
 
-def _scores() -> bytes:
+def _scores() -> Figure:
     return fit_picture.scores_picture(
         _fit(),
         title="Individualism: 78 scores in two clusters",
@@ -82,7 +89,7 @@ def _scores() -> bytes:
     )
 
 
-def _clusters() -> bytes:
+def _clusters() -> Figure:
     return fit_picture.counts_picture(
         _fit(),
         title="Individualism: how many clusters?",
@@ -91,7 +98,7 @@ def _clusters() -> bytes:
     )
 
 
-def _individualism() -> bytes:
+def _individualism() -> Figure:
     errors = _fit().variable
     assert errors is not None
     assert errors.partition is not None
@@ -105,7 +112,7 @@ def _individualism() -> bytes:
     )
 
 
-def _output(case: int) -> bytes:
+def _output(case: int) -> Figure:
     parameter = load_rulebook(f"bruno2017-case{case}").parameters[DISTANCE]
     assert isinstance(parameter, NumericParameter)
     decided = "individualism alone" if case == 1 else "individualism and gender"
@@ -117,7 +124,7 @@ def _output(case: int) -> bytes:
     )
 
 
-def _case1() -> bytes:
+def _case1() -> Figure:
     return mapping_picture(
         load_rulebook("bruno2017-case1"),
         [Line("", None, BLUE, _printed(None))],
@@ -127,7 +134,7 @@ def _case1() -> bytes:
     )
 
 
-def _case2() -> bytes:
+def _case2() -> Figure:
     return mapping_picture(
         load_rulebook("bruno2017-case2"),
         [

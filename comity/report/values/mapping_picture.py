@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.report.drawing import BODY, FAINT, GREY, INK, LABEL, PALE, drawn, scaled_axis, sheet
+from comity.report.drawing import BODY, FAINT, GREY, INK, LABEL, PALE, scaled_axis, sheet
 from comity.report.text import words
 from comity.report.values.paper import distance_cm
 from comity.report.values.variable_picture import draw_terms
@@ -36,7 +36,6 @@ class Line:
     """Whether there is more room above the line's first number than below it."""
 
 
-@drawn
 def parameter_picture(parameter: NumericParameter, *, title: str, about: str, note: str) -> Figure:
     """A parameter's terms over the range that rules can give."""
     figure, (ax,) = sheet(title, about, [3.0], note=note)
@@ -45,7 +44,6 @@ def parameter_picture(parameter: NumericParameter, *, title: str, about: str, no
     return figure
 
 
-@drawn
 def mapping_picture(
     rulebook: Rulebook, lines: Sequence[Line], *, title: str, about: str, note: str
 ) -> Figure:

@@ -14,7 +14,6 @@ from comity.report.drawing import (
     Label,
     colour,
     degrees_axis,
-    drawn,
     scaled_axis,
     sheet,
 )
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from comity_fis.membership.function import NumericMembership
 
 
-@drawn
 def numeric_variable(variable: NumericVariable, *, about: str, note: str) -> Figure:
     """Terms over numbers."""
     figure, (ax,) = sheet(
@@ -43,7 +41,6 @@ def numeric_variable(variable: NumericVariable, *, about: str, note: str) -> Fig
     return figure
 
 
-@drawn
 def worded_variable(variable: NominalVariable | OrdinalVariable, *, about: str, note: str) -> Figure:
     """Terms over words: each category is one, and groups stand for several."""
     title = f"{words(variable.name).capitalize()}: {variable.measured}"
