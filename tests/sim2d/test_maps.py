@@ -292,6 +292,21 @@ BAD = {
     ),
     "a room without a shape": (("{box_m: [4, 0, 4, 4]}", "{}"), 5, "one of `box_m`, `polygon_m`"),
     "furniture outside": (("box_m: [1, 3, 1, 0.6]", "box_m: [10, 3, 1, 0.6]"), 9, "wholly outside"),
+    "furniture of one name": (
+        ("furniture:\n", "furniture:\n  - {name: table, box_m: [5, 3, 1, 0.6]}\n"),
+        10,
+        "table: expected a name of its own for every piece of furniture, got 'table' 2 times",
+    ),
+    "a wall without length": (
+        ("furniture:\n", "walls:\n  - line_m: [[1, 1], [2, 1]]\n  - line_m: [[3, 3], [3, 3]]\nfurniture:\n"),
+        10,
+        "wall 2: expected a wall between two different points, got (3.0, 3.0) twice",
+    ),
+    "a wall outside": (
+        ("furniture:\n", "walls:\n  - {name: pillar, line_m: [[9, 1], [9, 2]]}\nfurniture:\n"),
+        9,
+        "pillar: expected walls and furniture that are at least partly inside the room",
+    ),
     "an unknown key": (("width_m: 1.0", "width: 1.0"), 7, "Did you mean 'width_m'?"),
 }
 
