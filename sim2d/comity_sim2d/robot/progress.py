@@ -10,6 +10,7 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.robot.approach import AT_PLACE, Approach, MovingTarget
 from comity_sim2d.robot.motion import MotionProgress, blocked
 from comity_sim2d.robot.obstructing_people import ARRIVED_M, ObstructingPeople
+from comity_sim2d.robot.walkers_met import goes_along
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import SensedPeople
@@ -76,7 +77,7 @@ class ApproachProgress:
             return MotionProgress("succeeded", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
         if approach.gives_way_to and not approach.stalled(now_s, left_m):
             return MotionProgress("running", f"giving way to {approach.gives_way_to}")
-        if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)) and not self._walks(approach):
+        if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)) and not self._goes_along(approach):
             return blocked(f"no progress towards {approach.person} for 3 s{self._beside(plan)}")
         return MotionProgress("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
 
@@ -89,6 +90,10 @@ class ApproachProgress:
     def _walks(self, approach: Approach) -> bool:
         """Whether the approached person walks: where there is no route now, they may go on."""
         return approach.pose is not AT_PLACE and self._senses.walks(approach.person)
+
+    def _goes_along(self, approach: Approach) -> bool:
+        """Whether it goes along with a person who walks: as they turn, its goal swings away from it."""
+        return self._walks(approach) and goes_along(self._spec, self._senses.person(approach.person))
 
     def _without_route(self, approach: Approach) -> str:
         if approach.pose is AT_PLACE:
