@@ -221,10 +221,7 @@ def _distances_m(
 
 def _stops(plan: Plan) -> dict[str, tuple[float, float]]:
     return {
-        step.person: (
-            float(step.parameters["conversational_distance"]),
-            float(step.parameters[BEARING]),
-        )
+        step.person: (float(step.parameters[DISTANCE]), float(step.parameters[BEARING]))
         for step in plan.steps
         if step.action == REACH
     }

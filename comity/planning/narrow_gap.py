@@ -47,7 +47,7 @@ class NarrowGap:
     needed_m: float
     """The robot's width and the full margins on both sides."""
     passable: tuple[str, ...] = ()
-    """Those of the two whom the robot may pass at the scenario's margin, if they let it."""
+    """People of the two that may let the robot pass at the scenario's margin."""
     margin_m: float = PERSON_MARGIN_M
     """The scenario's margin."""
 

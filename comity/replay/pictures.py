@@ -10,7 +10,7 @@ from comity.replay.saved_run import read_run
 from comity.report.drawing import MARKS, form_of
 from comity.report.text import words
 from comity.system.own_files import refuse_foreign, writing, written_whole
-from comity_domain.problem.bound_parameters import BEARING
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE
 from comity_sim2d import ActEvent, DoorTurn, PlannedRoute, Ring, draw_picture, write_gif
 from comity_sim2d.pictures.animation import MARK as GIF_MARK
 
@@ -96,7 +96,7 @@ def rings_of(run: SavedRun) -> list[Ring]:
 
 
 def _ring(visit: VisitAnswer, planned: StepAnswer | None) -> Ring:
-    wanted_m = float(planned.parameters["conversational_distance"]) if planned else visit.distance_target_m
+    wanted_m = float(planned.parameters[DISTANCE]) if planned else visit.distance_target_m
     bearing_deg = visit.bearing_target_deg
     if bearing_deg is None:
         bearing_deg = float(planned.parameters[BEARING]) if planned else 0.0

@@ -40,7 +40,7 @@ class GoalCheck:
         for i, goal in enumerate(self.goals):
             if goal.person not in self.people:
                 raise unknown_word(
-                    "somebody from `people`",
+                    "a person from `people`",
                     goal.person,
                     self.people,
                     where=self.where("goals", i, goal.person_key),

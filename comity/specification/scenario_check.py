@@ -77,4 +77,4 @@ class NameCheck:
 
     def _require(self, name: str, *location: str | int) -> None:
         if name not in self.people:
-            raise unknown_word("somebody from `people`", name, self.people, where=self.where(*location))
+            raise unknown_word("a person from `people`", name, self.people, where=self.where(*location))

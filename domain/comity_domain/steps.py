@@ -26,7 +26,7 @@ from comity_domain.plans.actions import (
 )
 from comity_domain.plans.plan import PlanStep, StepExplanation
 from comity_domain.problem.agenda import Offer, PlainTask, TakeLeave, Task
-from comity_domain.problem.bound_parameters import BEARING
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE, SPEED
 from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import PlannedVisit, farewell_cost, greeting_parts, served
 
@@ -124,7 +124,7 @@ class _Steps:
     def _place(self, spot: Spot) -> dict[str, float | str]:
         values = self.choices.people[spot.place].values
         return {
-            "conversational_distance": values["conversational_distance"].number,
+            DISTANCE: values[DISTANCE].number,
             BEARING: self.choices.side(spot).bearing_deg,
         }
 
@@ -148,10 +148,10 @@ class _Steps:
             (*self.robot_and_person, spot.side),
             origin=(start.place, start.side),
             parameters={
-                "conversational_distance": values["conversational_distance"].number,
+                DISTANCE: values[DISTANCE].number,
                 "approach_direction": values["approach_direction"].number,
                 BEARING: self.choices.side(spot).bearing_deg,
-                "approach_speed": values["approach_speed"].number,
+                SPEED: values[SPEED].number,
                 **(TOLD if person.is_told else {}),
             },
             cost=self.choices.legs[start, spot],

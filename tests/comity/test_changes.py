@@ -334,7 +334,7 @@ def test_a_run_with_changes_is_written_read_asked_and_run_again(comity, here):
 @pytest.mark.parametrize(
     ("change", "expected"),
     [
-        ("{at_s: 2, person: eve, moves_to_m: [1, 1]}", ["'eve'", "somebody from `people`"]),
+        ("{at_s: 2, person: eve, moves_to_m: [1, 1]}", ["'eve'", "a person from `people`"]),
         ("{at_s: 2, person: anna}", ["one of moves_to_m, says, situation, emergency_stop_s", "none of them"]),
         (
             "{at_s: 2, person: anna, moves_to_m: [1, 1], says: {conversational_distance: 1}}",

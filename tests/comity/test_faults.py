@@ -345,7 +345,7 @@ def test_the_run_folder_the_trace_and_its_answers_name_the_fault(comity, here, r
         ("{at_s: -2, fault: planner fails}", ["at_s", "-2"]),
         ("{at_s: 2, fault: planner fails, calls: 0}", ["calls", "0"]),
         ("{at_s: 2, fault: planner fails, person: anna}", ["a known key", "'person'"]),
-        ("{at_s: 2, fault: person walks off, person: ana}", ["'ana'", "somebody from `people`", "anna"]),
+        ("{at_s: 2, fault: person walks off, person: ana}", ["'ana'", "a person from `people`", "anna"]),
         ("{at_s: 2, fault: door closes, door: kitchen}", ["a door of the map", "'kitchen'", "Use a map"]),
         ("{at_s: 2, fault: leaf raises, leaf: sai}", ["a leaf of the plan's tree", "'sai'", "say"]),
         ("{at_s: 2, fault: leaf raises, leaf: Goal}", ["a leaf of the plan's tree", "'Goal'"]),

@@ -97,7 +97,7 @@ def test_words_that_were_broken_off_were_heard_for_all_one_knows_and_not_to_the_
 def test_who_is_spoken_to_in_a_sentence_is_somebody_or_a_group(write):
     with pytest.raises(InputError) as refused:
         claims_in(write("pear hears 'Hello'", room=in_a_group))
-    assert "somebody from `people`, or one of `groups`, got 'pear'. Did you mean 'pair'?" in str(
+    assert "a person from `people`, or one of `groups`, got 'pear'. Did you mean 'pair'?" in str(
         refused.value
     )
 

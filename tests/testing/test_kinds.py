@@ -8,15 +8,18 @@ from dataclasses import replace
 import pytest
 from rooms import FIRST_LINE, scenario
 
+from comity.monitoring.measuring import known_of
 from comity.testing.amounts.moments import intrusion
 from comity.testing.collection.cases import claims_in
 from comity.testing.kinds import KINDS
+from comity.testing.measuring.measured import measured
 from comity.testing.measuring.safety import dangers
 from comity.testing.runner.telling import failure_text
 from comity.testing.trials.attempt import attempted
 from comity.testing.trials.visits import visit_of
 from comity.testing.verdict import Failure, judged
 from comity_fis import InputError
+from comity_sim2d import measure
 
 PAPER = "matrix: {people: [host], profiles: paper}\n"
 
@@ -360,8 +363,11 @@ def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrude
     poses = frames.poses.copy()
     poses[:, i, :2] = poses[:, 0, :2] + [0.0, gap_m + frames.radius_m[0] + frames.radius_m[i]]
     planted = replace(trial, frames=replace(frames, poses=poses))
+    known = known_of(planted.prepared, planted.visits, planted.events, revisions=(), told=())
+    planted = replace(planted, metrics=measure(planted.frames, known))
     stay = intrusion(planted).longest(frames, "passer-by 1")
     assert (stay is not None and stay.length_s == whole_s) == intrudes
+    assert (measured(claim.case, planted).intrusion_s == whole_s) == intrudes
 
 
 PAST_ANNA = """\

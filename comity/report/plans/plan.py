@@ -13,7 +13,7 @@ from comity.report.plans.proof import quality
 from comity.report.plans.side import SIDES
 from comity.report.plans.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
-from comity_domain.problem.bound_parameters import BEARING
+from comity_domain.problem.bound_parameters import BEARING, DISTANCE, SPEED
 from comity_executor import other_parameters
 from comity_sim2d.senses.sight import too_short_for
 
@@ -66,7 +66,7 @@ def quality_of(plan: Plan) -> dict[str, Any]:
 def _unverified(plan: Plan, robot: RobotBody) -> Iterator[str]:
     """The people that the sensor would not show from the target distance, with why."""
     for step in plan.steps:
-        distance_m = step.parameters.get("conversational_distance")
+        distance_m = step.parameters.get(DISTANCE)
         if step.action == "Reach_user" and isinstance(distance_m, float):
             reason = too_short_for(robot.sensor, robot.radius_m + distance_m)
             if reason is not None:
@@ -143,10 +143,10 @@ ALTERNATIVES_SHOWN = 3
 SILENT = frozenset({"text", "thing", "place", "modality"})
 """Parameters that the step's own line says already."""
 UNITS = {
-    "conversational_distance": "m",
+    DISTANCE: "m",
     "approach_direction": "deg",
     BEARING: "deg",
-    "approach_speed": "m/s",
+    SPEED: "m/s",
     "cap_s": "s",
 }
 

@@ -16,6 +16,7 @@ from comity.testing.amounts.met import met
 from comity.testing.amounts.planned import Planned, last_for, plans
 from comity.testing.amounts.shaping import shaping
 from comity.testing.trials.visits import spoken_to
+from comity_domain.problem.bound_parameters import BEARING
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import Frames
 
-_BEARING = "approach_bearing"
 LEAST_S = 0.5
 """What takes less is left out (our choice)."""
 STOOD_M = 0.005
@@ -124,7 +124,7 @@ def _planned(step: PlanStep, inferred: Mapping[str, Inference]) -> str:
     values = [
         f"{name.replace('_', ' ')} {told(value, unit)}"
         for name, value, unit in _other_than_theirs(step, inferred)
-        if not isinstance(value, str) and (name != _BEARING or value)  # the side says front
+        if not isinstance(value, str) and (name != BEARING or value)  # the side says front
     ]
     details = "; ".join(filter(None, (", ".join(parts), ", ".join(values))))
     head = f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
@@ -138,7 +138,7 @@ def _other_than_theirs(
     known = inferred[step.person].parameters if step.person in inferred else {}
     for name, value in step.parameters.items():
         if name not in known:
-            yield name, value, "deg" if name == _BEARING else None
+            yield name, value, "deg" if name == BEARING else None
         elif known[name].value != value:
             yield name, value, known[name].unit
 

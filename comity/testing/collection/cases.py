@@ -73,7 +73,7 @@ def claims_in(path: Path, *, profiles: Sequence[str] = (), engine: str = ENGINE)
     """
     file = _read(path)
     people = file.scenario.people
-    _require(file.scenario.matrix.people, "somebody from `people`", people, file.where("matrix", "people"))
+    _require(file.scenario.matrix.people, "a person from `people`", people, file.where("matrix", "people"))
     own = profiles_of(file)
     written = _expectations(file, {tried.called for tried in own})
     by_itself = tuple(one for one in written if not isinstance(one.meaning, ProfileComparison))
@@ -165,8 +165,8 @@ def _written(file: ScenarioFile, i: int, item: str | Mapping[str, str], known: C
     require_quotes(text, _with_groups(file), place)
     meaning, profiles = parsed(text, place)
     hearers = meaning.hearers if isinstance(meaning, Hearing) else ()
-    _require(meaning.people, "somebody from `people`", file.scenario.people, where)
-    _require(hearers, "somebody from `people`, or one of `groups`", _with_groups(file), where)
+    _require(meaning.people, "a person from `people`", file.scenario.people, where)
+    _require(hearers, "a person from `people`, or one of `groups`", _with_groups(file), where)
     _refuse_unknown_profiles(profiles, known, where)
     if isinstance(meaning, ProfileComparison):
         different(file, meaning.profiles, where)

@@ -15,16 +15,16 @@ TESTED: Mapping[str, Metric] = by_name(
     Metric(
         "served",
         "1",
-        "People served: those greeted, and those whom the plan skipped at the scenario's price; as "
-        "a mean, by the number of those who were to be visited and did not decline.",
+        "People greeted, and people that the plan skipped at the scenario's price. As a mean: the share of "
+        "the people to visit who did not decline.",
     ),
     Metric("time_s", "s", "From the start to when the last node of the tree ended."),
     Metric(
         "distance_error_m",
         "m",
-        "Distance off the target: size of the difference between the distance as the robot docked last and "
-        "the target in force at the end, between surfaces; of people at whom it docked. `--fairness` takes "
-        "the largest of an episode.",
+        "Size of the difference between the docking distance (surface to surface, as the robot docked "
+        "last) and the target at the end of the episode, for each person at whom it docked; `--fairness` "
+        "takes the largest of an episode.",
     ),
     Metric("way_s", "s", "Time on the way: navigation to people (`Navigate_to_user`), over all visits."),
     Metric(

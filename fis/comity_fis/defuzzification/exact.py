@@ -28,7 +28,6 @@ LEVEL = 1e-9
 ROUNDING = 1e-14
 """Degrees that differ by less are the same: a peak stands where its panel ends if it is as high there."""
 
-
 STEPS = 60
 """Of a search by halves or by the golden section: to 1e-12 of a panel at least."""
 
