@@ -6,7 +6,7 @@ READY := .venv/.ready
 PLATFORMS := x86_64-manylinux_2_28 aarch64-manylinux_2_28 x86_64-apple-darwin aarch64-apple-darwin x86_64-pc-windows-msvc
 PACKAGES := comity domain executor fis sim2d
 
-.PHONY: help run test check format bench oracle golden studies mutants card integration platforms lowest clean
+.PHONY: help run test check format bench oracle golden studies mutants tables integration platforms lowest clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-11s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -61,8 +61,9 @@ studies: $(READY) ## run the full numbers behind the tables in the docs, and man
 mutants: $(READY) ## change the software one small thing at a time; do the scenarios notice?
 	@$(BIN)/python -m tests.mutants $(ARGS)
 
-card: $(READY) ## compute the model card's tables anew
-	@$(BIN)/python tests/docs/test_model_card.py
+tables: $(READY) ## compute the tables of the metrics and of the model card in the docs again
+	@$(BIN)/python -m tests.docs.test_metrics_page
+	@$(BIN)/python -m tests.docs.test_model_card
 
 platforms: $(READY) ## resolve Comity from wheels alone for each platform and Python that the docs name
 	@for platform in $(PLATFORMS); do for python in 3.11 3.12 3.13 3.14; do echo $$platform $$python; done; done \

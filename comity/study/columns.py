@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from comity.study.statement import STATEMENT
 from comity_sim2d import EPISODE, VISIT
-from comity_sim2d.metrics.registry import OWN
+from comity_sim2d.metrics.metric import OWN
 
 FILE = "the study's file"
 PEOPLE = "the population"

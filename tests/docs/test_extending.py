@@ -1,4 +1,4 @@
-"""What "Where does X go?" says is enough: a command takes two files, an action three.
+"""What "Where does X go?" says is enough: a command takes two files, a metric two, an action three.
 
 A parameter, a gesture and a robot need no file of Comity; the page's own blocks add them (`test_documents`).
 """
@@ -33,12 +33,12 @@ goals:
 
 
 class Copy:
-    """A copy of two packages, in which a recipe is followed."""
+    """A copy of three packages, in which a recipe is followed."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.touched: set[str] = set()
-        for package in (ROOT / "comity", ROOT / "domain/comity_domain"):
+        for package in (ROOT / "comity", ROOT / "domain/comity_domain", ROOT / "sim2d/comity_sim2d"):
             copytree(package, folder / package.name, ignore=ignore_patterns("__pycache__"))
 
     def edit(self, file: str, before: str, added: str) -> None:
@@ -85,9 +85,26 @@ def test_a_command_is_a_file_and_two_lines(copy):
     assert all(0.0 <= float(each) <= 1.0 for each in sides.values())
 
 
+def test_a_metric_is_two_files(copy):
+    """It is measured in a run, and defined where `comity metrics` reads it."""
+    _, function, field, *_ = blocks("py")
+    (line,) = re.findall(r"`(turning_s=.*?)`", PAGE.read_text(encoding="utf-8"))
+    metrics = "comity_sim2d/metrics/"
+    copy.edit(metrics + "motion.py", "def turns_rad(", f"{function}\n\n")
+    copy.edit(metrics + "episode.py", "    stalled_s: float", f"    {field}")
+    copy.edit(metrics + "episode.py", "        stalled_s=", f"        {line}\n")
+    assert len(copy.touched) == 2
+
+    copy.run("comity", "run", "johanna", "--no-pictures", "--out", "run")
+    told = json.loads(copy.run("comity", "metrics", "run", "--json"))
+    assert told["definitions"]["turning_s"]["unit"] == "s"
+    (value,) = (one["value"] for one in told["figures"] if one["metric"] == "turning_s")
+    assert 0.0 < value < 60.0
+
+
 def test_an_action_of_the_planner_is_three_files(copy):
     """It is in the problem as in the file, in the plan with its reason, and the robot performs it."""
-    _, task, row, field = blocks("py")
+    *_, task, row, field = blocks("py")
     (action,) = blocks("pddl")
     agenda, domain = "comity_domain/problem/agenda.py", "comity_domain/visit.pddl"
     goals = "comity/specification/goals.py"

@@ -1,11 +1,8 @@
-"""The model card's tables are what the audit and the evaluation compute; `make card` writes them anew."""
+"""The model card's tables are what the audit and the evaluation compute; `make tables` writes them again."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Sequence
 from functools import cache
-from pathlib import Path
 from typing import get_args
 
 import pytest
@@ -17,9 +14,9 @@ from comity.tables.measurements import SHIPPED, read_measurements
 from comity_fis import load_rulebook, shipped_rulebooks
 from comity_fis.audit import Audit, audit
 from comity_fis.rules.rule import Evidence
+from tests.docs.tables import Tables, markdown, write, written
 
-CARD = Path(__file__).parents[2] / "docs" / "reference" / "model-card.md"
-MARKED = re.compile(r"(<!-- (\w+): made by `make card` -->\n)(.*?)(<!-- end -->)", re.DOTALL)
+CARD = "model-card.md"
 GRADES = get_args(Evidence)
 
 
@@ -32,11 +29,6 @@ def audits() -> tuple[Audit, ...]:
 def evaluations() -> tuple[Evaluation, ...]:
     books = map(load_rulebook, shipped_rulebooks())
     return tuple(evaluate(book, read_measurements(SHIPPED, book)) for book in books)
-
-
-def markdown(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    lines = [head, ["---"] * len(head), *rows]
-    return "\n" + "".join(f"| {' | '.join(map(str, line))} |\n" for line in lines) + "\n"
 
 
 def evidence() -> str:
@@ -110,7 +102,7 @@ def accuracy() -> str:
     return markdown(head, rows)
 
 
-TABLES: dict[str, Callable[[], str]] = {
+TABLES: Tables = {
     "evidence": evidence,
     "coverage": coverage,
     "treatment": treatment,
@@ -120,18 +112,11 @@ TABLES: dict[str, Callable[[], str]] = {
 
 @pytest.mark.parametrize("name", TABLES)
 def test_a_table_of_the_model_card_is_what_is_computed(name):
-    """If this fails because a rulebook changed: `make card`, and read what it changed."""
-    written = {found[2]: found[3] for found in MARKED.finditer(CARD.read_text(encoding="utf-8"))}
-    assert written.keys() == TABLES.keys()
-    assert written[name] == TABLES[name]()
-
-
-def write_card() -> None:
-    text = CARD.read_text(encoding="utf-8")
-    CARD.write_text(
-        MARKED.sub(lambda found: found[1] + TABLES[found[2]]() + found[4], text), encoding="utf-8"
-    )
+    """If this fails because a rulebook changed: `make tables`, and read what it changed."""
+    tables = written(CARD)
+    assert tables.keys() == TABLES.keys()
+    assert tables[name] == TABLES[name]()
 
 
 if __name__ == "__main__":
-    write_card()
+    write(CARD, TABLES)

@@ -35,35 +35,35 @@ TO_AND_FRO = along((5.0, 1.0, 0.0), (5.0, -1.0, 0.0), (5.0, 1.0, 0.0), (5.0, -1.
 
 def test_a_person_who_stands_for_four_seconds_comes_four_seconds_later():
     found = compared(along((3.0, 1.0, 0.0), (4.0, 0.0, 0.0), (8.0, 1.0, 0.0)), STRAIGHT)
-    assert found.delay_s == pytest.approx(4.0, abs=0.2)
-    assert found.deviation_m == pytest.approx(0.0, abs=1e-9)
+    assert found.walk_delay_s == pytest.approx(4.0, abs=0.2)
+    assert found.walk_deviation_m == pytest.approx(0.0, abs=1e-9)
 
 
 def test_time_that_is_caught_up_again_was_a_delay_all_the_same():
     found = compared(along((3.0, 1.0, 0.0), (4.0, 0.0, 0.0), (4.0, 2.0, 0.0), (4.0, 1.0, 0.0)), STRAIGHT)
-    assert found.delay_s == pytest.approx(4.0, abs=0.2)
+    assert found.walk_delay_s == pytest.approx(4.0, abs=0.2)
 
 
 def test_a_step_aside_is_a_deviation_by_its_width():
     aside = along((3.0, 1.0, 0.0), (1.0, 0.8, 0.6), (2.0, 1.0, 0.0), (1.0, 0.8, -0.6), (5.0, 1.0, 0.0))
     found = compared(aside, STRAIGHT)
-    assert found.deviation_m == pytest.approx(0.6, abs=0.02)
-    assert found.delay_s == pytest.approx(0.4, abs=0.2)
+    assert found.walk_deviation_m == pytest.approx(0.6, abs=0.02)
+    assert found.walk_delay_s == pytest.approx(0.4, abs=0.2)
 
 
 def test_a_walk_to_and_fro_is_followed_in_its_order():
     """Held up for 2 s on the second way out: the places are those of the first one as well."""
     held_up = along((5.0, 1.0, 0.0), (5.0, -1.0, 0.0), (2.0, 1.0, 0.0), (2.0, 0.0, 0.0), (3.0, 1.0, 0.0))
-    assert compared(held_up, TO_AND_FRO).delay_s == pytest.approx(2.0, abs=0.2)
+    assert compared(held_up, TO_AND_FRO).walk_delay_s == pytest.approx(2.0, abs=0.2)
 
 
 def test_a_rest_that_is_part_of_the_walk_is_no_delay():
     rests = along((3.0, 1.0, 0.0), (6.0, 0.0, 0.0), (3.0, 1.0, 0.0))
-    assert compared(rests, rests).delay_s == pytest.approx(0.0, abs=1e-9)
+    assert compared(rests, rests).walk_delay_s == pytest.approx(0.0, abs=1e-9)
 
 
 def test_a_person_who_comes_sooner_is_not_late():
-    assert compared(along((5.0, 1.5, 0.0)), STRAIGHT).delay_s == 0.0
+    assert compared(along((5.0, 1.5, 0.0)), STRAIGHT).walk_delay_s == 0.0
 
 
 def walkers(robot_at, *, passing=True):
@@ -97,8 +97,8 @@ def test_a_robot_in_the_path_delays_and_turns_aside_the_people_who_meet_it():
     assert set(alone) == {"ann", *world.scene.passers_by.names}
     frames = world.frames
     found = disturbed_walk(frames.time_s, frames.of("ann")[:, :2], alone["ann"])
-    assert found.deviation_m > 0.3
-    assert 0.0 <= found.delay_s < 5.0
+    assert found.walk_deviation_m > 0.3
+    assert 0.0 <= found.walk_delay_s < 5.0
 
 
 def test_a_door_that_shuts_shuts_in_the_walk_without_the_robot_too():

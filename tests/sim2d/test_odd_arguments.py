@@ -201,7 +201,6 @@ RECORDS = {
     "Route",
     "Said",
     "SceneError",
-    "Spread",
     "Stopping",
     "Touch",
 }

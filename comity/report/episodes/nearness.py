@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from comity.episode import Episode
-    from comity_sim2d.metrics.episode import Known
     from comity_sim2d.metrics.intrusion import IntrusionSpan
+    from comity_sim2d.metrics.known import Known
 
     XY = tuple[float, float]
 

@@ -10,7 +10,7 @@ import numpy as np
 from comity.answers.study_with_people import ConfoundAnswer
 from comity.study.columns import FACT, PROVENANCE, WISH, ColumnDefinition, columns_of
 from comity.study.episode_rows import episode_rows
-from comity_sim2d.metrics.registry import OWN
+from comity_sim2d.metrics.metric import OWN
 
 if TYPE_CHECKING:
     from comity.episode import Episode

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from comity_sim2d import Metric
-from comity_sim2d.metrics.registry import by_name
+from comity_sim2d.metrics.metric import by_name
 
 TESTED: Mapping[str, Metric] = by_name(
     Metric(

@@ -6,10 +6,12 @@ a person who gave way to it may have been in the way of another.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+
+from comity_sim2d.metrics.metric import defined
 
 Numbers = NDArray[np.float64]
 
@@ -25,10 +27,22 @@ EVERY_S = 0.1
 class DisturbedWalk:
     """What the robot's presence did to one person's walk."""
 
-    delay_s: float
-    """Longest time by which the person came later to a place of their path, at least 0."""
-    deviation_m: float
-    """Largest distance from the path that the person would have taken."""
+    walk_delay_s: float = field(
+        metadata=defined(
+            "s",
+            "Largest delay of a person who walks: how much later they came to a place of the path taken "
+            "without the robot, with the same seed.",
+            per="person",
+        )
+    )
+    walk_deviation_m: float = field(
+        metadata=defined(
+            "m",
+            "Largest distance of a person who walks from the path taken without the robot, with the same "
+            "seed.",
+            per="person",
+        )
+    )
 
 
 def disturbed_walk(time_s: Numbers, walked: Numbers, undisturbed: Numbers) -> DisturbedWalk:

@@ -1,127 +1,202 @@
-"""All figures of one episode, from its frames and what only the world and the tree know."""
+"""All metrics of one episode, from its frames and what only the world and the tree know."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field
-from itertools import chain
 
 import numpy as np
 
-from comity_fis.errors import InputError, unknown_word
 from comity_sim2d.frames import Frames
-from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers, require_pairs
 from comity_sim2d.metrics import motion, proximity
 from comity_sim2d.metrics.disturbed_walks import DisturbedWalk, disturbed_walk
 from comity_sim2d.metrics.group_intrusion import group_intrusions
-from comity_sim2d.metrics.intrusion import Intrusion, Since
-from comity_sim2d.metrics.motion import Numbers, Span, Spread
+from comity_sim2d.metrics.intrusion import Intrusion
+from comity_sim2d.metrics.known import Known, checked
+from comity_sim2d.metrics.metric import ANDERSON, FRANCIS, HUNAVSIM, defined
+from comity_sim2d.metrics.motion import Numbers, Span
 from comity_sim2d.metrics.near_people import NearPeople, near_people, speed_near_m_s
 from comity_sim2d.metrics.stopping import Stopping, TargetStop, stopping
-from comity_sim2d.scene_error import is_number, require_tuple, require_whole, shown
-
-
-@dataclass(frozen=True, slots=True)
-class Contacts:
-    """How many contacts of the robot began, by what it touched; the world knows them."""
-
-    people: int = 0
-    walls: int = 0
-    furniture: int = 0
-
-    def __post_init__(self) -> None:
-        for what in ("people", "walls", "furniture"):
-            require_whole("contacts", what, getattr(self, what), 0, MOST_EXACT)
-
-
-@dataclass(frozen=True, slots=True)
-class Known:
-    """What frames do not tell."""
-
-    contacts: Contacts | None = None
-    """None: those with people are counted from the frames, and of things nothing is known."""
-    own_m: Mapping[str, float] = field(default_factory=dict)
-    """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
-    later_m: Mapping[str, Since] = field(default_factory=dict)
-    """Since when [s] a person likes another distance [m], by name and in order of time."""
-    visits: tuple[TargetStop, ...] = ()
-    """In the order of the visits."""
-    engaged: Mapping[str, tuple[Span, ...]] | None = None
-    """When the robot was on its way to each person or with them, by name; None: as the visits say."""
-    shortest_m: float | None = None
-    """The length of the shortest way that would have done."""
-    groups: tuple[tuple[str, ...], ...] = ()
-    """The members of each group that stands together at the start."""
-    success: bool = True
-    plan_cost_m: float | None = None
-    """What the first plan costs, in metres of path."""
-    plan_gap: float | None = None
-    """The share of it that a better plan could at most save, in [0, 1]."""
-    undisturbed: Mapping[str, Numbers] = field(default_factory=dict)
-    """Walks without the robot, by person or passer-by: ascending times [s], x and y [m], shape (m, 3)."""
-
-    def __post_init__(self) -> None:
-        contacts, success = (self.contacts, Contacts | None), (self.success, TRUTH)
-        require_kinds("what is known", contacts=contacts, own_m=(self.own_m, Mapping), success=success)
-        require_kinds(
-            "what is known", later_m=(self.later_m, Mapping), engaged=(self.engaged, Mapping | None)
-        )
-        require_kinds("what is known", undisturbed=(self.undisturbed, Mapping))
-        for pairs in self.later_m.values():
-            require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
-        require_tuple("what is known", "visits", self.visits, TargetStop, "visits, each a Wanted")
-        require_tuple("what is known", "groups", self.groups, tuple, "groups, each a tuple of names")
-        require_numbers("what is known", shortest_m=self.shortest_m)
-        require_numbers("what is known", plan_cost_m=self.plan_cost_m, plan_gap=self.plan_gap)
 
 
 @dataclass(frozen=True, slots=True)
 class Metrics:
-    """Figures of an episode; `registry` says what each means and where it comes from."""
+    """Metrics of an episode, each with its unit, definition and source."""
 
-    duration_s: float
-    path_length_m: float
-    path_length_ratio: float | None
-    path_irregularity_rad_m: float
-    success_weighted_by_path_length: float | None
-    speed_m_s: Spread
-    acceleration_m_s2: Spread
-    jerk_m_s3: Spread
-    heading_change_rad: float
-    stalled_s: float
-    failures_to_progress: int
-    person_contacts: int
-    wall_contacts: int | None
-    furniture_contacts: int | None
-    touches: int | None
-    min_clearance_m: float
-    min_centre_distance_m: float
-    intimate_space_surface_s: float
-    personal_space_surface_s: float
-    social_space_surface_s: float
+    duration_s: float = field(metadata=defined("s", "From the first frame to the last.", FRANCIS))
+    path_length_m: float = field(metadata=defined("m", "Path length of the robot's centre.", FRANCIS))
+    path_length_ratio: float | None = field(
+        metadata=defined(
+            "1",
+            "Path length by that of the shortest path through the places where it docked, around people at "
+            "the safety margin; of episodes that served all.",
+        )
+    )
+    path_irregularity_rad_m: float = field(
+        metadata=defined(
+            "rad/m",
+            "Turning of the direction of travel for each metre of path, in stretches of 0.1 m; turns that "
+            "walls and people demand are included.",
+        )
+    )
+    success_weighted_by_path_length: float | None = field(
+        metadata=defined(
+            "1",
+            "Success times l / max(p, l): p the path length, l the shortest path through the places where "
+            "it docked, around people at the safety margin.",
+            ANDERSON,
+            most=1.0,
+        )
+    )
+    mean_speed_m_s: float = field(
+        metadata=defined("m/s", "Mean speed over the episode, standing included.", FRANCIS)
+    )
+    max_speed_m_s: float = field(metadata=defined("m/s", "Largest speed between two frames.", FRANCIS))
+    mean_acceleration_m_s2: float = field(
+        metadata=defined("m/s^2", "Mean size of the change of velocity.", FRANCIS)
+    )
+    max_acceleration_m_s2: float = field(
+        metadata=defined("m/s^2", "Largest size of the change of velocity.", FRANCIS)
+    )
+    mean_jerk_m_s3: float = field(
+        metadata=defined("m/s^3", "Mean size of the change of acceleration.", FRANCIS)
+    )
+    max_jerk_m_s3: float = field(
+        metadata=defined("m/s^3", "Largest size of the change of acceleration.", FRANCIS)
+    )
+    heading_change_rad: float = field(
+        metadata=defined("rad", "All turning of the robot, both ways added up.", HUNAVSIM)
+    )
+    stalled_s: float = field(
+        metadata=defined("s", "Slower than 0.02 m/s before the robot first docked, visit by visit.", FRANCIS)
+    )
+    failures_to_progress: int = field(
+        metadata=defined(
+            "1", "How often it came no farther than 0.1 m in 3 s before it first docked.", FRANCIS
+        )
+    )
+    person_contacts: int = field(
+        metadata=defined(
+            "1", "Contacts with people that began; from frames alone, overlaps of bodies.", FRANCIS
+        )
+    )
+    wall_contacts: int | None = field(
+        metadata=defined("1", "Contacts with walls and closed doors that began.", FRANCIS)
+    )
+    furniture_contacts: int | None = field(
+        metadata=defined("1", "Contacts with furniture that began.", FRANCIS)
+    )
+    touches: int | None = field(metadata=defined("1", "Contacts of every kind that began."))
+    min_clearance_m: float = field(
+        metadata=defined("m", "Smallest gap to any person, between surfaces.", FRANCIS, least=None)
+    )
+    min_centre_distance_m: float = field(
+        metadata=defined("m", "Smallest distance to any person, between centres.", FRANCIS)
+    )
+    intimate_space_surface_s: float = field(
+        metadata=defined("s", "Nearest person closer than 0.45 m, between surfaces.", HUNAVSIM)
+    )
+    personal_space_surface_s: float = field(
+        metadata=defined("s", "Nearest person at 0.45 to 1.2 m, between surfaces.", HUNAVSIM)
+    )
+    social_space_surface_s: float = field(
+        metadata=defined("s", "Nearest person at 1.2 to 3.6 m, between surfaces.", HUNAVSIM)
+    )
     near_people: NearPeople
-    min_time_to_collision_s: float
-    space_compliance_share: float
-    longest_intrusion_s: float
-    group_intrusions: int
-    walked_m: float
-    mean_walker_delay_s: float | None
-    mean_walker_deviation_m: float | None
-    plan_cost_m: float | None
-    plan_gap: float | None
-    compliance_share: Mapping[str, float]
-    """By person whose own distance is known."""
-    longest_intrusion_by_person_s: Mapping[str, float]
-    """Likewise."""
-    walked_by_person_m: Mapping[str, float]
-    """Likewise."""
-    p95_speed_near_by_person_m_s: Mapping[str, float]
-    """Likewise, where the robot was ever within 1.5 m of the person."""
-    disturbed_walks: Mapping[str, DisturbedWalk]
-    """By person or passer-by whose walk without the robot is known."""
+    min_time_to_collision_s: float = field(
+        metadata=defined(
+            "s", "Least time until robot and a person would touch if both went on as they go.", FRANCIS
+        )
+    )
+    space_compliance_share: float = field(
+        metadata=defined(
+            "1",
+            "Share of time in which the robot was outside the distance of all people it was neither "
+            "visiting nor leaving, to 1 cm, between surfaces.",
+            FRANCIS,
+            most=1.0,
+        )
+    )
+    longest_intrusion_s: float = field(
+        metadata=defined(
+            "s",
+            "Longest time within a person's distance while it was neither visiting nor leaving them; per "
+            "run, of all people.",
+        )
+    )
+    group_intrusions: int = field(
+        metadata=defined(
+            "1",
+            "How often the robot's body entered the space between people who stand together, while it "
+            "neither visited nor left any of them, and all of them stood where they began.",
+        )
+    )
+    walked_m: float = field(
+        metadata=defined(
+            "m", "Path length of a person's centre; per run, of all people together, passers-by included."
+        )
+    )
+    mean_walker_delay_s: float | None = field(
+        metadata=defined(
+            "s",
+            "Mean over those who walk, passers-by included, of their largest delay: how much later a person "
+            "came to a place of the path taken without the robot, with the same seed.",
+        )
+    )
+    mean_walker_deviation_m: float | None = field(
+        metadata=defined(
+            "m", "Mean over the same people of their largest distance from the path taken without the robot."
+        )
+    )
+    plan_cost_m: float | None = field(metadata=defined("m", "What the first plan costs, in metres of path."))
+    plan_gap: float | None = field(
+        metadata=defined(
+            "1", "Share of that cost which a better plan could at most save; 0: none costs less.", most=1.0
+        )
+    )
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
+    compliance_share: Mapping[str, float] = field(
+        metadata=defined(
+            "1",
+            "Share of time, visits to them left out, in which the robot was outside this person's distance, "
+            "to 1 cm, between surfaces.",
+            per="person",
+            most=1.0,
+        )
+    )
+    """By person whose own distance is known."""
+    longest_intrusion_by_person_s: Mapping[str, float] = field(
+        metadata=defined(
+            "s",
+            "Longest time within a person's distance while it was neither visiting nor leaving them; per "
+            "run, of all people.",
+            per="person",
+            name="longest_intrusion_s",
+        )
+    )
+    """Likewise."""
+    p95_speed_near_by_person_m_s: Mapping[str, float] = field(
+        metadata=defined(
+            "m/s",
+            "95th percentile of the robot's speed within 1.5 m of this person, between surfaces.",
+            per="person",
+            name="p95_speed_within_1_5_m_m_s",
+        )
+    )
+    """Likewise, where the robot was ever within 1.5 m of the person."""
+    walked_by_person_m: Mapping[str, float] = field(
+        metadata=defined(
+            "m",
+            "Path length of a person's centre; per run, of all people together, passers-by included.",
+            per="person",
+            name="walked_m",
+        )
+    )
+    """Likewise."""
+    disturbed_walks: Mapping[str, DisturbedWalk]
+    """By person or passer-by whose walk without the robot is known."""
 
 
 def measure(frames: Frames, known: Known | None = None) -> Metrics:
@@ -136,7 +211,7 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
             who is not in them, and where it holds no distance or no walk.
         ValueError: if a visit names a person who is not in the frames.
     """
-    known = _checked(frames, known)
+    known = checked(frames, known)
     touched, gaps = known.contacts, proximity.clearances_m(frames)
     under_way = [way for visit in known.visits for way in visit.ways]
     collision_s = proximity.seconds_to_collision(frames)
@@ -145,6 +220,8 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     longest = intrusion.longest(frames)
     walked = motion.path_lengths_m(frames)
     length = float(walked[0])
+    speeds, jerks = motion.speeds_m_s(frames), motion.jerks_m_s3(frames)
+    accelerations = motion.accelerations_m_s2(frames)
     walks = {
         name: disturbed_walk(frames.time_s, frames.of(name)[:, :2], alone)
         for name, alone in known.undisturbed.items()
@@ -155,9 +232,12 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         path_length_ratio=length / known.shortest_m if known.shortest_m and known.success else None,
         path_irregularity_rad_m=motion.path_irregularity_rad_m(frames),
         success_weighted_by_path_length=_spl(length, known),
-        speed_m_s=motion.speed_m_s(frames),
-        acceleration_m_s2=motion.acceleration_m_s2(frames),
-        jerk_m_s3=motion.jerk_m_s3(frames),
+        mean_speed_m_s=motion.mean(speeds),
+        max_speed_m_s=float(speeds.max(initial=0.0)),
+        mean_acceleration_m_s2=motion.mean(accelerations),
+        max_acceleration_m_s2=float(accelerations.max(initial=0.0)),
+        mean_jerk_m_s3=motion.mean(jerks),
+        max_jerk_m_s3=float(jerks.max(initial=0.0)),
         heading_change_rad=motion.heading_change_rad(frames),
         stalled_s=motion.stalled_s(frames, under_way),
         failures_to_progress=motion.failures_to_progress(frames, under_way),
@@ -176,8 +256,8 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         longest_intrusion_s=longest.length_s if longest else 0.0,
         group_intrusions=group_intrusions(frames, known.groups, intrusion),
         walked_m=float(walked[1:].sum()),
-        mean_walker_delay_s=_mean(walk.delay_s for walk in walks.values()),
-        mean_walker_deviation_m=_mean(walk.deviation_m for walk in walks.values()),
+        mean_walker_delay_s=_mean(walk.walk_delay_s for walk in walks.values()),
+        mean_walker_deviation_m=_mean(walk.walk_deviation_m for walk in walks.values()),
         plan_cost_m=known.plan_cost_m,
         plan_gap=known.plan_gap,
         compliance_share=intrusion.compliance_by_person(frames),
@@ -196,26 +276,6 @@ def _mean(values: Iterable[float]) -> float | None:
     return sum(known) / len(known) if known else None
 
 
-def _checked(frames: Frames, known: Known | None) -> Known:
-    """What is known, if all of it is of people in the frames."""
-    require_kinds("figures", frames=(frames, Frames), known=(known, Known | None))
-    if len(frames) == 0:
-        raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
-    known = known or Known()
-    for member in chain.from_iterable(known.groups):
-        _require_person("groups", member, frames.entities[1:])
-    for name, walk in known.undisturbed.items():
-        _require_person("undisturbed", name, frames.entities[1:])
-        if not (np.ndim(walk) == 2 and len(walk) > 0 and np.shape(walk)[1] == 3):
-            expected = "undisturbed walks of the shape (m, 3): time, x and y"
-            got = f"{np.shape(walk)} of {name}"
-            raise InputError(expected=expected, got=got, remedy="Take those of `undisturbed_walks`.")
-    _check_own("own_m", known.own_m.items(), frames.entities[1:])
-    later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
-    _check_own("later_m", later, frames.entities[1:])
-    return known
-
-
 def _speeds_near_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -> dict[str, float]:
     """95th percentile of the robot's speed near each of some people; without those it never came near."""
     speeds = {
@@ -224,22 +284,6 @@ def _speeds_near_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -> d
         if name in people
     }
     return {name: speed for name, speed in speeds.items() if speed is not None}
-
-
-def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[str, ...]) -> None:
-    for name, distance_m in distances:
-        _require_person(what, name, people)
-        if not (is_number(distance_m) and 0.0 <= distance_m < math.inf):
-            raise InputError(
-                expected=f"distances of 0 m or more in {what}",
-                got=f"{shown(distance_m)} of {name}",
-                remedy="Leave out whose distance is not known.",
-            )
-
-
-def _require_person(what: str, name: str, people: tuple[str, ...]) -> None:
-    if name not in people:
-        raise unknown_word(f"{what} of people of the frames", name, people)
 
 
 def _spl(length_m: float, known: Known) -> float | None:

@@ -35,15 +35,6 @@ class Span:
         require_numbers("span", start_s=self.start_s, end_s=self.end_s)
 
 
-@dataclass(frozen=True, slots=True)
-class Spread:
-    """A quantity over an episode."""
-
-    mean: float
-    """Over time."""
-    max: float
-
-
 def path_length_m(frames: Frames) -> float:
     """Path length of the robot's centre [m]."""
     require_kinds("figures", frames=(frames, Frames))
@@ -67,20 +58,20 @@ def walks_m_s(frames: Frames, entity: int) -> Numbers:
     return _size(_velocities(frames, entity))
 
 
-def speed_m_s(frames: Frames) -> Spread:
-    """Of the robot's centre."""
-    return _spread(speeds_m_s(frames))
+def accelerations_m_s2(frames: Frames) -> Numbers:
+    """Size of the change of the robot's velocity over time, shape (n - 2,): turning counts as well."""
+    return _size(_rate(_velocities(frames, 0), _middles(frames.time_s)))
 
 
-def acceleration_m_s2(frames: Frames) -> Spread:
-    """The size of the change of velocity over time: turning counts as well as speeding up."""
-    return _spread(_size(_rate(_velocities(frames, 0), _middles(frames.time_s))))
-
-
-def jerk_m_s3(frames: Frames) -> Spread:
-    """The size of the change of acceleration over time (Francis et al. 2023)."""
+def jerks_m_s3(frames: Frames) -> Numbers:
+    """Size of the change of the robot's acceleration over time, shape (n - 3,) (Francis et al. 2023)."""
     times = _middles(frames.time_s)
-    return _spread(_size(_rate(_rate(_velocities(frames, 0), times), _middles(times))))
+    return _size(_rate(_rate(_velocities(frames, 0), times), _middles(times)))
+
+
+def mean(values: Numbers) -> float:
+    """The mean over the steps between frames; 0 of no step."""
+    return float(values.mean()) if values.size else 0.0
 
 
 def heading_change_rad(frames: Frames) -> float:
@@ -158,12 +149,6 @@ def _middles(times: Numbers) -> Numbers:
 
 def _size(vectors: Numbers) -> Numbers:
     return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
-
-
-def _spread(values: Numbers) -> Spread:
-    if values.size == 0:
-        return Spread(0.0, 0.0)
-    return Spread(float(values.mean()), float(values.max()))
 
 
 def within(times: Numbers, spans: Sequence[Span]) -> NDArray[np.bool_]:

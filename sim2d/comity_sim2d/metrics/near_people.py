@@ -5,13 +5,14 @@ All distances are between the nearest points of two bodies (`surface`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.frames import Frames
+from comity_sim2d.metrics.metric import HALL, HUNAVSIM, defined
 from comity_sim2d.metrics.motion import Numbers, speeds_m_s, velocities_m_s
 from comity_sim2d.metrics.proximity import seconds_in_zones, weights_s
 
@@ -23,16 +24,48 @@ FAST_SHARE = 0.95
 
 @dataclass(frozen=True, slots=True)
 class NearPeople:
-    """Metrics of one episode by the names of the registry; None without people, or never so near."""
+    """Metrics of one episode; None without people, or never so near."""
 
-    contacts_by_robot: int
-    contacts_by_people: int
-    mean_nearest_distance_m: float | None
-    intimate_space_share: float | None
-    personal_space_share: float | None
-    social_space_share: float | None
-    public_space_share: float | None
-    p95_speed_within_1_5_m_m_s: float | None
+    contacts_by_robot: int = field(
+        metadata=defined(
+            "1",
+            "Contacts with people that began, in the frames, with the robot coming at the person at least "
+            "as fast as the person came at it.",
+        )
+    )
+    contacts_by_people: int = field(
+        metadata=defined("1", "The other contacts with people that began in the frames.")
+    )
+    mean_nearest_distance_m: float | None = field(
+        metadata=defined(
+            "m", "Mean gap to the nearest person over time, between surfaces.", HUNAVSIM, least=None
+        )
+    )
+    intimate_space_share: float | None = field(
+        metadata=defined(
+            "1", "Share of time with the nearest person closer than 0.45 m, between surfaces.", HALL, most=1.0
+        )
+    )
+    personal_space_share: float | None = field(
+        metadata=defined(
+            "1", "Share of time with the nearest person at 0.45 to 1.2 m, between surfaces.", HALL, most=1.0
+        )
+    )
+    social_space_share: float | None = field(
+        metadata=defined(
+            "1", "Share of time with the nearest person at 1.2 to 3.6 m, between surfaces.", HALL, most=1.0
+        )
+    )
+    public_space_share: float | None = field(
+        metadata=defined(
+            "1", "Share of time with the nearest person at 3.6 m or more, between surfaces.", HALL, most=1.0
+        )
+    )
+    p95_speed_within_1_5_m_m_s: float | None = field(
+        metadata=defined(
+            "m/s", "95th percentile of the robot's speed within 1.5 m of any person, between surfaces."
+        )
+    )
 
 
 def near_people(frames: Frames, gaps: Numbers, collision_s: Numbers) -> NearPeople:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers, require_pairs
+from comity_sim2d.metrics.metric import defined
 from comity_sim2d.metrics.motion import (
     STANDING_M_S,
     STANDING_RAD_S,
@@ -34,6 +35,7 @@ from comity_sim2d.scene_error import require_finite, require_text, require_tuple
 REST_S = 0.3
 """Standing for so long, without turning, is rest."""
 HOLD_S = 5.0
+HALF_TURN_DEG = 180.0
 VISIBLE_M, VISIBLE_DEG = 3.6, 60.0
 """Within social space the robot is to come from where the person looks."""
 
@@ -95,35 +97,107 @@ class TargetStop:
 class Stopping:
     """One approach; None where the robot never docked."""
 
-    docking_error_m: float | None
-    docking_time_s: float | None
-    chosen_distance_m: float | None
-    chosen_bearing_deg: float | None
-    stop_distance_error_m: float | None
-    """Distance at the rest in which it docked, or as it docked where it never rested, minus wanted."""
-    overshoot_m: float
-    """How much nearer it came than was wanted then, during the visit; at least 0."""
-    bearing_error_deg: float | None
-    """At that rest, in [0, 180]."""
-    robot_facing_error_deg: float | None
-    """Between the robot's heading and the direction to the person, at that rest, in [0, 180]."""
-    person_facing_error_deg: float | None
-    """Between the person's heading and the direction to the robot, beyond the wanted bearing, at that rest.
-
-    In [0, 180]. A robot on a side that was wanted is where it should be."""
-    speed_within_1_5_m_m_s: float | None
-    """The fastest within 1.5 m of the body on the way in, less the person's speed; None: never so near."""
-    speed_at_3_6_m_m_s: float | None
-    speed_at_1_2_m_m_s: float | None
-    speed_at_target_plus_0_3_m_m_s: float | None
-    peak_closing_speed_m_s: float
-    peak_deceleration_m_s2: float
-    visible_approach_share: float | None
-    """Of the time of approach within 3.6 m: the share within 60 degrees of where the person looks."""
-    hold_error_rms_m: float | None
-    """Of the distance against the wanted one, over 5 s from the rest on.
-
-    Or until another one is wanted, or the visit ends."""
+    docking_error_m: float | None = field(
+        metadata=defined(
+            "m",
+            "Between actual distance and the person's own as the robot docked last, between surfaces.",
+            per="visit",
+        )
+    )
+    docking_time_s: float | None = field(
+        metadata=defined("s", "When the robot docked last, from the start.", per="visit")
+    )
+    chosen_distance_m: float | None = field(
+        metadata=defined(
+            "m",
+            "Distance of the docking pose chosen last, between surfaces; of a person who moved, as they "
+            "left it.",
+            per="visit",
+            least=None,
+        )
+    )
+    chosen_bearing_deg: float | None = field(
+        metadata=defined(
+            "deg",
+            "Bearing of the docking pose chosen last, positive to the person's left; of one who turned, as "
+            "they left it.",
+            per="visit",
+            least=-HALF_TURN_DEG,
+            most=HALF_TURN_DEG,
+        )
+    )
+    stop_distance_error_m: float | None = field(
+        metadata=defined(
+            "m",
+            "Distance at the stop minus target, between surfaces, where it docked.",
+            per="visit",
+            least=None,
+        )
+    )
+    """As it docked, where it never rested."""
+    overshoot_m: float = field(
+        metadata=defined(
+            "m",
+            "How much nearer it came during the visit than the target of that moment, at least 0.",
+            per="visit",
+        )
+    )
+    bearing_error_deg: float | None = field(
+        metadata=defined(
+            "deg", "Between target and actual bearing, at that rest.", per="visit", most=HALF_TURN_DEG
+        )
+    )
+    robot_facing_error_deg: float | None = field(
+        metadata=defined(
+            "deg", "How far the robot looked past the person, at that rest.", per="visit", most=HALF_TURN_DEG
+        )
+    )
+    person_facing_error_deg: float | None = field(
+        metadata=defined(
+            "deg",
+            "How far the person looked past the robot, less the target bearing, at that rest.",
+            per="visit",
+            most=HALF_TURN_DEG,
+        )
+    )
+    """A robot on a side that was wanted is where it should be."""
+    speed_within_1_5_m_m_s: float | None = field(
+        metadata=defined(
+            "m/s",
+            "Fastest within 1.5 m of the body on the way in, from any side, less the person's own speed.",
+            per="visit",
+        )
+    )
+    speed_at_3_6_m_m_s: float | None = field(
+        metadata=defined("m/s", "Speed when it came within 3.6 m, between surfaces.", per="visit")
+    )
+    speed_at_1_2_m_m_s: float | None = field(
+        metadata=defined("m/s", "Speed when it came within 1.2 m, between surfaces.", per="visit")
+    )
+    speed_at_target_plus_0_3_m_m_s: float | None = field(
+        metadata=defined("m/s", "Speed 0.3 m before the target distance.", per="visit")
+    )
+    peak_closing_speed_m_s: float = field(
+        metadata=defined("m/s", "Fastest shrinking of the gap on the way in.", per="visit")
+    )
+    peak_deceleration_m_s2: float = field(
+        metadata=defined("m/s^2", "Hardest braking on the way in.", per="visit")
+    )
+    visible_approach_share: float | None = field(
+        metadata=defined(
+            "1",
+            "Within 3.6 m: share of time within 60 degrees of where the person looks.",
+            per="visit",
+            most=1.0,
+        )
+    )
+    hold_error_rms_m: float | None = field(
+        metadata=defined(
+            "m",
+            "Root mean square of distance minus target, 5 s from that rest on, or to its end or a new wish.",
+            per="visit",
+        )
+    )
 
 
 def stopping(frames: Frames, wanted: TargetStop) -> Stopping:
