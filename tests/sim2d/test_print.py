@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from matplotlib.collections import LineCollection
 from matplotlib.colors import to_rgb
@@ -170,6 +170,23 @@ def test_no_page_is_half_empty_and_everything_is_on_it(width_m: float, height_m:
     assert [column.legend is not None for _, column in page.columns].count(True) == 1
     for (_, _, _, height), column in page.columns:
         assert column.height_in <= height + 1e-9
+
+
+@given(st.floats(3.0, 20.0), st.floats(0.35, 1.5), st.integers(3, 12))
+@example(9.0, 0.56, 12)
+@settings(deadline=None)
+def test_a_page_about_many_people_is_two_thirds_full(width_m: float, flat: float, count: int) -> None:
+    people = (Person("a", 1.0, 0.5, 0.0),)
+    scene = Scene(Room.rectangle(width_m, max(3.0, width_m * flat)), RobotBody(2.0, 2.0), people)
+    page = episode_layout.layout(scene, [card(f"p{i}") for i in range(count)], Legend(visits=True))
+    assert page.filled > 0.66
+
+
+@pytest.mark.parametrize(("width_m", "height_m", "count"), [(16.0, 4.0, 6), (30.0, 3.0, 3), (12.0, 5.0, 12)])
+def test_a_map_with_many_visits_has_room_for_their_words(width_m: float, height_m: float, count: int) -> None:
+    scene = Scene(Room.rectangle(width_m, height_m), RobotBody(0.6, 0.6))
+    page = episode_layout.layout(scene, [card(f"p{i}") for i in range(count)], Legend(visits=True))
+    assert page.map[2] > 0.9 * page.width
 
 
 def test_what_is_said_again_and_again_is_in_one_bubble_with_how_often() -> None:

@@ -16,6 +16,8 @@ HEADER_IN, SCALE_IN = 0.95, 0.3
 TALLEST_MAP_IN = 8.5
 LEAST_FILLED = 0.6
 """A page with the panel beside the map is filled to this share; else the panel is below (our choice)."""
+VISIT_IN2 = 4.0
+"""Of a map for each visit's words; where it has less, the panel is below, the map larger (our choice)."""
 FLAT = 0.22
 """A map over its panel is at least so many times as high as wide: words go above and below a corridor."""
 
@@ -45,20 +47,29 @@ class Layout:
         used = self.map[2] * self.map[3] + sum(place[2] * column.height_in for place, column in self.columns)
         return used / (self.width * (self.height - HEADER_IN))
 
+    def has_room_for(self, visits: int) -> bool:
+        """Whether words about so many visits fit on the map."""
+        return self.map[2] * self.map[3] >= VISIT_IN2 * visits
+
 
 def layout(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
-    """The page for a scene: with its panel beside the map, unless that leaves much of it empty.
+    """The page for a scene: with its panel beside the map, unless much stays empty or words have no room.
 
-    Below a map that is lower than its panel there is place for the legend.
+    Cards that would reach far below the map are under it, next to the legend, where the page is lower so.
     """
     whole = _panel_beside(scene, CardColumn(tuple(cards), legend))
-    parted = _panel_beside(scene, CardColumn(tuple(cards)), legend)
-    beside = min(whole, parted, key=lambda page: page.height)
-    return beside if beside.filled >= LEAST_FILLED else _panel_below(scene, cards, legend)
+    counts = range(len(cards), -1, -1)
+    parted = [_panel_beside(scene, CardColumn(tuple(cards[:n])), cards[n:], legend) for n in counts]
+    pages = (min([whole, *parted], key=lambda page: page.height), _panel_below(scene, cards, legend))
+    filled = [page for page in pages if page.filled >= LEAST_FILLED] or [max(pages, key=lambda p: p.filled)]
+    roomy = (page for page in filled if page.has_room_for(len(cards)))
+    return next(roomy, max(filled, key=lambda page: page.in_per_m))
 
 
-def _panel_beside(scene: Scene, column: CardColumn, below: Legend | None = None) -> Layout:
-    """With a column beside the map, and with a legend below the map where one is given."""
+def _panel_beside(
+    scene: Scene, column: CardColumn, further: Sequence[Card] = (), legend: Legend | None = None
+) -> Layout:
+    """With a column beside the map, and under the map further cards and a legend where one is given."""
     wide, high = d.extent_m(scene)
     free_m = d.beside_m(scene)
     wide += 2 * free_m
@@ -66,31 +77,32 @@ def _panel_beside(scene: Scene, column: CardColumn, below: Legend | None = None)
     scale = min(most / wide, TALLEST_MAP_IN / high)
     map_in, tall = wide * scale, high * scale
     width = max(NARROWEST_IN, map_in + panel.WIDTH_IN + 2 * EDGE_IN)
-    legend = None if below is None else replace(below, columns=max(int(map_in // panel.WIDTH_IN), 1))
-    under_in = 0.0 if legend is None else SCALE_IN + legend.height_in
+    under = [] if legend is None else _under(further, legend, max(int(map_in // panel.WIDTH_IN), 1))
+    under_in = max((SCALE_IN + each.height_in for each in under), default=0.0)
     height = HEADER_IN + max(tall + SCALE_IN + under_in, column.height_in) + EDGE_IN
     left = EDGE_IN + (width - panel.WIDTH_IN - 2 * EDGE_IN - map_in) / 2
+    floor = height - HEADER_IN - tall
+    top, step = floor - SCALE_IN, max(map_in, panel.WIDTH_IN) / max(len(under), 1)
     return Layout(
         width=width,
         height=height,
-        map=(left, height - HEADER_IN - tall, map_in, tall),
+        map=(left, floor, map_in, tall),
         in_per_m=scale,
         beside_m=free_m,
         above_m=0.0,
         columns=(
             ((width - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, height - HEADER_IN), column),
-            *_below_map(legend, (left, height - HEADER_IN - tall - SCALE_IN, map_in)),
+            *(
+                ((left + i * step, top - each.height_in, step, each.height_in), each)
+                for i, each in enumerate(under)
+            ),
         ),
     )
 
 
-def _below_map(legend: Legend | None, top_left: tuple[float, float, float]) -> list[tuple[Place, CardColumn]]:
-    """The place of a legend by its left edge, its top and the width of the map [in]."""
-    if legend is None:
-        return []
-    left, top, width = top_left
-    wide = max(width, panel.WIDTH_IN)
-    return [((left, top - legend.height_in, wide, legend.height_in), CardColumn((), legend))]
+def _under(cards: Sequence[Card], legend: Legend, most: int) -> list[CardColumn]:
+    """What is under a map that has room for so many columns: a legend that is alone there fills them all."""
+    return panel.in_columns(cards, legend if cards else replace(legend, columns=most), most)
 
 
 def _panel_below(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
