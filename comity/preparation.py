@@ -78,7 +78,7 @@ class PlannedEpisode:
     def to_unified_planning(self) -> tuple[Problem, SequentialPlan]:
         """The visits as a problem of unified-planning, and the plan for it: its validator takes both.
 
-        Deadlines are not in the problem, nor is who is left out at a price.
+        Deadlines are not in the problem.
         """
         return to_unified_planning(self.plan, self.asked.request)
 

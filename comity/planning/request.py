@@ -106,13 +106,13 @@ def ask(
         ways_m={way: journey.length_m for way, journey in ways.items()},
         blocked=_blocked(scene, served, spots),
         survey=None if few else lengths.survey(travel, ways),
-        out_of_reach={
+        dropped_m={
             each.name: each.skip_m
             for each in visitees
             if each.name in unreachable and each.skip_m is not None
         },
     )
-    must = {name: reason for name, reason in unreachable.items() if name not in request.out_of_reach}
+    must = {name: reason for name, reason in unreachable.items() if name not in request.dropped_m}
     return PlanningRequest(request, must, places)
 
 

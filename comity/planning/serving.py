@@ -62,7 +62,7 @@ def _only(
     }
     return replace(
         asked,
-        request=replace(request, out_of_reach={**request.out_of_reach, **prices}),
+        request=replace(request, dropped_m={**request.dropped_m, **prices}),
         unreachable={**asked.unreachable, **reasons},
     )
 

@@ -45,8 +45,7 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     ends_s = monotonic() + time_limit_s
     left = leaving(request, ends_s=ends_s - time_limit_s / 2)
-    served = request.without(left.names) if left.names else request
-    found = settled(served, order_of, time_limit_s=time_limit_s, ends_s=ends_s)
+    found = settled(request.dropping(left.names), order_of, time_limit_s=time_limit_s, ends_s=ends_s)
     bounded, choices = found.choices, measured_options(found.choices, found.request)
     visits = best_tour(found.order.stops, choices)
     in_time = left.in_time and monotonic() <= ends_s

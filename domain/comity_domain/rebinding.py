@@ -42,7 +42,7 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
         ValueError: The request holds a person whom no plan can serve.
     """
     leaving = left_out(request)
-    visited = _rebound(tuple(_stops(plan)), request.without(leaving) if leaving else request)
+    visited = _rebound(tuple(_stops(plan)), request.dropping(leaving))
     steps = (*visited, *skip_steps(request, leaving))
     if _choices(steps) != _choices(plan.steps):
         return None

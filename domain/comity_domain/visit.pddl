@@ -24,6 +24,7 @@
     (done ?t - task)
     (whole ?c - company)               ; nobody of it was greeted alone, so it can be greeted at once
     (waits ?u - user)                  ; somebody is to be visited before
+    (skipped ?u - user)
     (now ?k - turn)                    ; how many were greeted, where somebody has a priority; else always the same
 
     ; what the person and the map allow
@@ -32,6 +33,7 @@
     (route ?origin - place ?origin_side - side ?u - user ?s - side)
     (after ?u - user ?first - user)    ; the order that the scenario asks for
     (way_to ?origin - place ?origin_side - side ?l - location ?s - side)
+    (dropped ?u - user)                ; no visit: decided before, by prices, routes, priorities and deadlines alone
 
     ; what hands are good for
     (empty ?h - thing)                 ; holding it is holding nothing
@@ -73,6 +75,7 @@
     ; the same once for all of a company, and the dislike of how near the robot comes to its other members
     (greet_together_cost ?c - company ?u - user ?s - side ?m - modality ?g - gesture ?k - turn)
     (leave_cost ?u - user ?m - modality ?g - gesture)                    ; the dislike of the farewell
+    (skip_cost ?u - user)                                                ; the price that the scenario names
 
     ; the parameters bound when the plan is made, rounded; the plan itself carries them with full precision
     (distance_mm ?u - user)
@@ -246,4 +249,12 @@
       (done ?t)
       (not (due ?t))
       (free ?r)
-      (increase (total-cost) (leave_cost ?u ?m ?g)))))
+      (increase (total-cost) (leave_cost ?u ?m ?g))))
+
+  ; Drop a visit at its price.
+  (:action Skip_visit
+    :parameters (?r - robot ?u - user)
+    :precondition (dropped ?u)
+    :effect (and
+      (skipped ?u)
+      (increase (total-cost) (skip_cost ?u)))))

@@ -306,3 +306,18 @@ def corridor_fixture() -> Callable[..., VisitRequest]:
 @pytest.fixture(name="line")
 def line_fixture() -> type[Line]:
     return Line
+
+
+@pytest.fixture
+def with_skips() -> Callable[[VisitRequest, Mapping[str, float]], VisitRequest]:
+    """Ways without culture, and prices in metres for leaving some people out."""
+
+    def priced(request: VisitRequest, prices: Mapping[str, float]) -> VisitRequest:
+        visitees = tuple(replace(each, skip_m=prices.get(each.name)) for each in request.visitees)
+        ways = {
+            (None if start == START else start.place, end.place): length
+            for (start, end), length in request.travel.items()
+        }
+        return replace(request, visitees=visitees, ways_m=ways)
+
+    return priced

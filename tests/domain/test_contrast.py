@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from comity_domain import NoPlan, from_other_sides, make_plan
@@ -28,6 +30,17 @@ def test_planned_anew_a_side_costs_no_more_than_with_the_rest_as_it_is(rich_requ
                 if each.action == "Reach_user" and each.person == step.person
             }
             assert reached <= {one.side}
+
+
+def test_those_whose_visit_is_dropped_cost_a_contrast_nothing(rich_request):
+    """They are in neither plan that is compared."""
+    request = rich_request(2, 1, deadlines=False)
+    dropping = replace(request, dropped_m={"dora": 3.0})
+    one, other = (
+        from_other_sides(each, make_plan(each), request.visitees[0].name, ["left", "right"])
+        for each in (request, dropping)
+    )
+    assert [each.extra_cost for each in one] == [each.extra_cost for each in other]
 
 
 def test_where_nothing_leads_to_a_side_there_is_no_contrast_plan(infer, request_for):

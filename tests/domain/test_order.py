@@ -135,21 +135,11 @@ def test_pairs_of_stops_follow_each_other(rich_request):
     assert all(after.origin == before.arguments[1:3] for before, after in pairwise(reaches))
 
 
-def with_skips(request, prices):
-    """Ways without culture, and a price for leaving some people out."""
-    visitees = tuple(replace(each, skip_m=prices.get(each.name)) for each in request.visitees)
-    ways = {
-        (None if start == START else start.place, end.place): length
-        for (start, end), length in request.travel.items()
-    }
-    return replace(request, visitees=visitees, ways_m=ways)
-
-
 def skipped(plan):
     return [step.person for step in plan.steps if step.action == "Skip_visit"]
 
 
-def test_somebody_is_left_out_where_that_costs_less_than_the_way(corridor):
+def test_somebody_is_left_out_where_that_costs_less_than_the_way(corridor, with_skips):
     """Cem stands 3 m behind Bob, at the end of the corridor."""
     request = corridor()
     assert skipped(make_plan(with_skips(request, {"cem": 3.1}))) == []
@@ -159,18 +149,18 @@ def test_somebody_is_left_out_where_that_costs_less_than_the_way(corridor):
     assert plan.cost == 600 + 290 == plan.bound
 
 
-def test_without_a_price_nobody_is_left_out(corridor):
+def test_without_a_price_nobody_is_left_out(corridor, with_skips):
     assert skipped(make_plan(with_skips(corridor(), {}))) == []
 
 
-def test_a_deadline_that_cannot_be_kept_leaves_out_whom_the_scenario_lets(corridor):
+def test_a_deadline_that_cannot_be_kept_leaves_out_whom_the_scenario_lets(corridor, with_skips):
     request = corridor(cem={"by_s": 5.0})
     assert skipped(make_plan(with_skips(request, {"cem": 50.0}))) == ["cem"]
 
 
 @LAW
 @given(st.integers(0, 30), st.permutations(range(5)))
-def test_culture_never_decides_who_is_left_out(rich_request, seed, permutation):
+def test_culture_never_decides_who_is_left_out(rich_request, with_skips, seed, permutation):
     """Real plans, before and after the cultures are exchanged: the same people are skipped."""
     plain = rich_request(5, seed, deadlines=False)
     prices = {visitee.name: 1.0 + 3.0 * index for index, visitee in enumerate(plain.visitees)}

@@ -24,11 +24,13 @@ from comity_domain import (
     solve,
     timing_of,
     to_unified_planning,
+    validate,
 )
 from comity_domain.choices.options import options
 from comity_domain.classical.light_environment import LightEnvironment
 from comity_domain.classical.order_of import order_of
 from comity_domain.engine import register
+from comity_domain.labelling.skipping import left_out
 from comity_domain.ordering.best_order import best_order
 from comity_fis import InputError
 
@@ -48,26 +50,24 @@ def id_of(name: str) -> str:
     return name.replace(" ", "_")
 
 
-def served(request):
-    """The same with nobody left out at a price, which is decided before there is a problem."""
-    return replace(request, visitees=tuple(replace(each, skip_m=None) for each in request.visitees))
-
-
 @st.composite
 def requests(draw):
-    """By name of the fixture that makes it, the arguments of a request; and whether visits are under way."""
+    """What `made` takes: of a request the name of its fixture, its arguments, and what it has besides."""
     kind = draw(st.sampled_from(("random_request", "rich_request", "agenda_request")))
     options_of_it = {"deadlines": draw(st.booleans())} if kind != "random_request" else {}
-    return kind, draw(st.integers(1, 4)), draw(st.integers(0, 10_000)), options_of_it, draw(st.booleans())
+    prices = draw(st.lists(st.none() | st.integers(0, 9), min_size=4, max_size=4))
+    seed, under_way = draw(st.integers(0, 10_000)), draw(st.booleans())
+    return kind, draw(st.integers(1, 4)), seed, options_of_it, under_way, prices
 
 
 @pytest.fixture
-def made(request):
+def made(request, with_skips):
     """A request from the arguments that `requests` draws."""
 
     def make(drawn):
-        kind, people, seed, more, under_way = drawn
-        asked = served(request.getfixturevalue(kind)(people, seed, **more))
+        kind, people, seed, more, under_way, prices = drawn
+        asked = request.getfixturevalue(kind)(people, seed, **more)
+        asked = with_skips(asked, {each.name: m for each, m in zip(asked.visitees, prices, strict=False)})
         if not under_way:
             return asked
         first, *others = asked.visitees
@@ -81,7 +81,8 @@ def made(request):
 @given(drawn=requests())
 def test_the_problem_and_its_timing_say_all_that_the_search_looks_at(made, drawn):
     """Ties, deadlines and proofs included: the choices themselves would give the same order."""
-    choices = options(made(drawn))
+    asked = made(drawn)
+    choices = options(asked.dropping(left_out(asked)))
     assert outcome(order_of, choices, 30.0) == outcome(best_order, choices, 30.0)
 
 
@@ -97,6 +98,10 @@ def test_a_problem_is_solved_by_the_plan_that_is_made_at_its_cost(made, drawn):
     problem, actions = to_unified_planning(plan, asked)
     assert solve(problem_of(asked), timing_of(asked)) == actions
     assert cost(problem, actions) == plan.cost
+    dropped = [step.person for step in plan.steps if step.action == "Skip_visit"]
+    assert [id_of(name) for name in dropped] == [
+        str(one.actual_parameters[1]) for one in actions.actions if one.action.name == "Skip_visit"
+    ]
 
 
 def outcome(make, *arguments):
@@ -128,7 +133,7 @@ def test_a_deadline_is_kept_that_the_problem_cannot_say(rich_request):
     """Where it makes the plan more expensive, the timing alone makes the difference."""
     found = 0
     for seed in range(40):
-        request = served(rich_request(3, seed))
+        request = rich_request(3, seed)
         problem, timing = problem_of(request), timing_of(request)
         if not timing.by_s:
             continue
@@ -139,7 +144,7 @@ def test_a_deadline_is_kept_that_the_problem_cannot_say(rich_request):
 
 
 def test_an_order_is_kept_that_the_problem_states(rich_request):
-    request = served(rich_request(3, 1))
+    request = rich_request(3, 1)
     free = [replace(each, by_s=None) for each in request.visitees]
     last = free[-1].name
     turned = replace(request, companies=(), visitees=(replace(free[0], after=last), *free[1:]))
@@ -152,7 +157,7 @@ def test_an_order_is_kept_that_the_problem_states(rich_request):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_factory_has_it_as_comity(rich_request, seed):
     register()
-    request = served(rich_request(2, seed))
+    request = rich_request(2, seed)
     request = replace(request, visitees=tuple(replace(each, by_s=None) for each in request.visitees))
     problem = problem_of(request)
     with OneshotPlanner(name="comity") as planner:
@@ -163,7 +168,7 @@ def test_the_factory_has_it_as_comity(rich_request, seed):
 
 
 def test_a_problem_that_was_written_and_read_again_is_solved(rich_request):
-    request = served(rich_request(2, 3))
+    request = rich_request(2, 3)
     request = replace(request, visitees=tuple(replace(each, by_s=None) for each in request.visitees))
     domain, text = plan_pddl(request)
     problem = PDDLReader(get_environment()).parse_problem_string(domain, text)
@@ -173,7 +178,7 @@ def test_a_problem_that_was_written_and_read_again_is_solved(rich_request):
 
 def test_nothing_that_is_stated_is_overlooked(rich_request):
     """A cost that depends on the turn otherwise, a goal or a fact of another kind: refused, and named."""
-    request = served(rich_request(2, 3))
+    request = rich_request(2, 3)
     problem = problem_of(request)
     user = problem.object(id_of(request.visitees[0].name))
     changed = problem.clone()
@@ -192,10 +197,36 @@ def test_nothing_that_is_stated_is_overlooked(rich_request):
 
 
 def test_a_problem_without_a_route_has_no_plan(rich_request):
-    request = served(rich_request(2, 3))
+    request = rich_request(2, 3)
     problem = problem_of(request)
     for atom, value in problem.explicit_initial_values.items():
         if atom.fluent().name == "route" and value.is_true():
             problem.set_initial_value(atom, False)
     with pytest.raises(NoPlan):
         solve(problem)
+
+
+def test_a_visit_is_dropped_for_those_alone_who_are_named_at_their_price(corridor, with_skips):
+    """Cem stands 3 m behind Bob: 2.90 m for not going there are in the plan, for any validator."""
+    request = with_skips(corridor(), {"cem": 2.9})
+    problem, plan = problem_of(request), solve(problem_of(request))
+    assert [str(one) for one in plan.actions][-1] == "Skip_visit(robot_1, cem)"
+    assert cost(problem, plan) == make_plan(request).cost == 600 + 290
+    assert validate(make_plan(request), request).cost == 600 + 290
+    assert sorted(map(str, problem.goals)) == ["greeted(ada)", "greeted(bob)", "skipped(cem)"]
+
+
+def test_who_is_out_of_reach_costs_their_price_too(corridor, with_skips):
+    request = replace(corridor(), dropped_m={"dora": 1.5})
+    plan = make_plan(request)
+    assert plan.cost == 900 + 150
+    assert validate(plan, request).cost == plan.cost
+
+
+@pytest.mark.parametrize("people", [1, 2, 3])
+def test_where_every_visit_is_dropped_the_plan_costs_their_prices(rich_request, with_skips, people):
+    request = rich_request(people, 5, deadlines=False)
+    request = with_skips(request, dict.fromkeys((each.name for each in request.visitees), 0.0))
+    plan = make_plan(request)
+    assert {step.action for step in plan.steps} == {"Skip_visit"}
+    assert (plan.cost, validate(plan, request).cost, validate(plan, request).valid) == (0, 0, True)

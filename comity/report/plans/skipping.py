@@ -23,7 +23,7 @@ def skipping(prepared: PlannedEpisode, name: str) -> SkippingAnswer:
         name: Of a person.
     """
     visitee = next(one for one in prepared.visitees if one.name == name)
-    within_reach = name not in prepared.asked.request.out_of_reach
+    within_reach = name not in prepared.asked.request.dropped_m
     serving = cost_of_serving(prepared.asked.request, name) if within_reach else None
     scene, route_map = prepared.scene, prepared.route_map
     places = places_for(scene, route_map, prepared.visitees)

@@ -107,6 +107,8 @@ class Options:
     side_dislikes: Mapping[Spot, int]
     """The part of it that is the dislike."""
     durations_s: Mapping[Way, float]
+    dropped: Mapping[str, int] = field(default_factory=dict)
+    """People whose visit is dropped, with its price in cm."""
 
     def side(self, spot: Spot) -> Side:
         """The side that a spot is on."""
@@ -168,7 +170,8 @@ def options(request: VisitRequest) -> Options:
         for company in (each.without(_busy(people)) for each in request.companies)
         if company is not None
     }
-    chosen = Options(request.robot, people, companies, {}, dislikes, request.durations_s)
+    dropped = {name: travel_cost(price) for name, price in request.dropped_m.items()}
+    chosen = Options(request.robot, people, companies, {}, dislikes, request.durations_s, dropped)
     return _with_legs(chosen, spots, request)
 
 

@@ -35,6 +35,8 @@ def grounded(visits: Sequence[PlannedVisit], choices: Options) -> Iterator[tuple
     for visit in visits:
         for action, words in ground.visit(visit):
             yield action, (robot, *words)
+    for name in choices.dropped:
+        yield actions.SKIP, (robot, PddlWord("user", name))
 
 
 class _Grounding:

@@ -42,7 +42,7 @@ def visit_names(options: Options) -> PddlNames:
             *(PddlWord(MODALITY, modality) for modality in sorted(modalities)),
             *(PddlWord(GESTURE, gesture) for gesture in _gestures(options)),
             PddlWord(ROBOT, options.robot),
-            *(PddlWord(USER, person) for person in options.people),
+            *(PddlWord(USER, person) for person in (*options.people, *options.dropped)),
             *(PddlWord(COMPANY, company) for company in options.companies),
             *(PddlWord(LOCATION, at.place) for at in options.locations),
             *(task for person in options.people.values() for task in tasks(person)),
@@ -108,6 +108,9 @@ def state_and_costs(options: Options) -> Iterator[Fact]:
         yield from _agenda(person, _gestures(options))
     for company in options.companies.values():
         yield from _company(company, options, turns)
+    for name, price in options.dropped.items():
+        yield Fact("dropped", (PddlWord(USER, name),))
+        yield Fact("skip_cost", (PddlWord(USER, name),), price)
     for (start, end), cost in options.legs.items():
         legs = (*spot_words(start), *spot_words(end))
         fetching = end.side == THERE
@@ -116,10 +119,11 @@ def state_and_costs(options: Options) -> Iterator[Fact]:
 
 
 def goals(options: Options) -> Iterator[Fact]:
-    """Everybody is greeted, and everything on their agendas done."""
+    """Everybody is greeted, and everything on their agendas done, but for visits that are dropped."""
     for person in options.people.values():
         yield Fact("greeted", (PddlWord(USER, person.name),))
         yield from (Fact("done", (task,)) for task in tasks(person))
+    yield from (Fact("skipped", (PddlWord(USER, name),)) for name in options.dropped)
 
 
 def held(options: Options) -> PddlWord:

@@ -26,11 +26,9 @@ def plan_pddl(request: VisitRequest) -> tuple[str, str]:
     Raises:
         ValueError: The request holds a person whom no plan can serve.
     """
-    leaving = left_out(request)
-    choices = options(fully_measured(request.without(leaving)))
+    choices = options(fully_measured(request.dropping(left_out(request))))
     names = visit_names(choices)
-    skipped = (f"left out at a price: {name!a}" for name in leaving)
-    comments = (*_legend(names), *_messages(choices, names), *_deadlines(choices), *skipped)
+    comments = (*_legend(names), *_messages(choices, names), *_deadlines(choices))
     return domain_pddl(), "".join(f"; {line}\n" for line in comments) + problem_pddl(choices, names)
 
 

@@ -10,7 +10,7 @@ from comity_domain.classical.grounding import grounded
 from comity_domain.classical.initial_state import Fact, goals, initial_state, visit_names
 from comity_domain.classical.naming import PddlNames
 from comity_domain.explanation.what_if import visits_of
-from comity_domain.labelling.skipping import left_out
+from comity_domain.labelling.skipping import dropped_by, left_out
 from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 def problem_of(request: VisitRequest, environment: Environment | None = None) -> Problem:
     """The visits as a problem that unified-planning's engines, compilers and validator take.
 
-    Who is left out at a price is decided before, and is not in it. Deadlines are not in it, either: its
-    optimum may then cost less than the plan.
+    Whose visit is dropped is decided before: for them it has the goal that they are `skipped`, at their
+    price. Deadlines are not in it: its optimum may then cost less than the plan.
 
     Args:
         request: What is asked; what is not measured of it yet is measured.
@@ -37,7 +37,7 @@ def problem_of(request: VisitRequest, environment: Environment | None = None) ->
     Raises:
         ValueError: The request holds a person whom no plan can serve.
     """
-    choices = _choices(request)
+    choices = _choices(request.dropping(left_out(request)))
     return problem_with(choices, visit_names(choices), environment)
 
 
@@ -48,11 +48,10 @@ def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, Seq
         plan: A plan for the request.
         request: What was asked.
     """
-    choices = _choices(request)
+    choices = _choices(request.dropping(dropped_by(plan)))
     names = visit_names(choices)
     problem = problem_with(choices, names)
-    visits = [visit for visit in visits_of(plan) if visit.spot.place in choices.people]
-    return problem, sequential_plan(problem, visits, choices, names)
+    return problem, sequential_plan(problem, visits_of(plan), choices, names)
 
 
 def sequential_plan(
@@ -70,8 +69,8 @@ def sequential_plan(
 
 
 def _choices(request: VisitRequest) -> Options:
-    """All that a plan for those who are not left out may be made of, measured."""
-    return options(fully_measured(request.without(left_out(request))))
+    """All that a plan may be made of, measured."""
+    return options(fully_measured(request))
 
 
 def problem_with(choices: Options, names: PddlNames, environment: Environment | None = None) -> Problem:

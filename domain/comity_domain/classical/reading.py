@@ -90,12 +90,15 @@ class _Stated:
 
     def choices(self, timing: Timing) -> Options:
         """See `choices_of`."""
-        people = {user: self._person(user, timing) for user in self._users}
+        prices = self._by_fluent["skip_cost"]
+        dropped = {user: prices.get((user,), 0) for (user,) in self._by_fluent["dropped"]}
+        people = {user: self._person(user, timing) for user in self._users if user not in dropped}
         companies = {name: self._company(name, timing) for (name,) in self._by_fluent["whole"]}
         spots = [spot for person in people.values() for spot in person.spots()]
         robot = next((name for name, kind in self._kinds.items() if kind == "robot"), "")
         legs = dict(self._legs())
-        return Options(robot, people, companies, legs, dict.fromkeys(spots, 0), timing.durations_s)
+        dislikes = dict.fromkeys(spots, 0)
+        return Options(robot, people, companies, legs, dislikes, timing.durations_s, dropped)
 
     def names(self, choices: Options) -> PddlNames:
         """What each word of the choices is called: all but tasks, things and turns call themselves so."""

@@ -49,7 +49,7 @@ NO_TIMING = Timing()
 
 def timing_of(request: VisitRequest) -> Timing:
     """What `problem_of(request)` leaves out."""
-    choices = options(request.without(left_out(request)))
+    choices = options(request.dropping(left_out(request)))
     return timing_with(choices, visit_names(choices))
 
 

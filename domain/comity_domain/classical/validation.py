@@ -22,7 +22,7 @@ class Validation(Record):
     reason: str
     """What is wrong; empty where nothing is."""
     cost: int
-    """What the actions cost together, as the problem states it; who is left out at a price has none."""
+    """What the actions cost together, as the problem states it: the cost of the plan."""
 
 
 def validate(plan: Plan, request: VisitRequest) -> Validation:

@@ -25,6 +25,7 @@ from comity_domain.plans.actions import (
     OFFER,
     REACH,
     RETURN,
+    SKIP,
 )
 from comity_domain.problem.agenda import PLAIN, PlainTask
 
@@ -46,12 +47,14 @@ STATES: Mapping[str, str] = {
     "done": "task",
     "whole": "company",
     "waits": "user",
+    "skipped": "user",
     "now": "turn",
     # what the person and the map allow
     "reachable": "user side",
     "permitted": "user modality gesture",
     "route": "place side user side",
     "after": "user user",
+    "dropped": "user",
     "way_to": "place side location side",
     # what hands are good for
     "empty": "thing",
@@ -86,6 +89,7 @@ NUMBERS: Mapping[str, str] = {
     "greet_cost": "user modality gesture turn",
     "greet_together_cost": "company user side modality gesture turn",
     "leave_cost": "user modality gesture",
+    "skip_cost": "user",
     # the parameters that are bound when the plan is made, rounded; the plan has them with full precision
     "distance_mm": "user",
     "speed_mm_s": "user",
@@ -140,6 +144,7 @@ class _Domain:
             *map(self._plain, PLAIN),
             self._offer(),
             self._take_leave(),
+            self._skip_visit(),
         )
         priced = dict(actions)
         problem.add_actions(priced)
@@ -320,6 +325,13 @@ class _Domain:
         act.add_effect(holds.due(t), False)
         act.add_effect(holds.free(r), True)
         return act, holds.leave_cost(u, m, g)
+
+    def _skip_visit(self) -> Priced:
+        """Drop a visit at its price: whose that is was decided before."""
+        act, (_, u) = self._action(SKIP, r="robot", u="user")
+        act.add_precondition(self._is.dropped(u))
+        act.add_effect(self._is.skipped(u), True)
+        return act, self._is.skip_cost(u)
 
     def _before_user(self, act: InstantaneousAction, r: Any, u: Any, t: Any) -> None:
         """A task is done before its person, when it comes next."""

@@ -75,9 +75,8 @@ def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep,
         request: What was asked.
         names: Who is left out.
     """
-    prices = {visitee.name: visitee.skip_m or 0.0 for visitee in request.visitees if visitee.name in names}
     chosen = "the way to them costs more than leaving them out, whoever they are"
-    reasons = dict.fromkeys(prices, chosen) | dict.fromkeys(request.out_of_reach, "no plan can serve them")
+    forced = "no plan can serve them"
     return tuple(
         PlanStep(
             SKIP,
@@ -85,16 +84,21 @@ def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep,
             origin=None,
             parameters={},
             cost=travel_cost(price),
-            why=StepExplanation(reasons[name], ()),
+            why=StepExplanation(chosen if name in names else forced, ()),
             cost_parts={"skip": travel_cost(price)},
         )
-        for name, price in {**prices, **request.out_of_reach}.items()
+        for name, price in request.dropping(names).dropped_m.items()
     )
 
 
 def served_part(request: VisitRequest, plan: Plan) -> VisitRequest:
-    """The request for those whom a plan serves."""
-    return request.without([step.person for step in plan.steps if step.action == SKIP])
+    """The request for those whom a plan serves, without the prices of the others."""
+    return replace(request.without(dropped_by(plan)), dropped_m={})
+
+
+def dropped_by(plan: Plan) -> tuple[str, ...]:
+    """People whose visit a plan drops."""
+    return tuple(step.person for step in plan.steps if step.action == SKIP)
 
 
 def _cheapest_alike(request: VisitRequest, ends_s: float = math.inf) -> Cheapest | None:

@@ -18,4 +18,4 @@ FETCH, OFFER, LEAVE = "Fetch", "Offer", "Take_leave"
 TASKS = (*(kind.action for kind in PLAIN), OFFER, LEAVE)
 """What is on agendas, once the person is greeted."""
 SKIP = "Skip_visit"
-"""Nothing to do: a person who is left out at a price."""
+"""Nothing to do: a visit that is dropped at its price."""

@@ -136,8 +136,9 @@ class VisitRequest:
     """
     ways_m: Mapping[Way, float] = field(default_factory=dict)
     """The same as lengths, needed where a person may be left out: culture has no say in who is."""
-    out_of_reach: Mapping[str, float] = field(default_factory=dict)
-    """People whom no plan can serve and who may be left out, with what that costs in metres."""
+    dropped_m: Mapping[str, float] = field(default_factory=dict)
+    """People whose visit is dropped, with its price in metres: no plan can serve them, or `dropping` them was
+    decided."""
     blocked: Mapping[Spot, str] = field(default_factory=dict)
     """What stands on spots that no way leads to, so far as that is known: it is what is told of them."""
     survey: Survey | None = None
@@ -172,6 +173,11 @@ class VisitRequest:
             travel={leg: way for leg, way in self.travel.items() if not names_in(leg, names)},
             companies=tuple(company for company in companies if company is not None),
         )
+
+    def dropping(self, names: Collection[str]) -> VisitRequest:
+        """The same with some visits dropped at their price."""
+        prices = {visitee.name: visitee.skip_m or 0.0 for visitee in self.visitees if visitee.name in names}
+        return replace(self.without(names), dropped_m={**prices, **self.dropped_m}) if names else self
 
     @property
     def has_deadlines(self) -> bool:
