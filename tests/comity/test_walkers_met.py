@@ -69,6 +69,7 @@ def test_where_the_only_person_declines_nothing_is_left_to_do(comity, hall, tmp_
         ("speed_m_s: 0.8", "declined"),
         ("speed_m_s: 0.8, stops: true", "greeted"),
         ("speed_m_s: 0.3, accompanied: true", "greeted"),
+        ("speed_m_s: 1.0, accompanied: true", "declined"),
     ],
 )
 def test_an_expectation_says_how_a_walker_fares(comity, hall, walks, fares) -> None:

@@ -180,6 +180,24 @@ def test_a_robot_on_two_wheels_goes_along_with_nobody() -> None:
     assert longest_behind_s(world.frames) == 0.0
 
 
+@settings(max_examples=8, deadline=None)
+@given(
+    speed=st.floats(0.6, 1.2),
+    y=st.floats(1.5, 4.5),
+    drive=st.sampled_from(["omnidirectional", "differential"]),
+)
+def test_a_person_who_agreed_to_company_and_walks_by_too_fast_for_it_has_declined(speed, y, drive) -> None:
+    """One attempt, as with any other; at most 0.5 m/s the robot goes along."""
+    walk = Walk(((13.0, y), (1.0, y)), loop=True, speed_m_s=speed, accompanied=True)
+    ada = Person("p0", 2.0, y, 0.0, personal_distance_m=0.8, walk=walk)
+    world = World(Scene(HALL, RobotBody(7.0, 2.0, drive=drive), (ada,)))
+    world.robot.navigate("p0", POSE, speed_m_s=0.7)
+    while world.robot.motion().state == "running" and world.time_s < 60.0:
+        world.step()
+    assert world.robot.motion().state == "declined"
+    assert approached_again_m(world, 0.8) < 0.01
+
+
 @pytest.mark.parametrize("walk", [{"speed_m_s": 0.4}, {"speed_m_s": 0.7, "accompanied": True}])
 def test_beside_a_person_who_did_not_agree_or_walks_fast_the_robot_does_not_go(walk) -> None:
     world = hall(Walk(((12.0, 4.0),), **walk))

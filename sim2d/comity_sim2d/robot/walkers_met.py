@@ -119,9 +119,9 @@ class WalkersMet:
             self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= FAR_M)
         else:
             self._along = False
-            if not along:
-                self._note_offer(walker, gap_m, bearing_deg)
+            self._note_offer(walker, gap_m, bearing_deg)
         if self._along:
+            self._offer = None
             return None
         too_fast = along and gap_m <= OFFER_M  # to be gone along with: it stands as they come by
         if self._offer is not None or too_fast or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
