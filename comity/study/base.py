@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, replace
-from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from comity.output.digest import digest_of
 from comity.output.resolved import kept_tables
 from comity.parameters.cast import rulebook_of
 from comity.parameters.speaking import wordings_files
@@ -114,11 +113,6 @@ def _require_person(keys: Sequence[str], people: Collection[str], roles: Collect
     if keys[0] == "people" and len(keys) > 2 and keys[1] not in people:
         known = dict.fromkeys((*people, *roles))
         raise unknown_word("a person or a role of the scenario", keys[1], known)
-
-
-def digest_of(content: Any) -> str:
-    """SHA-256 of plain values, the order of keys left aside."""
-    return sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()
 
 
 def _beside(folder: Path, key: str, value: Any) -> Any:

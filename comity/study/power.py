@@ -17,7 +17,7 @@ from comity_fis.errors import WrongValueError
 
 MOST = 10_000_000
 """People that are looked for; a smaller difference needs another question."""
-NODES = 2000
+NODES = 10_000
 """Of the midpoint rule: within 1e-5 of scipy's noncentral t wherever that has a value."""
 
 

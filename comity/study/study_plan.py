@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from comity.output.digest import digest_of
 from comity.parameters.cast import rulebook_of
 from comity.parameters.values import infer_for
 from comity.people.profile import declared_by
 from comity.preparation import resolved
 from comity.scenario import ScenarioFile, load_scenario
-from comity.study.base import EpisodeBase, base_of, digest_of
+from comity.study.base import EpisodeBase, base_of
 from comity.study.design import StudyCondition, conditions_of, refuse_repeated
 from comity.study.drawing import rulebook_beside
 from comity.study.individual import Individual

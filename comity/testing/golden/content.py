@@ -5,8 +5,6 @@ Whatever a scenario names by path counts with what stands there, not with its na
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -117,11 +115,6 @@ def _rule(written: Mapping[str, Any]) -> str:
     """Its text, and what else of it decides something, where that is written."""
     more = [f"{key}: {written[key]}" for key in ("weight", "enabled") if key in written]
     return f"{written['rule']} ({', '.join(more)})" if more else str(written["rule"])
-
-
-def digest_of(content: Any) -> str:
-    """Of plain values, the order of keys left aside."""
-    return hashlib.sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()
 
 
 def _map_name(case: Case) -> str | None:

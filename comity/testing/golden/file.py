@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from comity.episode import fingerprint
+from comity.output.digest import digest_of
 from comity.system import own_files
 from comity.system.scenario_sets import names_by_path
 from comity.testing.golden.content import (
     content_of,
-    digest_of,
     is_written_out,
     kept_of,
     learnt_with,

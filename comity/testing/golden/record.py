@@ -8,7 +8,7 @@ from typing import Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, model_validator
 
-from comity.testing.golden.content import digest_of
+from comity.output.digest import digest_of
 from comity_executor import Cause, History, Node, TraceEvent
 from comity_executor.tracing.trace import EventStatus, Halt
 from comity_fis.errors import WrongValueError

@@ -144,16 +144,15 @@ def keep_off_people(
     return velocity
 
 
-def turn_rate(now_rad_s: float, angle_rad: float, step_s: float, rate_rad_s: float = 0.0) -> float:
+def turn_rate(now_rad_s: float, angle_rad: float, step_s: float) -> float:
     """The next turning rate towards an angle left to turn, within the limits of the base.
 
     Args:
         now_rad_s: The rate now.
         angle_rad: What is left to turn, signed.
         step_s: The tick.
-        rate_rad_s: How fast the wanted heading itself turns.
     """
     speed = min(MAX_TURN_RAD_S, stopping_speed(abs(angle_rad), SPEED_SHARE * MAX_TURN_RAD_S2, step_s))
-    wanted = math.copysign(speed, angle_rad) + rate_rad_s
+    wanted = math.copysign(speed, angle_rad)
     most = MAX_TURN_RAD_S2 * step_s
     return now_rad_s + min(max(wanted - now_rad_s, -most), most)

@@ -1,0 +1,12 @@
+"""Digest of plain values, to tell whether they are still the same."""
+
+from __future__ import annotations
+
+import json
+from hashlib import sha256
+from typing import Any
+
+
+def digest_of(content: Any) -> str:
+    """SHA-256 of plain values in hexadecimal, the order of keys left aside."""
+    return sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()
