@@ -34,6 +34,8 @@ KINDS = {"stops": 0.40, "passes": 0.25, "shies": 0.15, "accompanied": 0.20}
 """How often each kind of walker is drawn."""
 LIMIT_S, AGAIN_S = 120.0, 5.0
 """An episode ends after the first; a person who declined is asked for again for the second."""
+BRAKES_S = 1.0
+"""In this time a robot that drives at 0.5 m/s has come to rest, with a lag of 100 ms as well."""
 MET, DECLINED, MISSED = "met", "declined", "missed"
 
 BEHIND_DEG, NEAR_M, WALKS_M_S, CLOSES_M_S = 120.0, 3.6, 0.15, 0.1
@@ -108,9 +110,10 @@ def episode(seed: int) -> dict[str, object]:
 
 
 def approached_again_m(world: World, distance_m: float) -> float:
-    """How much nearer the robot drives where it is told once more to go to a person who declined [m]."""
-    before = len(world.frames.time_s)
+    """How much nearer the robot drives, once at rest, where it is sent again to a person who declined [m]."""
     world.robot.navigate("p0", DockingPose(distance_m, 0.0), speed_m_s=0.7)
+    world.run(BRAKES_S)
+    before = len(world.frames.time_s)
     world.run(AGAIN_S)
     robot, walker = (world.frames.of(name)[before:, :2] for name in ("robot", "p0"))
     apart = (walker - robot)[:-1]

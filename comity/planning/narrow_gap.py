@@ -47,7 +47,7 @@ class NarrowGap:
     needed_m: float
     """The robot's width and the full margins on both sides."""
     passable: tuple[str, ...] = ()
-    """People of the two that may let the robot pass at the scenario's margin."""
+    """Which of the two people the robot may pass at the scenario's margin, if they let it."""
     margin_m: float = PERSON_MARGIN_M
     """The scenario's margin."""
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from walkers_study import BEHIND_DEG, NEAR_M, approached_again_m, episode, longest_behind_s
 
-from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Walk, World, docked
+from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Walk, World, docked
 from comity_sim2d.pose import Twist
 
 FOLLOWS_S = 1.5
@@ -145,14 +145,71 @@ def test_a_step_is_no_walk_and_declines_nothing() -> None:
     assert "waiting" not in world.robot.motion().text
 
 
-def test_a_person_who_gives_ground_does_not_walk_and_is_followed() -> None:
+def draw_back(world: World, by_m: float, speed_m_s: float) -> None:
+    """Let her go back from the robot, facing it."""
+    for _ in range(round(by_m / (speed_m_s * world.step_s))):
+        ada = world.people[0]
+        world.move_person("p0", ada.x_m + speed_m_s * world.step_s, ada.y_m, math.pi)
+        world.step()
+
+
+def test_a_person_who_gives_ground_slowly_does_not_walk_and_is_followed() -> None:
     world = hall(at=(8.5, 2.0), facing=math.pi)
     world.run(1.0)
     world.robot.dock("p0", POSE, speed_m_s=0.5)
-    for _ in range(200):
-        world.move_person("p0", world.people[0].x_m + 0.2 * world.step_s, 2.0, math.pi)
-        world.step()
+    draw_back(world, 2.0, 0.2)
     assert stands(world)[0] == pytest.approx(0.8, abs=0.05)
+
+
+@settings(max_examples=8, deadline=None)
+@given(speed=st.floats(0.3, 0.6), start_m=st.floats(1.5, 2.0))
+def test_a_person_who_keeps_drawing_back_has_declined_and_is_not_pursued(speed, start_m) -> None:
+    world = hall(at=(7.45 + start_m, 2.0), facing=math.pi)
+    world.run(1.0)
+    world.robot.dock("p0", POSE, speed_m_s=0.5)
+    world.run(1.0)
+    before_m = world.robot.pose.x_m
+    draw_back(world, 3.0, speed)
+    world.run(1.0)
+    assert "drew back from the robot" in world.robot.motion().text
+    assert world.robot.pose.x_m - before_m < 1.6
+    assert approached_again_m(world, 0.8) < 0.01
+
+
+@settings(max_examples=8, deadline=None)
+@given(
+    step_m=st.floats(0.05, 0.5),
+    speed=st.floats(0.3, 0.6),
+    on_its_way_s=st.floats(0.0, 3.0),
+    delay_s=st.sampled_from([0.0, 0.1, 0.3]),
+)
+def test_one_step_back_declines_nothing_and_the_robot_keeps_its_distance(
+    step_m, speed, on_its_way_s, delay_s
+) -> None:
+    ada = Person("p0", 8.5, 2.0, math.pi, personal_distance_m=0.8)
+    world = World(Scene(HALL, RobotBody(7.0, 2.0, sensor=Sensor(delay_s=delay_s)), (ada,)))
+    world.run(1.0)
+    world.robot.dock("p0", POSE, speed_m_s=0.5)
+    world.run(on_its_way_s)
+    draw_back(world, step_m, speed)
+    world.run(4.0)
+    assert world.robot.motion().state == "succeeded"
+    assert stands(world)[0] == pytest.approx(0.8, abs=0.02)
+
+
+@pytest.mark.parametrize("drive", ["omnidirectional", "differential"])
+@pytest.mark.parametrize("sigma_m", [0.0, 0.03])
+def test_a_scared_person_who_stands_is_left_and_not_driven_into_a_corner(drive, sigma_m) -> None:
+    shy = Person("p0", 9.0, 4.0, math.pi, reacts="scared")
+    robot = RobotBody(5.0, 4.0, drive=drive, sensor=Sensor(sigma_m=sigma_m))
+    world = World(Scene(HALL, robot, (shy,)))
+    for goes in (world.robot.navigate, world.robot.dock):
+        goes("p0", POSE, speed_m_s=0.5)
+        while world.robot.motion().state == "running" and world.time_s < 30.0:
+            world.step()
+    assert "drew back from the robot" in world.robot.motion().text
+    assert math.dist(world.people[0].xy, (9.0, 4.0)) < 2.0
+    assert approached_again_m(world, 0.8) < 0.01
 
 
 def test_beside_a_person_who_agreed_the_robot_goes_along_and_not_behind() -> None:

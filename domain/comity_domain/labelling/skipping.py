@@ -69,7 +69,7 @@ def cost_of_serving(request: VisitRequest, name: str) -> int | None:
 
 
 def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep, ...]:
-    """The steps that say so, with those who are out of reach.
+    """The steps that say so, with those of visits that the request drops already.
 
     Args:
         request: What was asked.
@@ -92,7 +92,7 @@ def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep,
 
 
 def served_part(request: VisitRequest, plan: Plan) -> VisitRequest:
-    """The request for those whom a plan serves, without the prices of the others."""
+    """The request for the people that a plan serves, without the prices of dropped visits."""
     return replace(request.without(dropped_by(plan)), dropped_m={})
 
 

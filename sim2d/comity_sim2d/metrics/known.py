@@ -38,7 +38,7 @@ class Known:
     contacts: Contacts | None = None
     """None: those with people are counted from the frames, and of things nothing is known."""
     own_m: Mapping[str, float] = field(default_factory=dict)
-    """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
+    """Each person's own distance [m], by name; `route_map.COMFORT_M` for people who are not in it."""
     later_m: Mapping[str, Since] = field(default_factory=dict)
     """Since when [s] a person likes another distance [m], by name and in order of time."""
     visits: tuple[TargetStop, ...] = ()
@@ -66,7 +66,7 @@ class Known:
         require_kinds("what is known", undisturbed=(self.undisturbed, Mapping))
         for pairs in self.later_m.values():
             require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
-        require_tuple("what is known", "visits", self.visits, TargetStop, "visits, each a Wanted")
+        require_tuple("what is known", "visits", self.visits, TargetStop, "visits, each a TargetStop")
         require_tuple("what is known", "groups", self.groups, tuple, "groups, each a tuple of names")
         require_numbers("what is known", shortest_m=self.shortest_m)
         require_numbers("what is known", plan_cost_m=self.plan_cost_m, plan_gap=self.plan_gap)

@@ -39,11 +39,11 @@ class Metric:
     means: str
     source: str = OWN
     per: Per = "run"
-    """`visit`: of a person whom the robot was to visit; `person`: of any person of the scenario."""
+    """`run`: one number; `visit`: one a person to visit; `person`: one a person of the scenario."""
     least: float | None = 0.0
-    """The least that it can be, in its unit; None: there is none."""
+    """Lower bound, in its unit; None: unbounded."""
     most: float | None = None
-    """The most, likewise."""
+    """Upper bound, in its unit; None: unbounded."""
 
     @property
     def short_name(self) -> str:
@@ -74,13 +74,13 @@ def defined(
     """The metadata of a dataclass field whose value is a metric, or one by person; see `Metric`.
 
     Args:
-        unit: `1` for a share or a count.
-        means: The definition.
+        unit: As of `Metric`, like all others.
+        means: Its definition.
         source: Where it comes from.
-        per: Whether there is one per run, per visit or per person.
-        name: Where it is not the field's.
-        least: The least that it can be; None: there is none.
-        most: The most, likewise.
+        per: Per run, visit or person.
+        name: The metric's name; empty for that of the field.
+        least: Lower bound.
+        most: Upper bound.
     """
     return {_KEY: Metric(name, unit, means, source, per, least, most)}
 
@@ -110,9 +110,10 @@ def values_of_person(record: Any, person: str) -> Iterator[tuple[str, float | No
     """The numbers of one person, likewise: of the mappings by person in the fields of a dataclass."""
     for field in fields(record):
         by_person = getattr(record, field.name)
-        if isinstance(by_person, Mapping) and person in by_person:
-            value = by_person[person]
-            named = (
-                values(value) if is_dataclass(value) else [(field.metadata[_KEY].name or field.name, value)]
-            )
-            yield from named
+        if not isinstance(by_person, Mapping) or person not in by_person:
+            continue
+        value = by_person[person]
+        if is_dataclass(value):
+            yield from values(value)
+        else:
+            yield field.metadata[_KEY].name or field.name, value

@@ -1,9 +1,9 @@
 """Meeting a walking person: the robot waits ahead of them, in view and next to their path, and asks once.
 
-A person who stops is approached like any other. One who passes by, turns away or speeds up has declined. The
-robot goes along only with a person who agreed to that, and never at their back. The rule that robots come
-into view from the front is from Satake et al. 2009, "How to approach humans? Strategies for social robots to
-initiate interaction", HRI; the rest is our choice.
+A person who stops is approached like any other. One who passes by, turns away, speeds up or draws back has
+declined. The robot goes along only with a person who agreed to that, and never at their back. The rule that
+robots come into view from the front is from Satake et al. 2009, "How to approach humans? Strategies for
+social robots to initiate interaction", HRI; the rest is our choice.
 """
 
 from __future__ import annotations
@@ -13,13 +13,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from comity_sim2d.base.base import Base
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import Docked, DockingPose, docked
 from comity_sim2d.navigation.pose_choice import Wish
 from comity_sim2d.navigation.route_map import COMFORT_M, RouteMap
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.paths.personal_space import Points
-from comity_sim2d.pose import XY, Pose, wrap_angle
+from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.robot.retreat import Retreat
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.surroundings import Surroundings
@@ -90,23 +92,27 @@ class WalkersMet:
         """Where the person stood last, or was seen first."""
         self._walks = self._along = False
         self._offer: _Offer | None = None
+        self._retreat = Retreat(clock)
         self._place: XY | None = None
         self._chosen_s = -math.inf
 
-    def look(self, name: str, distance_m: float, robot: Pose, ways: RouteMap) -> XY | None:
+    def look(self, name: str, distance_m: float, base: Base, ways: RouteMap) -> XY | None:
         """Where to wait for a person now; None where the robot may go up to them. Called in every tick.
 
         Args:
             name: The person that the robot is to go to.
             distance_m: At which it is to stop before them, between the surfaces.
-            robot: Where it is.
+            base: Where the robot is, and how it drives.
             ways: Its routes around those who stand.
         """
+        robot = base.pose
         if name != self._person:
             self._person, self._stood, self._along, self._offer = name, None, False, None
+            self._retreat.forget()
         walker = self._walker(name)
         if walker is None:  # they stopped, or turn round: an offer that was made still stands
             self._place = None
+            self._note_retreat(name, distance_m, base)
             if self._offer is not None:
                 xy, now_s = self._senses.person(name).xy, self._clock.now_s
                 self._offer = replace(self._offer, mark=xy, mark_s=now_s, pace_m_s=None)
@@ -123,8 +129,7 @@ class WalkersMet:
         if self._along:
             self._offer = None
             return None
-        too_fast = along and gap_m <= OFFER_M  # to be gone along with: it stands as they come by
-        if self._offer is not None or too_fast or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
+        if self._offer is not None or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
             self._chosen_s = self._clock.now_s
@@ -134,9 +139,13 @@ class WalkersMet:
                 self._place = self._choose(walker, aside_m, robot.xy, ways)
         return self._place or (robot.xy if gap_m <= FAR_M else None)
 
+    def _seen(self, name: str) -> Walker | None:
+        """The person where they move."""
+        return next((each for each in self._senses.walkers if each.person.name == name), None)
+
     def _walker(self, name: str) -> Walker | None:
         """The person where they walk and have left the place where they stood, not aside or backwards."""
-        walker = next((each for each in self._senses.walkers if each.person.name == name), None)
+        walker = self._seen(name)
         if walker is None or self._stood is None:
             self._walks, self._stood = False, self._senses.person(name).xy
             return None
@@ -162,6 +171,14 @@ class WalkersMet:
             turned = math.cos(person.heading_rad - offer.heading_rad) < TURNED_COS
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
             self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
+
+    def _note_retreat(self, name: str, distance_m: float, base: Base) -> None:
+        """Take note of a person who draws back before it has come to them; not one who agreed to company."""
+        person = self._senses.person(name)
+        stands = docked(base.pose, self._spec.radius_m, person)
+        agreed = person.walk is not None and person.walk.accompanied
+        if self._retreat.look(self._seen(name), stands, distance_m, base) and not agreed:
+            self._decline(person, f"drew back from the robot, {stands.distance_m:.1f} m from it")
 
     def _decline(self, person: Person, how: str) -> None:
         self.declined[person.name] = f"declined: {how}"

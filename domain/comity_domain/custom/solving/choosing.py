@@ -122,7 +122,7 @@ def require_installed(engine: str, factory: Factory | None = None) -> None:
 
 
 def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
-    """Why an engine broke off, as far as it says what it does not take, and which one to name instead.
+    """Why an engine broke off, in its words and by what it does not take, and which to name instead.
 
     Args:
         name: Of the engine.
@@ -137,7 +137,7 @@ def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
         return PlanningFailed(f"{name} broke off ({text})", remedy=f"Plan with {instead}.")
     words = " and ".join(sorted(one.lower().replace("_", " ") for one in lacks))
     return PlanningFailed(
-        f"{name} broke off: it does not take {words}, which the problem has",
+        f"{name} broke off ({text}): it does not take {words}, which the problem has",
         remedy=f"Leave --engine out, or plan with {instead}.",
     )
 
