@@ -24,15 +24,12 @@ from comity.simulation.faults import Faults
 from comity.simulation.placement import placed
 from comity.simulation.scenery import require_margin, scene_of
 from comity.specification.goals import agenda_of
-from comity_domain import ENGINE, NoPlan, Plan, PlanningFailed, Visitee, plan_with, to_unified_planning
+from comity_domain import ENGINE, NoPlan, PlanningFailed, Visitee, VisitPlan, plan_with
 from comity_executor import Limits, Speaker, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
 
 if TYPE_CHECKING:
-    from unified_planning.model import Problem
-    from unified_planning.plans import SequentialPlan
-
     from comity.parameters.which_rulebook import ChosenRulebook
     from comity.scenario import Scenario, ScenarioFile
     from comity.schedule import Happening
@@ -59,7 +56,7 @@ class PlannedEpisode:
     visitees: tuple[Visitee, ...]
     """People whom the goals name, whether or not a plan can serve them."""
     asked: PlanningRequest
-    plan: Plan
+    plan: VisitPlan
     learnt: Mapping[str, Mapping[str, Learnt]]
     """By person and parameter, of those with whom something was learnt."""
     kept_as: Mapping[str, str | None]
@@ -74,13 +71,6 @@ class PlannedEpisode:
     """Who plans, also when things change."""
     without_visit: tuple[tuple[UnservedCase, str], ...]
     """Those whom no plan can serve, each with the reason; the plan is for the others."""
-
-    def to_unified_planning(self) -> tuple[Problem, SequentialPlan]:
-        """The visits as a problem of unified-planning, and the plan for it: its validator takes both.
-
-        Deadlines are not in the problem.
-        """
-        return to_unified_planning(self.plan, self.asked.request)
 
     @property
     def unmet(self) -> tuple[Unmet, ...]:
@@ -212,7 +202,7 @@ def prepare(
 
 def _plan(
     asked: PlanningRequest, scene: Scene, route_map: RouteMap, file: ScenarioFile, engine: str
-) -> tuple[PlanningRequest, Plan]:
+) -> tuple[PlanningRequest, VisitPlan]:
     limits = file.scenario.limits
     ends_s = monotonic() + limits.planning_s
     make = partial(plan_with, engine, time_limit_s=limits.planning_s)

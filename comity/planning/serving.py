@@ -12,13 +12,13 @@ from comity_sim2d import RouteMap
 from comity_sim2d.scene.surroundings import Surroundings
 
 if TYPE_CHECKING:
-    from comity_domain import Plan, Visitee, VisitRequest
+    from comity_domain import Visitee, VisitPlan, VisitRequest
     from comity_sim2d import Scene
 
 
 def plan_for_most(
-    asked: PlanningRequest, scene: Scene, route_map: RouteMap, make: Callable[[VisitRequest], Plan]
-) -> tuple[PlanningRequest, Plan]:
+    asked: PlanningRequest, scene: Scene, route_map: RouteMap, make: Callable[[VisitRequest], VisitPlan]
+) -> tuple[PlanningRequest, VisitPlan]:
     """The plan; where no way leads from some to others, of as many as there are ways between.
 
     Args:

@@ -9,7 +9,7 @@ from comity_domain.choices.earshot import unheard
 from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.choices.side import Side, sides, widest_deg
 from comity_domain.classical.pddl import plan_pddl
-from comity_domain.classical.problem import problem_of, to_unified_planning
+from comity_domain.classical.problem import problem_of
 from comity_domain.classical.solving import solve
 from comity_domain.classical.timing import Timing, timing_of
 from comity_domain.classical.validation import Validation, validate
@@ -36,6 +36,7 @@ from comity_domain.problem.spot import START, Leg, Spot, Travel, Way, location
 from comity_domain.problem.survey import Survey
 from comity_domain.rebinding import kept_cost, kept_late, rebind, same_choices
 from comity_domain.tours.lateness import Late
+from comity_domain.visit_plan import VisitPlan
 
 __all__ = [
     "ENGINE",
@@ -73,6 +74,7 @@ __all__ = [
     "Timing",
     "Travel",
     "Validation",
+    "VisitPlan",
     "VisitProgress",
     "VisitRequest",
     "Visitee",
@@ -108,7 +110,6 @@ __all__ = [
     "sides",
     "solve",
     "timing_of",
-    "to_unified_planning",
     "unheard",
     "validate",
     "visits_of",

@@ -18,19 +18,19 @@ from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.labelling.skipping import left_out, skip_steps
 from comity_domain.ordering.best_order import best_order
 from comity_domain.planner import ENGINE, make_plan
-from comity_domain.plans.plan import Plan
 from comity_domain.problem.measuring import fully_measured
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
 from comity_domain.tours.tour import PlannedVisit, best_tour, tour_cost
+from comity_domain.visit_plan import VisitPlan
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
     from comity_domain.custom.solving.solution import Solution
 
 
-def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
+def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan:
     """A plan by any engine that is installed.
 
     Args:
@@ -60,8 +60,14 @@ def plan_with(engine: str, request: VisitRequest, *, time_limit_s: float = 30.0)
     cost = sum(step.cost for step in steps)
     least = lower_bound(choices) + sum(step.cost for step in skipped)
     bound = cost if found.finished else min(cost, least)
-    return Plan(
-        engine, optimal=bound == cost, reproducible=found.finished, cost=cost, bound=bound, steps=steps
+    return VisitPlan(
+        engine,
+        optimal=bound == cost,
+        reproducible=found.finished,
+        cost=cost,
+        bound=bound,
+        steps=steps,
+        request=request,
     )
 
 

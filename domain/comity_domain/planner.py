@@ -13,17 +13,18 @@ from comity_domain.ordering.measuring import measured_options
 from comity_domain.ordering.order import Order
 from comity_domain.ordering.settling import settled
 from comity_domain.plans.actions import SKIP
-from comity_domain.plans.plan import Plan, PlanStep
+from comity_domain.plans.plan import PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
 from comity_domain.tours.tour import best_tour
+from comity_domain.visit_plan import VisitPlan
 
 ENGINE = "comity"
 """The planner's name in a plan and in unified-planning's factory."""
 
 
-def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
+def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan:
     """The cheapest way to visit and greet everybody, but those who are left out at their price.
 
     Of several plans that cost the same it is the one that ties go to (`choices.ties`).
@@ -51,21 +52,23 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
     in_time = left.in_time and monotonic() <= ends_s
     around = options_around(found.request, visits) if in_time else lambda: bounded
     steps = (*steps_of(visits, choices, around), *skip_steps(request, left.names))
-    return _plan(found.order, steps, bounded, reproducible=in_time)
-
-
-def _plan(order: Order, steps: Sequence[PlanStep], bounded: Options, *, reproducible: bool) -> Plan:
-    """The plan with what none can cost less than: by ways that are measured, or bounds where they are not."""
     cost = sum(step.cost for step in steps)
-    bound = cost
-    if not order.proven:
-        skipped = sum(step.cost for step in steps if step.action == SKIP)
-        bound = min(cost, max(order.bound, lower_bound(bounded)) + skipped)
-    return Plan(
+    bound = _bound(found.order, steps, bounded)
+    return VisitPlan(
         ENGINE,
         optimal=bound == cost,
-        reproducible=order.reproducible and reproducible,
+        reproducible=found.order.reproducible and in_time,
         cost=cost,
         bound=bound,
-        steps=tuple(steps),
+        steps=steps,
+        request=request,
     )
+
+
+def _bound(order: Order, steps: Sequence[PlanStep], bounded: Options) -> int:
+    """What no plan can cost less than: by ways that are measured, or bounds where they are not."""
+    cost = sum(step.cost for step in steps)
+    if order.proven:
+        return cost
+    skipped = sum(step.cost for step in steps if step.action == SKIP)
+    return min(cost, max(order.bound, lower_bound(bounded)) + skipped)

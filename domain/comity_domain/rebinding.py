@@ -10,7 +10,6 @@ the visit is replanned.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from comity_domain.choices.options import Options, options
 from comity_domain.explanation.around import options_around
@@ -24,9 +23,10 @@ from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.lateness import Late, late
 from comity_domain.tours.tour import PlannedVisit, Stop, best_tour, path, served, tour_cost
+from comity_domain.visit_plan import VisitPlan
 
 
-def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
+def rebind(plan: Plan, request: VisitRequest) -> VisitPlan | None:
     """The same plan with the parameters, costs and reasons of a changed request.
 
     Args:
@@ -47,7 +47,16 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
     if _choices(steps) != _choices(plan.steps):
         return None
     cost = sum(step.cost for step in steps)
-    return replace(plan, optimal=True, reproducible=True, cost=cost, bound=cost, steps=steps)
+    return VisitPlan(
+        plan.engine,
+        optimal=True,
+        reproducible=True,
+        cost=cost,
+        bound=cost,
+        steps=steps,
+        killed=plan.killed,
+        request=request,
+    )
 
 
 def kept_cost(plan: Plan, request: VisitRequest) -> int | None:

@@ -23,7 +23,6 @@ from comity_domain import (
     problem_of,
     solve,
     timing_of,
-    to_unified_planning,
     validate,
 )
 from comity_domain.choices.options import options
@@ -95,7 +94,7 @@ def test_a_problem_is_solved_by_the_plan_that_is_made_at_its_cost(made, drawn):
         with pytest.raises(PlanningFailed):
             solve(problem_of(asked), timing_of(asked))
         return
-    problem, actions = to_unified_planning(plan, asked)
+    problem, actions = plan.to_unified_planning()
     assert solve(problem_of(asked), timing_of(asked)) == actions
     assert cost(problem, actions) == plan.cost
     dropped = [step.person for step in plan.steps if step.action == "Skip_visit"]

@@ -8,7 +8,7 @@ from unified_planning.environment import get_environment
 from unified_planning.io import PDDLReader
 from unified_planning.plans import ActionInstance, SequentialPlan
 
-from comity_domain import PlanningFailed, make_plan, plan_pddl, to_unified_planning
+from comity_domain import PlanningFailed, make_plan, plan_pddl
 
 
 def price(step, problem):
@@ -42,7 +42,7 @@ def check(request):
         plan = make_plan(request)
     except PlanningFailed:
         pytest.skip("its deadlines allow no plan")
-    problem, actions = to_unified_planning(plan, request)
+    problem, actions = plan.to_unified_planning()
     for stated, written in ((problem, actions), read_again(actions, request)):
         validator = SequentialPlanValidator()
         validator.skip_checks = True  # costs of what nobody can do stay undefined in the file
