@@ -34,8 +34,7 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan
         time_limit_s: Wall-clock seconds for the search, and for measuring what is not measured, > 0. Where
             they do not suffice, the plan is the best found so far, neither `optimal` nor `reproducible`.
             A first plan is made whole however little time there is; only an order that keeps deadlines is
-            given up a second later. What else there was is measured when the reasons are read, which may
-            take as long again.
+            given up a second later. Reasons, too, know only what was measured by then.
 
     Raises:
         NoPlan: There is none.
@@ -49,8 +48,8 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan
     found = settled(request.dropping(left.names), order_of, time_limit_s=time_limit_s, ends_s=ends_s)
     bounded, choices = found.choices, measured_options(found.choices, found.request)
     visits = best_tour(found.order.stops, choices)
+    around = options_around(found.request, visits, ends_s=ends_s)
     in_time = left.in_time and monotonic() <= ends_s
-    around = options_around(found.request, visits) if in_time else lambda: bounded
     steps = (*steps_of(visits, choices, around), *skip_steps(request, left.names))
     cost = sum(step.cost for step in steps)
     bound = _bound(found.order, steps, bounded)

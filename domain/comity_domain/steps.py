@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from comity_domain.choices.options import Options
@@ -31,15 +31,13 @@ from comity_domain.problem.spot import START, Spot, location
 from comity_domain.tours.tour import PlannedVisit, farewell_cost, greeting_parts, served
 
 
-def steps_of(
-    visits: Sequence[PlannedVisit], choices: Options, around: Callable[[], Options]
-) -> Iterator[PlanStep]:
+def steps_of(visits: Sequence[PlannedVisit], choices: Options, around: Options) -> Iterator[PlanStep]:
     """The steps of a tour.
 
     Args:
         visits: The tour.
         choices: Among what it was chosen, with all measured that it takes.
-        around: The same with all measured that one visit made otherwise would take; asked for reasons alone.
+        around: The same with all measured that one visit made otherwise would take; for the reasons.
     """
     parts = greeting_parts(visits, choices)
     for index in range(len(visits)):
@@ -53,7 +51,7 @@ class _Steps:
     index: int
     visits: Sequence[PlannedVisit]
     choices: Options
-    around: Callable[[], Options]
+    around: Options
 
     @property
     def visit(self) -> PlannedVisit:
@@ -71,17 +69,11 @@ class _Steps:
             first = next(task for task in agenda if isinstance(task, Offer))
             yield self._fetch(first, here)
             here = location(first.place)
-        why = self._why(lambda options: why_this_side(self.index, self.visits, options))
+        why = why_this_side(self.index, self.visits, self.around)
         yield self._reach(here, self.visit.spot, REACH, why)
         if self.visit.way is not None:
             yield self._greet(self.visit.way, greeting)
         yield from self._agenda(agenda)
-
-    def _why(self, told: Callable[[Options], StepExplanation]) -> StepExplanation:
-        return StepExplanation.lazy(lambda: told(self.around()))
-
-    def _why_back(self, offer: Offer, trip: int) -> StepExplanation:
-        return self._why(lambda options: why_this_return(offer, trip, self.index, self.visits, options))
 
     def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
         here, returns, in_hand = self.visit.spot, enumerate(self.visit.returns), self.visit.bringing
@@ -89,7 +81,8 @@ class _Steps:
             if isinstance(task, Offer) and not in_hand:
                 trip, spot = next(returns)
                 yield self._fetch(task, here)
-                yield self._reach(location(task.place), spot, RETURN, self._why_back(task, trip))
+                why = why_this_return(task, trip, self.index, self.visits, self.around)
+                yield self._reach(location(task.place), spot, RETURN, why)
                 here = spot
             in_hand = in_hand and not isinstance(task, Offer)
             yield self._task(task, here)
@@ -102,7 +95,7 @@ class _Steps:
                 why = why_this_task(task, here.place, values)
                 return self._act(task.action, task.arguments, {**task.parameters, **shaped}, why)
             case Offer():
-                why = self._why(lambda options: why_this_offer(task, here, options))
+                why = why_this_offer(task, here, self.around)
                 modality = "gestural" if self.choices.people[here.place].silent else "both"
                 given = {"thing": task.thing, "modality": modality}
                 return self._act(OFFER, (task.thing,), {**self._place(here), **given}, why)
@@ -136,7 +129,7 @@ class _Steps:
             origin=(start.place, start.side),
             parameters={"thing": offer.thing, "place": offer.place},
             cost=cost,
-            why=self._why(lambda options: why_this_fetching(offer, self.index, self.visits, options)),
+            why=why_this_fetching(offer, self.index, self.visits, self.around),
             cost_parts={"travel": cost},
         )
 
@@ -164,9 +157,9 @@ class _Steps:
         modality, gesture = way
         company = () if visit.company is None else (visit.company,)
         if company:
-            why = self._why(lambda options: why_this_company(self.index, self.visits, options, cost))
+            why = why_this_company(self.index, self.visits, self.around, cost)
         else:
-            why = self._why(lambda options: why_this_greeting(visit, options, cost))
+            why = why_this_greeting(visit, self.around, cost)
         return PlanStep(
             GREET_TOGETHER if company else GREET,
             (*self.robot_and_person, *company, modality, gesture),
@@ -188,6 +181,6 @@ class _Steps:
             origin=None,
             parameters={"greeting_modality": modality, "greeting_gesture": gesture},
             cost=cost,
-            why=self._why(lambda options: why_this_farewell(self.visit, options)),
+            why=why_this_farewell(self.visit, self.around),
             cost_parts={"farewell": cost},
         )

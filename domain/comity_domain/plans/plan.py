@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from comity_domain.plans.lazy_record import LazyRecord
 from comity_fis.html_table import html_table
 from comity_fis.record import Record
 
@@ -33,8 +32,8 @@ class RuledOut(Record):
 
 
 @dataclass(frozen=True, slots=True)
-class StepExplanation(LazyRecord):
-    """Why a step is done this way and not the next best: worked out when it is read."""
+class StepExplanation:
+    """Why a step is done this way and not the next best."""
 
     text: str
     alternatives: tuple[Alternative, ...]
