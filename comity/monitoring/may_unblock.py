@@ -11,6 +11,7 @@ from comity.planning.agenda import places_for
 from comity.planning.barring import opened
 from comity.planning.request import spots_of, why_unserved
 from comity_domain import sides
+from comity_fis.listing import listed
 from comity_sim2d import PastPeople
 
 if TYPE_CHECKING:
@@ -34,9 +35,9 @@ def what_may_help(
     shut = [door.name for door in scene.doors if not door.is_open]
     keys = [name for name in shut if _is_served(opened(scene, [name]), visitee, refused)]
     if keys or (shut and _is_served(opened(scene, shut), visitee, refused)):
-        return f"{' or '.join(keys) or ' and '.join(shut)} may be opened"
+        return f"{listed(keys, 'or') or listed(shut)} may be opened"
     if refused and _is_served(scene, visitee):
-        return f"{' or '.join(name for name in refused if name != visitee.name)} may make way"
+        return f"{listed((name for name in refused if name != visitee.name), 'or')} may make way"
     others = {person.name for person in scene.people} - {visitee.name}
     alone = opened(scene, shut).without(others)
     if _is_served(alone, visitee):

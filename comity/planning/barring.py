@@ -16,6 +16,7 @@ import numpy as np
 
 from comity.planning.narrow_gap import narrow_gap
 from comity_domain import in_the_way
+from comity_fis.listing import listed
 from comity_sim2d import PastPeople
 from comity_sim2d.maps.doorways import turned
 from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
@@ -58,7 +59,7 @@ def _shut_doors(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) 
     needed = _shut_on_the_way(scene, person, lambda names: is_reached(opened(scene, names)))
     if not needed:
         return None
-    names = " and ".join(repr(name) for name in needed)
+    names = listed(repr(name) for name in needed)
     return f"the door {names} is shut" if len(needed) == 1 else f"the doors {names} are shut"
 
 
@@ -87,7 +88,7 @@ def _people(
 def _who(needed: Sequence[str]) -> str:
     if len(needed) > MOST_NAMED:
         return f"{len(needed)} people are"
-    return f"{needed[0]} is" if len(needed) == 1 else f"{' and '.join(needed)} are"
+    return f"{needed[0]} is" if len(needed) == 1 else f"{listed(needed)} are"
 
 
 def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from comity.answers.plan import RelaxableCondition, Unmet
 from comity_domain import Deadlines, VisitRequest, in_the_way
+from comity_fis.listing import listed
 
 By = Mapping[str, float]
 """Deadlines by person [s]."""
@@ -92,7 +93,7 @@ class _Diagnosing:
             granted = self._granted(_without({**by, **rest}, [name]), [name]) if fits else {}
             reason = "the deadline cannot be kept together with the others"
             if not fits:
-                instead, others = " and ".join(lifted), " and ".join(hopeless)
+                instead, others = listed(lifted), listed(hopeless)
                 reason = (
                     f"the deadline may give way in the place of {instead}'s, with other ones for {others}"
                 )

@@ -34,6 +34,7 @@ from comity.report.values.wordings import unreviewed_text, wording_answers
 from comity_domain import ENGINE
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_executor import Utterance
+from comity_fis.listing import listed
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:
@@ -353,7 +354,7 @@ def _touched(answer: RunAnswer) -> Iterator[str]:
     }
     told = [f"{what} {_times_in_words(count)}" for what, count in counts.items() if count]
     if told:
-        yield f"  The robot touched {' and '.join(told)}: `comity trace --events` says whom, when and why."
+        yield f"  The robot touched {listed(told)}: `comity trace --events` says whom, when and why."
 
 
 def _times_in_words(count: float) -> str:

@@ -18,6 +18,7 @@ from comity_domain.plans.plan import PlanStep
 from comity_fis.explanation.disclosure import facts_first
 from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.listing import listed
 from comity_fis.record import Record
 from comity_fis.rules.rule import Is, Rule
 
@@ -102,7 +103,7 @@ def causes_of(node: Behaviour, condition: str | None = None) -> tuple[Cause, ...
 
 def with_verb(people: Collection[str], one: str, more: str) -> str:
     """People and what they do, in words: `ada and ben are`."""
-    return f"{' and '.join(people)} {one if len(people) == 1 else more}"
+    return f"{listed(people)} {one if len(people) == 1 else more}"
 
 
 def chain(condition: str | None, account: Account | None, provenance: Provenance | None) -> tuple[Cause, ...]:
