@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import chdir
+from fractions import Fraction
 from queue import Empty, Queue
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +38,9 @@ GRACE_S = 1.5
 """So much longer than its limit an engine may take to end by itself and to answer [s] (our choice)."""
 LEAST_S = 0.1
 """An engine is given so much also where its time is over [s] (our choice)."""
+EPSILON = Fraction(1, 1000)
+"""Least time between two actions of which one needs the other to have ended [s], where the problem has none:
+the usual one of the planning competitions. aries would take 0.1 s."""
 
 
 def solve(
@@ -59,6 +63,8 @@ def solve(
     search = ANY_PLAN if any_plan else search_for(problem, time_limit_s)
     runs = _fast_downward if name == FAST_DOWNWARD else _other
     copy = stated(problem) if _writes_pddl(problem, name) else problem.clone()
+    if copy.epsilon is None and copy.kind.has_continuous_time():
+        copy.epsilon = EPSILON
     results = runs(copy, name, search, time.monotonic() + time_limit_s)
     best, last, ignored = None, None, False
     with (
