@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from comity_domain.choices.cost import dislike_cost
@@ -52,14 +52,20 @@ class CompanyOptions:
 
 
 def company_options(
-    company: Company, values: Mapping[str, Inference], offers: Offers, weights: Weights
+    company: Company,
+    open_spots: Collection[Spot],
+    values: Mapping[str, Inference],
+    offers: Offers,
+    weights: Weights,
 ) -> CompanyOptions:
-    """The spots and greetings that all members accept."""
+    """The greetings that all members accept, and those of the open spots that they do."""
     greetings, ranks = _common([offers[member] for member in company.members])
     spots = {
         spot: price
         for spot, nearness in company.overlooks.items()
-        if greetings and (price := _nearness_cost(nearness, values, weights)) is not None
+        if greetings
+        and spot in open_spots
+        and (price := _nearness_cost(nearness, values, weights)) is not None
     }
     near = {spot: sum(map(tie_break, _desirabilities(company.overlooks[spot], values))) for spot in spots}
     ties = {way: rank[0] for way, rank in ranks.items()}

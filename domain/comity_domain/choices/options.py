@@ -166,7 +166,7 @@ def options(request: VisitRequest) -> Options:
     values = {name: person.values for name, person in people.items()}
     offers = {name: person.greetings for name, person in people.items()}
     companies = {
-        company.name: company_options(company, values, offers, request.weights)
+        company.name: company_options(company, spots, values, offers, request.weights)
         for company in (each.without(_busy(people)) for each in request.companies)
         if company is not None
     }
