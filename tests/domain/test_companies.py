@@ -75,7 +75,7 @@ def test_standing_nearer_than_suits_another_costs_and_farther_does_not(infer, re
 
     def prices(distance_m):
         (company,) = together(request, distance_m).companies
-        return set(company_options(company, values, offers, Weights()).spots.values())
+        return set(company_options(company, company.overlooks, values, offers, Weights()).spots.values())
 
     assert prices(FAR) == {0}
     assert prices(NEAR) == {dislike_cost(curve(NEAR), 1.0)}
