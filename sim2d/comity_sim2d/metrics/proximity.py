@@ -12,10 +12,11 @@ import numpy as np
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics.motion import Numbers, velocities_m_s
+from comity_sim2d.scene.facing import SOCIAL_M
 
-INTIMATE_M, PERSONAL_M, SOCIAL_M = 0.45, 1.2, 3.6
-"""Where Hall's intimate, personal and social spaces end, as HuNavSim counts them (Hall 1966 has 4 and 12
-feet for the last two: 1.22 and 3.66 m)."""
+INTIMATE_M, PERSONAL_M = 0.45, 1.2
+"""Where Hall's intimate and personal spaces end, as HuNavSim counts them (Hall 1966 has 4 feet for the
+latter: 1.22 m)."""
 
 
 def clearances_m(frames: Frames) -> Numbers:

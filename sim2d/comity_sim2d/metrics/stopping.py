@@ -30,14 +30,13 @@ from comity_sim2d.metrics.motion import (
 )
 from comity_sim2d.metrics.proximity import clearances_m
 from comity_sim2d.pose import wrap_angle
+from comity_sim2d.scene.facing import FACES_DEG, SOCIAL_M
 from comity_sim2d.scene_error import require_finite, require_text, require_tuple, unknown
 
 REST_S = 0.3
 """Standing for so long, without turning, is rest."""
 HOLD_S = 5.0
 HALF_TURN_DEG = 180.0
-VISIBLE_M, VISIBLE_DEG = 3.6, 60.0
-"""Within social space the robot is to come from where the person looks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,7 +230,7 @@ def stopping(frames: Frames, wanted: TargetStop) -> Stopping:
         if rest is None
         else max(0.0, math.degrees(abs(float(approach.bearings[rest]))) - abs(wanted.bearing_deg)),
         speed_within_1_5_m_m_s=_fastest_near(gaps, speeds - approach.walks[coming]),
-        speed_at_3_6_m_m_s=_speed_at(3.6, gaps, speeds),
+        speed_at_3_6_m_m_s=_speed_at(SOCIAL_M, gaps, speeds),
         speed_at_1_2_m_m_s=_speed_at(1.2, gaps, speeds),
         speed_at_target_plus_0_3_m_m_s=_speed_at(wanted.distance_m + 0.3, gaps, speeds),
         peak_closing_speed_m_s=float((-np.diff(gaps) / steps).max(initial=0.0)),
@@ -350,6 +349,6 @@ def _speed_at(distance_m: float, gaps: Numbers, speeds: Numbers) -> float | None
 
 
 def _visible(gaps: Numbers, bearings: Numbers) -> float | None:
-    near = gaps <= VISIBLE_M
-    seen = np.abs(np.degrees(bearings[near])) <= VISIBLE_DEG
+    near = gaps <= SOCIAL_M
+    seen = np.abs(np.degrees(bearings[near])) <= FACES_DEG
     return float(seen.mean()) if seen.size else None

@@ -14,8 +14,9 @@ from typing import Protocol
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.people.said import GO_AHEAD, Said
 from comity_sim2d.pose import XY, direction_to, wrap_angle
-from comity_sim2d.robot.reduced_margin import FACING_DEG, PassageFacts, reasons_against
+from comity_sim2d.robot.reduced_margin import PassageFacts, reasons_against
 from comity_sim2d.robot.standing import STANDS_S
+from comity_sim2d.scene.facing import FACES_DEG
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
@@ -246,7 +247,7 @@ class Margins:
         heading_rad = self._senses.heading_rad(then.name)
         if leave.came or heading_rad is None:
             return leave.came
-        return math.degrees(abs(wrap_angle(heading_rad - then.heading_rad))) <= FACING_DEG
+        return math.degrees(abs(wrap_angle(heading_rad - then.heading_rad))) <= FACES_DEG
 
     def _take_back(self, name: str, leave: _Leave) -> None:
         del self._leave[name]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from comity_sim2d.base.drive import REDUCED_M_S, SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within, window_ticks
+from comity_sim2d.scene.facing import BEHIND_DEG, FACES_DEG
 from comity_sim2d.scene.margin_facts import MarginFacts
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.robot_body import RobotBody
@@ -24,9 +25,6 @@ BODY_MARGIN_M = 0.15
 """Distance that is left to a body after all errors of the robot [m] (our choice: half of the margin)."""
 ADULT_YEARS = 18.0
 """Minimum declared age [years]: the Convention on the Rights of the Child (1989), Article 1."""
-FACING_DEG, BEHIND_DEG = 60.0, 90.0
-"""Within `FACING_DEG` of the person's heading the person faces the robot; beyond `BEHIND_DEG` it comes from
-behind (our choice)."""
 CONTROL_HZ = 20
 """Rate of commands where no world is made yet [Hz]."""
 
@@ -84,7 +82,7 @@ CONDITIONS: tuple[Condition, ...] = (
     ("they walk", lambda c: not c.walks),
     ("it is not known where they face", lambda c: c.bearing_deg is not None),
     ("the robot comes from behind", lambda c: _within(c.bearing_deg, BEHIND_DEG)),
-    ("they neither face nor answer the robot", lambda c: c.said_yes or _within(c.bearing_deg, FACING_DEG)),
+    ("they neither face nor answer the robot", lambda c: c.said_yes or _within(c.bearing_deg, FACES_DEG)),
     ("they neither stepped aside nor said yes", lambda c: c.has_stepped_aside or c.said_yes),
     ("the robot has not waited and asked", lambda c: c.has_waited),
     ("another route keeps the margin", lambda c: not c.has_other_route),

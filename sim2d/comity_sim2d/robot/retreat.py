@@ -12,6 +12,7 @@ from comity_sim2d.base.base import Base
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import Docked
 from comity_sim2d.navigation.yielding import Walker
+from comity_sim2d.scene.facing import CLOSE_SOCIAL_M, FACES_DEG
 
 LASTS_S = 2.0
 """Time after which a retreat has declined [s]: longer than a step back."""
@@ -20,11 +21,6 @@ SHARE = 0.5
 DOCKED_M, WALKS_M_S = 0.1, 0.3
 """Up to `DOCKED_M` [m] beyond the distance of the visit the robot has come, and follows a person who shifts
 about; there they retreat only if they go away faster than `WALKS_M_S` [m/s]."""
-NEAR_M = 2.1
-"""Maximum distance at which a retreat is one from the robot [m]: the end of the close phase of social
-distance (Hall, The Hidden Dimension, 1966)."""
-IN_VIEW_DEG = 60.0
-"""Maximum bearing of the robot from where the person faces [deg]."""
 
 
 class Retreat:
@@ -52,7 +48,7 @@ class Retreat:
             distance_m: At which it is to stop before them, between the surfaces.
             base: Where it is, and how it drives.
         """
-        in_view = stands.distance_m <= NEAR_M and abs(stands.bearing_deg) <= IN_VIEW_DEG
+        in_view = stands.distance_m <= CLOSE_SOCIAL_M and abs(stands.bearing_deg) <= FACES_DEG
         least_m_s = WALKS_M_S if stands.distance_m <= distance_m + DOCKED_M else 0.0
         if walker is None or not in_view or not _goes_away(walker, base, least_m_s):
             self._until_s = self._clock.now_s

@@ -22,6 +22,7 @@ from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.paths.personal_space import Points
 from comity_sim2d.pose import XY, wrap_angle
 from comity_sim2d.robot.retreat import Retreat
+from comity_sim2d.scene.facing import BEHIND_DEG, FACES_DEG, SOCIAL_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.surroundings import Surroundings
@@ -33,14 +34,10 @@ WALK_M = 0.3
 OFFER_M = 1.5
 """Distance before a walker at which the robot offers to talk, and stands [m]: within the close phase of
 social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
-FAR_M = 3.6
-"""Beyond this distance the robot does not count as behind a person [m]: the end of social distance (Hall
-1966)."""
 LEAVES_M = 0.5
 """Additional distance at which a walker has turned away [m] (our choice)."""
-IN_VIEW_DEG, BEHIND_DEG, LOST_DEG = 60.0, 90.0, 120.0
-"""Bearings from a walker's facing: up to `IN_VIEW_DEG` they see the robot; beyond `BEHIND_DEG` it is no
-longer ahead of them; beyond `LOST_DEG` an accompanying robot has fallen behind (our choice)."""
+LOST_DEG = 120.0
+"""Beyond this bearing from a walker's facing an accompanying robot has fallen behind [deg] (our choice)."""
 SETTLES_S, FASTER, FASTER_M_S = 1.0, 1.5, 0.3
 """A walker speeds up if their mean speed over `SETTLES_S` exceeds that of their first such time by the factor
 `FASTER` and by `FASTER_M_S` (our choice)."""
@@ -121,15 +118,15 @@ class WalkersMet:
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
         along = goes_along(self._spec, walker.person)
         if along and math.hypot(*walker.velocity) <= ALONG_M_S:
-            near = bearing_deg <= IN_VIEW_DEG and gap_m <= OFFER_M
-            self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= FAR_M)
+            near = bearing_deg <= FACES_DEG and gap_m <= OFFER_M
+            self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= SOCIAL_M)
         else:
             self._along = False
             self._note_offer(walker, gap_m, bearing_deg)
         if self._along:
             self._offer = None
             return None
-        if self._offer is not None or (bearing_deg > BEHIND_DEG and gap_m < FAR_M):
+        if self._offer is not None or (bearing_deg > BEHIND_DEG and gap_m < SOCIAL_M):
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
             self._chosen_s = self._clock.now_s
@@ -137,7 +134,7 @@ class WalkersMet:
             aside_m = walker.person.radius_m + beside_m + self._spec.radius_m
             if self._place is None or not _is_beside(self._place, walker, aside_m):
                 self._place = self._choose(walker, aside_m, robot.xy, ways)
-        return self._place or (robot.xy if gap_m <= FAR_M else None)
+        return self._place or (robot.xy if gap_m <= SOCIAL_M else None)
 
     def _seen(self, name: str) -> Walker | None:
         """The person where they move."""
@@ -157,7 +154,7 @@ class WalkersMet:
         """Take note of a walker who sees the robot before them, and of how they decline."""
         person, now_s = walker.person, self._clock.now_s
         if self._offer is None:
-            if gap_m <= OFFER_M and bearing_deg <= IN_VIEW_DEG and self._senses.sees(person.name):
+            if gap_m <= OFFER_M and bearing_deg <= FACES_DEG and self._senses.sees(person.name):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
         offer = self._offer
@@ -193,7 +190,7 @@ class WalkersMet:
         way_s = SLOWED * np.hypot(*(spots - np.array(xy)).T) / self._spec.max_speed_m_s
         seen_s = np.maximum(ahead_m - OFFER_M, 0.0) / math.hypot(*walker.velocity)
         in_time = (ahead_m > 0.0) & (way_s + EARLY_S <= seen_s)
-        far = np.hypot(*(spots - np.array(walker.person.xy)).T) >= FAR_M
+        far = np.hypot(*(spots - np.array(walker.person.xy)).T) >= SOCIAL_M
         order = np.lexsort((way_s, ~in_time))
         for best in order[(in_time | far)[order]][:MOST_TRIED].tolist():
             spot = (float(spots[best, 0]), float(spots[best, 1]))
@@ -236,7 +233,7 @@ def _is_beside(place: XY, walker: Walker, aside_m: float) -> bool:
 
 def _goes_where_they_face(walker: Walker) -> bool:
     vx, vy = walker.velocity
-    return abs(wrap_angle(math.atan2(vy, vx) - walker.person.heading_rad)) <= math.radians(IN_VIEW_DEG)
+    return abs(wrap_angle(math.atan2(vy, vx) - walker.person.heading_rad)) <= math.radians(FACES_DEG)
 
 
 def pose_at_side(stands: Docked, wish: Wish) -> DockingPose:
