@@ -304,7 +304,7 @@ class BaseController:
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
         person, distance_m = approach.person, approach.pose.distance_m
         if approach.pose is not AT_PLACE:
-            waits_at = self._walkers.look(person, distance_m, base, self.standing.map)
+            waits_at = self._walkers.look(person, distance_m, base.pose, self.standing.map)
             if person in self._walkers.declined:
                 self._decline(person)
                 return self._command(base, VelocityCommand((0.0, 0.0), base.pose.heading_rad))

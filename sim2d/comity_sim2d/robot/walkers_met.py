@@ -13,14 +13,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from comity_sim2d.base.base import Base
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import Docked, DockingPose, docked
 from comity_sim2d.navigation.pose_choice import Wish
 from comity_sim2d.navigation.route_map import COMFORT_M, RouteMap
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.paths.personal_space import Points
-from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.pose import XY, Pose, wrap_angle
 from comity_sim2d.robot.retreat import Retreat
 from comity_sim2d.scene.facing import BEHIND_DEG, FACES_DEG, SOCIAL_M
 from comity_sim2d.scene.person import Person
@@ -93,23 +92,22 @@ class WalkersMet:
         self._place: XY | None = None
         self._chosen_s = -math.inf
 
-    def look(self, name: str, distance_m: float, base: Base, ways: RouteMap) -> XY | None:
+    def look(self, name: str, distance_m: float, robot: Pose, ways: RouteMap) -> XY | None:
         """Where to wait for a person now; None where the robot may go up to them. Called in every tick.
 
         Args:
             name: The person that the robot is to go to.
             distance_m: At which it is to stop before them, between the surfaces.
-            base: Where the robot is, and how it drives.
+            robot: Where it is.
             ways: Its routes around those who stand.
         """
-        robot = base.pose
         if name != self._person:
             self._person, self._stood, self._along, self._offer = name, None, False, None
             self._retreat.forget()
         walker = self._walker(name)
         if walker is None:  # they stopped, or turn round: an offer that was made still stands
             self._place = None
-            self._note_retreat(name, distance_m, base)
+            self._note_retreat(name, robot)
             if self._offer is not None:
                 xy, now_s = self._senses.person(name).xy, self._clock.now_s
                 self._offer = replace(self._offer, mark=xy, mark_s=now_s, pace_m_s=None)
@@ -169,12 +167,12 @@ class WalkersMet:
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
             self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
 
-    def _note_retreat(self, name: str, distance_m: float, base: Base) -> None:
+    def _note_retreat(self, name: str, robot: Pose) -> None:
         """Take note of a person who draws back before it has come to them; not one who agreed to company."""
         person = self._senses.person(name)
-        stands = docked(base.pose, self._spec.radius_m, person)
+        stands = docked(robot, self._spec.radius_m, person)
         agreed = person.walk is not None and person.walk.accompanied
-        if self._retreat.look(self._seen(name), stands, distance_m, base) and not agreed:
+        if self._retreat.look(self._seen(name), stands, robot.xy) and not agreed:
             self._decline(person, f"drew back from the robot, {stands.distance_m:.1f} m from it")
 
     def _decline(self, person: Person, how: str) -> None:
