@@ -26,7 +26,7 @@ class Group:
                 entity=self.name,
                 field="members",
                 expected="a group of at least two people",
-                got=f"{len(set(self.members))}",
+                got=f"{', '.join(self.members) or 'nobody'}",
                 remedy="Add the others who stand there, or remove the group.",
             )
 
