@@ -136,6 +136,21 @@ def test_a_person_who_stands_before_they_turn_away_has_declined() -> None:
     assert "turned away from" in world.robot.motion().text
 
 
+@settings(max_examples=6, deadline=None)
+@given(pause_s=st.floats(4.8, 6.2), drive=st.sampled_from(["omnidirectional", "differential"]))
+def test_a_person_who_leaves_at_the_end_of_a_pause_has_declined(pause_s, drive) -> None:
+    """They saw the robot come while they stood: that was its one attempt."""
+    walk = Walk(((9.0, 2.0), (9.0, 6.0), (2.0, 6.0)), speed_m_s=1.1, pauses_s=(pause_s, 0.0, 0.0))
+    ada = Person("p0", 13.0, 2.0, math.pi, personal_distance_m=0.8, walk=walk)
+    world = World(Scene(HALL, RobotBody(4.0, 2.0, drive=drive), (ada,)))
+    for goes, speed_m_s in ((world.robot.navigate, 0.7), (world.robot.dock, 0.4)):
+        goes("p0", POSE, speed_m_s=speed_m_s)
+        while world.robot.motion().state == "running" and world.time_s < 40.0:
+            world.step()
+    assert "turned away from the robot" in world.robot.motion().text
+    assert approached_again_m(world, 0.8) < 0.01
+
+
 def test_a_step_is_no_walk_and_declines_nothing() -> None:
     world = hall(at=(5.5, 2.0))
     world.run(1.0)

@@ -9,7 +9,7 @@ social robots to initiate interaction", HRI; the rest is our choice.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -107,10 +107,7 @@ class WalkersMet:
         walker = self._walker(name)
         if walker is None:  # they stopped, or turn round: an offer that was made still stands
             self._place = None
-            self._note_retreat(name, robot)
-            if self._offer is not None:
-                xy, now_s = self._senses.person(name).xy, self._clock.now_s
-                self._offer = replace(self._offer, mark=xy, mark_s=now_s, pace_m_s=None)
+            self._note_pause(name, robot)
             return None
         stands = docked(robot, self._spec.radius_m, walker.person)
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
@@ -120,7 +117,7 @@ class WalkersMet:
             self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= SOCIAL_M)
         else:
             self._along = False
-            self._note_offer(walker, gap_m, bearing_deg)
+            self._note_offer(walker, stands)
         if self._along:
             self._offer = None
             return None
@@ -148,14 +145,14 @@ class WalkersMet:
             self._walks = True
         return walker if self._walks else None
 
-    def _note_offer(self, walker: Walker, gap_m: float, bearing_deg: float) -> None:
+    def _note_offer(self, walker: Walker, stands: Docked) -> None:
         """Take note of a walker who sees the robot before them, and of how they decline."""
-        person, now_s = walker.person, self._clock.now_s
-        if self._offer is None:
-            if gap_m <= OFFER_M and bearing_deg <= FACES_DEG and self._senses.sees(person.name):
+        person, now_s, offer = walker.person, self._clock.now_s, self._offer
+        if offer is None:
+            if self._is_offer(person.name, stands):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
-        offer = self._offer
+        gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
         if now_s - offer.mark_s >= SETTLES_S - 1e-9:
             pace_m_s = math.dist(offer.mark, person.xy) / (now_s - offer.mark_s)
             first_m_s = pace_m_s if offer.pace_m_s is None else offer.pace_m_s
@@ -167,13 +164,22 @@ class WalkersMet:
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
             self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
 
-    def _note_retreat(self, name: str, robot: Pose) -> None:
-        """Take note of a person who draws back before it has come to them; not one who agreed to company."""
+    def _note_pause(self, name: str, robot: Pose) -> None:
+        """Take note of a person who does not walk now: an offer stands, or begins, or they draw back."""
         person = self._senses.person(name)
         stands = docked(robot, self._spec.radius_m, person)
+        walks_on = person.walk is not None and not goes_along(self._spec, person)
+        if self._offer is not None or (walks_on and self._is_offer(name, stands)):
+            heading_rad = person.heading_rad if self._offer is None else self._offer.heading_rad
+            self._offer = _Offer(heading_rad, person.xy, self._clock.now_s)
         agreed = person.walk is not None and person.walk.accompanied
         if self._retreat.look(self._seen(name), stands, robot.xy) and not agreed:
             self._decline(person, f"drew back from the robot, {stands.distance_m:.1f} m from it")
+
+    def _is_offer(self, name: str, stands: Docked) -> bool:
+        """Whether the robot is near a person and in their view, and they are in its own."""
+        near = stands.distance_m <= OFFER_M and abs(stands.bearing_deg) <= FACES_DEG
+        return near and self._senses.sees(name)
 
     def _decline(self, person: Person, how: str) -> None:
         self.declined[person.name] = f"declined: {how}"
