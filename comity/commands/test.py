@@ -191,7 +191,6 @@ def _require_tests(ran: Run, arguments: Sequence[str], *, words: str | None, fas
             expected="pytest to look for tests and to run them",
             got="neither",
             remedy="Leave out options after -- that only show something, or install pytest again.",
-            where=Where("comity test"),
         )
     chosen = " and ".join([*([f"-k {words!r}"] if words else []), *(["--fast"] if fast else [])])
     if chosen:
@@ -199,7 +198,6 @@ def _require_tests(ran: Run, arguments: Sequence[str], *, words: str | None, fas
             expected=f"tests that {chosen} chooses",
             got="none",
             remedy="`pytest --collect-only -q` lists the names of the tests in a folder.",
-            where=Where("comity test"),
         )
     raise InputError(
         expected="files *.scenario.yaml",

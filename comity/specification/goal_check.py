@@ -68,10 +68,10 @@ class GoalCheck:
             seen = [name]
             while (earlier := first.get(seen[-1])) is not None and earlier not in seen:
                 seen.append(earlier)
-            if earlier is not None:
+            if earlier == name:  # of a circle that it only leads to, its members tell
                 raise InputError(
                     expected="an order without a circle",
-                    got=f"{name} after {before}, who comes after {name} in turn" if before != name else name,
+                    got=f"{name} after {before}" + (f", who comes after {name}" if before != name else ""),
                     remedy="Remove one `after`.",
                     where=where,
                 )

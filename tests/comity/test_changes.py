@@ -298,7 +298,8 @@ def test_who_stays_in_the_only_gap_ends_the_visit_with_the_reason_when_patience_
     episode = front_door.run("gap.scenario.yaml")
     assert episode.outcome == "failed"
     assert (
-        episode.visits[0].failure == "marta was asked to let the robot pass, and did not make way within 6 s"
+        episode.visits[0].failure
+        == "marta was asked to let the robot pass, and the way was not free within 6 s"
     )
     last = of_plans(episode)[-1]
     assert (last.status, last.because[-1].text) == ("not_replanned", "10 s of waiting for the way are over")

@@ -24,7 +24,7 @@ ABREAST = """\
   a: {at_m: [4.5, 0.9], facing_deg: 180}
   b: {at_m: [4.5, 1.7], facing_deg: 180}
 """
-REFUSED = "a and b were asked to let the robot pass, and did not make way within 6 s"
+REFUSED = "a and b were asked to let the robot pass, and the way was not free within 6 s"
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ import comity as front_door
 
 STANDS_AT_M = [5.0, 2.45]
 """In the middle of the only gap in the wall between the robot and the shelf."""
-REASON = "dan was asked to let the robot pass, and did not make way within 6 s"
+REASON = "dan was asked to let the robot pass, and the way was not free within 6 s"
 ROOM = {
     "schema_version": 1,
     "name": "tea",

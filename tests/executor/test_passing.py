@@ -55,7 +55,7 @@ def test_where_no_way_leads_round_the_robot_asks_once_more_and_gives_up(episode)
     visits.run()
     assert visits.execution.visits[0].outcome == "unreached"
     assert visits.execution.visits[0].failure == (
-        "bob was asked to let the robot pass, and did not make way within 6 s"
+        "bob was asked to let the robot pass, and the way was not free within 6 s"
     )
     assert visits.hall.calls.count(ASKED) == 2
     assert visits.hall.at_rest
@@ -68,7 +68,7 @@ def test_all_who_are_in_the_way_are_asked_one_after_the_other(episode) -> None:
     asked = [call.split(":")[0] for call in visits.hall.calls if call.startswith("ask_to_pass")]
     assert asked == ["ask_to_pass bob", "ask_to_pass eve"] * 2
     assert visits.execution.visits[0].failure == (
-        "bob and eve were asked to let the robot pass, and did not make way within 6 s"
+        "bob and eve were asked to let the robot pass, and the way was not free within 6 s"
     )
     assert visits.hall.at_rest
 

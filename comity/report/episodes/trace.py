@@ -218,7 +218,6 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
             expected="one question at a time",
             got=" and ".join(used),
             remedy=f"Ask with {used[0]}, and then with {used[1]}.",
-            where=Where("comity trace"),
         )
 
 

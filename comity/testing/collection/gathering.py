@@ -37,7 +37,6 @@ def gathered(
             expected="paths, or `--shipped` and `--set`",
             got=f"both, with {words[0]}",
             remedy="Leave one of them out: the options take what ships and nothing else.",
-            where=Where("comity test"),
         )
     if ship:
         return tuple(map(str, ship.values()))
@@ -96,7 +95,6 @@ def _no_tests(word: str, path: Path) -> InputError:
         expected=f"a folder, a file *{SUFFIX} or a shipped scenario",
         got=f"{got}: {word}",
         remedy=remedy,
-        where=Where("comity test"),
     )
 
 

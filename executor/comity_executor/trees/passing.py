@@ -141,7 +141,7 @@ class WaitForWay(Action):
         if self._then is Status.SUCCESS:
             return f"{with_verb(self._who, 'has', 'have')} been in the way for"
         asked = with_verb(self._who, "was", "were")
-        return f"{asked} asked to let the robot pass, and did not make way within"
+        return f"{asked} asked to let the robot pass, and the way was not free within"
 
 
 class AskToPass(Action):

@@ -83,17 +83,27 @@ def without_quantifiers(problem: Problem) -> tuple[Problem, Callable[[Any], Any]
         return None
 
 
-def require_able(engine: str, problem: Problem) -> None:
+def require_able(engine: str, problem: Problem, *, classical: bool) -> None:
     """Refuse an engine that is named and cannot plan.
+
+    Args:
+        engine: Its name in unified-planning.
+        problem: What it is to plan.
+        classical: Whether the problem is one for Fast Downward: whatever its costs are called or typed, they
+            are whole numbers by now.
 
     Raises:
         InputError: It is not installed.
         NoEngine: It does not take the problem.
     """
     require_installed(engine, problem.environment.factory)
-    if not _can(problem, engine):
-        others = [name for name in installed(problem.environment.factory) if _can(problem, name)]
-        instead = f", or take one of: {', '.join(others)}" if others else ""
+    able = [
+        name
+        for name in installed(problem.environment.factory)
+        if not _lacking(problem, name) - ({"REAL_NUMBERS_IN_ACTIONS_COST"} if classical else set())
+    ]
+    if engine not in able:
+        instead = f", or take one of: {', '.join(able)}" if able else ""
         reason = f"the engine {engine} does not take this problem"
         raise NoEngine(reason, remedy=f"Leave --engine out{instead}.")
 
@@ -122,7 +132,7 @@ def require_installed(engine: str, factory: Factory | None = None) -> None:
 
 
 def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
-    """Why an engine broke off, in its words and by what it does not take, and which to name instead.
+    """Why an engine broke off: what it does not take, or its words; and which to name instead.
 
     Args:
         name: Of the engine.
@@ -137,7 +147,7 @@ def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
         return PlanningFailed(f"{name} broke off ({text})", remedy=f"Plan with {instead}.")
     words = " and ".join(sorted(one.lower().replace("_", " ") for one in lacks))
     return PlanningFailed(
-        f"{name} broke off ({text}): it does not take {words}, which the problem has",
+        f"{name} broke off: it does not take {words}, which the problem has",
         remedy=f"Leave --engine out, or plan with {instead}.",
     )
 

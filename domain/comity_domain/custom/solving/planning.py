@@ -103,7 +103,7 @@ def _solved(bound: Bound, time_limit_s: float) -> Solution:
     engine = bound.engine or (FAST_DOWNWARD if bound.classical else None)
     try:
         if bound.engine is not None:
-            require_able(bound.engine, bound.problem)
+            require_able(bound.engine, bound.problem, classical=bound.classical)
         return solve(bound.problem, engine=engine, time_limit_s=time_limit_s)
     except NoEngine as refusal:
         where = f" ({bound.own.places.of(bound.beyond.part)})" if bound.beyond else ""
