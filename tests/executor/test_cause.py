@@ -42,6 +42,16 @@ def test_for_a_word_the_rule_that_concludes_it_is_named(episode) -> None:
     assert causes[-1].text == "gender female"
 
 
+def test_for_a_number_rules_of_equal_strength_that_say_different_things_are_all_named(episode) -> None:
+    provenance = grounds_of(episode)
+    said = [("bow", 0.9), ("nod", 0.9), ("bow", 0.9), ("wave", 0.3)]
+    fired = tuple(concluding(*one) for one in said)
+    number = replace(provenance.values["greeting_gesture"], value=0.5, fired=fired)
+    values = replace(provenance.values, parameters={"greeting_gesture": number})
+    causes = chain("c", Account("a", parameter="greeting_gesture"), Provenance(provenance.step, values))
+    assert [cause.text for cause in causes if cause.kind == "rule"] == [one.rule.text for one in fired[:2]]
+
+
 def test_a_rule_that_rests_on_something_disclosed_goes_before_a_stronger_one_that_does_not(episode) -> None:
     provenance = grounds_of(episode)
     only_possible = concluding("nod", 1.0).rule

@@ -140,23 +140,35 @@ def _parameter(name: str, provenance: Provenance) -> list[Cause]:
     if isinstance(value, str) and value != inferred.value:
         given = f"{value}, planned in the place of {inferred.value} ({inferred.origin})"
     causes = [Cause("parameter", f"{name} {given}", value)]
-    if fired := _decisive_rule(inferred, provenance.values):
+    for fired in _decisive_rules(inferred, provenance.values):
         causes.append(Cause("rule", fired.rule.text, fired.strength))
         causes += _variables(fired.rule, provenance.values)
     return causes
 
 
-def _decisive_rule(inferred: ParameterValue, values: Inference) -> FiredRule | None:
+def _decisive_rules(inferred: ParameterValue, values: Inference) -> list[FiredRule]:
     """The strongest rule behind a number; for a word, the strongest of those that conclude it.
 
     A rule that rests on something disclosed goes before one that holds only because nothing excludes it.
-    Where no rule gave the number, the strongest of those that moved it.
+    Where no rule gave the number, the strongest of those that moved it. Rules that conclude something else at
+    the same strength have as much part in a number.
     """
     if inferred.shift and not inferred.fired:
-        return next(iter(inferred.shift.fired), None)
+        return [*inferred.shift.fired[:1]]
     concluded = Is(inferred.name, inferred.value) if isinstance(inferred.value, str) else None
     speaking = [fired for fired in inferred.fired if concluded is None or concluded in fired.rule.consequents]
-    return next(iter(facts_first(speaking, values.inputs)), None)
+    ranked = facts_first(speaking, values.inputs)
+    return [one for one in ranked if one is ranked[0] or _tied(one, ranked[0], inferred.name)]
+
+
+def _tied(one: FiredRule, first: FiredRule, parameter: str) -> bool:
+    """Whether a rule is as strong as the first, and says something else about the parameter."""
+    return one.strength == first.strength and _said(one, parameter) != _said(first, parameter)
+
+
+def _said(fired: FiredRule, parameter: str) -> set[Is]:
+    """What a rule concludes about a parameter."""
+    return {one for one in fired.rule.consequents if one.name == parameter}
 
 
 def _variables(rule: Rule, values: Inference) -> list[Cause]:
