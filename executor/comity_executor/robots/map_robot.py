@@ -84,8 +84,9 @@ class MapGoal:
 class MapRobot(Protocol):
     """A robot that finds its way to poses of a map by itself. Calls return at once.
 
-    Two more calls are made where they are there: `heard(person)`, as of `Robot`, of a robot that understands
-    what people say to it; and `sleep(seconds)` of one whose clock is simulated, to let time pass.
+    More calls are made where they are there: `heard(person)`, as of `Robot`, of a robot that understands
+    what people say to it; `sleep(seconds)` of one whose clock is simulated, to let time pass; `carried()` and
+    `floor_is_free(...)`, which docs/how-to/connect-a-robot.md describes.
     An attribute `gesture_reach_m` is read where it is there: how far beyond the body each gesture reaches
     [m], by name.
     """
