@@ -179,14 +179,14 @@ def what_bars(scene: Scene, visitee: Visitee) -> str:
     bar = barring(
         scene,
         visitee.name,
-        [xy for _, xy in _free_places(scene, visitee)],
+        _free_places(scene, visitee),
         lambda other: bool(spots_of(other, RouteMap(other), visitee)),
     )
     return f"; {bar}" if bar else ""
 
 
-def _free_places(scene: Scene, visitee: Visitee) -> list[tuple[str, XY]]:
-    """Where the robot could stand before a person, had it a way there; each with its side."""
+def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
+    """Where the robot could stand before a person, had it a way there."""
     person, accepted = visitee.name, _accepted(visitee)
     if not accepted:
         return []
@@ -194,8 +194,7 @@ def _free_places(scene: Scene, visitee: Visitee) -> list[tuple[str, XY]]:
     pairs = [(distance, bearing) for distance, bearing in tried if side_name(bearing) in accepted]
     places = spots_beside(scene.person(person), scene.robot.radius_m, pairs)
     free = Surroundings.of(scene).are_free(places, visited=person).tolist()
-    names = [side_name(bearing) for _, bearing in pairs]
-    return [(name, place) for name, place, is_free in zip(names, places, free, strict=True) if is_free]
+    return [place for place, is_free in zip(places, free, strict=True) if is_free]
 
 
 def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, XY]:
@@ -242,11 +241,7 @@ def _reason(scene: Scene, visitee: Visitee) -> str:
     accepted = _accepted(visitee).values()
     if not accepted and visitee.not_from:
         return f"the scenario rules out every side that {person} accepts ({', '.join(sides(visitee.values))})"
-    free = {name for name, _ in _free_places(scene, visitee)}  # beside the side's own place, too
-    blocked = {
-        side.name: None if side.name in free else pose_blocker(scene, person, distance, side.bearing_deg)
-        for side in accepted
-    }
+    blocked = {side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in accepted}
     words = [
         f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
     ]

@@ -6,7 +6,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_sim2d.base.drive import limit_change, limit_speed, speed_near_people, stopping_speed, turn_rate
+from comity_sim2d.base.drive import (
+    KEEP_OFF_M,
+    PAST_S,
+    keep_off_people,
+    limit_change,
+    limit_speed,
+    speed_near_people,
+    stopping_speed,
+    turn_rate,
+)
 from comity_sim2d.scene.person import Person
 
 STEP = 0.05
@@ -52,6 +61,24 @@ def test_a_speed_limit_keeps_the_direction(velocity, most: float) -> None:
 def test_within_reach_of_people_the_limit_is_half_a_metre_per_second(gap: float) -> None:
     person = Person("ada", gap + 0.45, 0.0, 0.0)
     assert speed_near_people((0.0, 0.0), 0.5, 0.25, [person], braking=0.3, step_s=STEP) == 0.5
+
+
+@given(st.floats(-0.05, 1.0), st.floats(-math.pi, math.pi), VECTORS)
+def test_a_robot_too_near_to_a_person_goes_past_slowly_and_away_freely(gap, towards, velocity) -> None:
+    ux, uy = math.cos(towards), math.sin(towards)
+    person = Person("p0", (0.45 + gap) * ux, (0.45 + gap) * uy, 0.0)
+    left = keep_off_people((0.0, 0.0), velocity, 0.25, [person], braking=0.3, step_s=STEP)
+    closing, was = (vx * ux + vy * uy for vx, vy in (left, velocity))
+    past, before = (abs(vx * uy - vy * ux) for vx, vy in (left, velocity))
+    assert closing <= was + 1e-9
+    assert past <= before + 1e-9
+    if was <= 0.0:
+        assert closing == pytest.approx(was, abs=1e-9)
+    if gap < KEEP_OFF_M - 1e-9:
+        assert closing <= 1e-9
+        assert past <= max(gap, 0.0) / PAST_S + 1e-9
+    else:
+        assert past == pytest.approx(before, abs=1e-9)
 
 
 @given(st.floats(-math.pi, math.pi))

@@ -25,6 +25,9 @@ NEAR_PEOPLE_SLACK_M = 0.03
 KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0
 """Nearer than the first to a body the robot does not go by itself, if a route is wrong or a person stops on
 it: half of the floor, so that it never matters to a right one (our choice)."""
+PAST_S = 1.0
+"""Nearer than that it goes past a person no faster than the gap in this time, and away at any speed: the
+person may be nearer than they seem, and ahead where they seem to be aside [s] (our choice)."""
 MAX_TURN_RAD_S = 1.5
 MAX_TURN_RAD_S2 = 3.0
 
@@ -135,9 +138,15 @@ def keep_off_people(
             continue
         ux, uy = (person.x_m - xy[0]) / apart, (person.y_m - xy[1]) / apart
         closing = velocity[0] * ux + velocity[1] * uy
+        gap_m = apart - person.radius_m - robot_radius_m
+        if gap_m < KEEP_OFF_M:
+            past = (velocity[0] - closing * ux, velocity[1] - closing * uy)
+            past = limit_speed(past, max(gap_m, 0.0) / PAST_S)
+            velocity = (past[0] + min(closing, 0.0) * ux, past[1] + min(closing, 0.0) * uy)
+            continue
         if closing <= 0.0:
             continue
-        free_m = max(0.0, apart - person.radius_m - robot_radius_m - KEEP_OFF_M)
+        free_m = gap_m - KEEP_OFF_M
         excess = closing - stopping_speed(free_m, braking, step_s)
         if excess > 0.0:
             velocity = (velocity[0] - excess * ux, velocity[1] - excess * uy)

@@ -33,6 +33,8 @@ WALK_M = 0.3
 OFFER_M = 1.5
 """Distance before a walker at which the robot offers to talk, and stands [m]: within the close phase of
 social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
+COME_M = 0.1
+"""So far beyond the distance of the visit the robot has come to a person who stands [m] (our choice)."""
 LEAVES_M = 0.5
 """Additional distance at which a walker has turned away [m] (our choice)."""
 LOST_DEG = 120.0
@@ -107,7 +109,7 @@ class WalkersMet:
         walker = self._walker(name)
         if walker is None:  # they stopped, or turn round: an offer that was made still stands
             self._place = None
-            self._note_pause(name, robot)
+            self._note_pause(name, distance_m, robot)
             return None
         stands = docked(robot, self._spec.radius_m, walker.person)
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
@@ -164,12 +166,17 @@ class WalkersMet:
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
             self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
 
-    def _note_pause(self, name: str, robot: Pose) -> None:
-        """Take note of a person who does not walk now: an offer stands, or begins, or they draw back."""
+    def _note_pause(self, name: str, distance_m: float, robot: Pose) -> None:
+        """Take note of a person who does not walk now.
+
+        An offer that was made stands. To a person on a walk it is made once the robot has come to them: who
+        walks on then does not want it. They decline as well where they draw back.
+        """
         person = self._senses.person(name)
         stands = docked(robot, self._spec.radius_m, person)
         walks_on = person.walk is not None and not goes_along(self._spec, person)
-        if self._offer is not None or (walks_on and self._is_offer(name, stands)):
+        has_come = walks_on and stands.distance_m <= distance_m + COME_M and self._is_offer(name, stands)
+        if self._offer is not None or has_come:
             heading_rad = person.heading_rad if self._offer is None else self._offer.heading_rad
             self._offer = _Offer(heading_rad, person.xy, self._clock.now_s)
         agreed = person.walk is not None and person.walk.accompanied
