@@ -31,8 +31,8 @@ NOTHING: Mapping[str, object] = MappingProxyType({})
 HEARING, SIGHT = "hearing", "sight"
 DIRECTION, MODALITY = "approach_direction", "greeting_modality"
 WITHIN_DEG = 60.0
-"""Within so much of where a person faces they see the robot come (our choice): `FACES_DEG` of
-`comity_sim2d.scene.facing`, which observing people does without."""
+"""A person sees the robot come from up to this bearing [deg] (our choice): `FACES_DEG` of
+`comity_sim2d.scene.facing`, which commands that need no simulation do not import."""
 NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached within view or not at all"
 NOTE_OF_BLIND = (
     "does not see: never greeted by a gesture alone, and told in words when the robot comes, stops and leaves"

@@ -16,7 +16,7 @@ import numpy as np
 
 from comity.planning.narrow_gap import narrow_gap
 from comity_domain import in_the_way
-from comity_fis.listing import listed
+from comity_fis.listing import with_verb
 from comity_sim2d import PastPeople
 from comity_sim2d.maps.doorways import turned
 from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
@@ -59,8 +59,8 @@ def _shut_doors(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) 
     needed = _shut_on_the_way(scene, person, lambda names: is_reached(opened(scene, names)))
     if not needed:
         return None
-    names = listed(repr(name) for name in needed)
-    return f"the door {names} is shut" if len(needed) == 1 else f"the doors {names} are shut"
+    names = with_verb([repr(name) for name in needed], "is", "are")
+    return f"the door{'s' if len(needed) > 1 else ''} {names} shut"
 
 
 def _shut_on_the_way(scene: Scene, person: str, does: Callable[[Collection[str]], bool]) -> Sequence[str]:
@@ -88,7 +88,7 @@ def _people(
 def _who(needed: Sequence[str]) -> str:
     if len(needed) > MOST_NAMED:
         return f"{len(needed)} people are"
-    return f"{needed[0]} is" if len(needed) == 1 else f"{listed(needed)} are"
+    return with_verb(needed, "is", "are")
 
 
 def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:

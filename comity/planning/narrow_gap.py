@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity_fis.listing import listed
+from comity_fis.listing import with_verb
 from comity_sim2d import RouteMap
 from comity_sim2d.pose import XY
 from comity_sim2d.robot.reduced_margin import could_pass
@@ -65,7 +65,7 @@ class NarrowGap:
         told = f"the widest gap, {where}, is {self.width_m:.2f} m, and the robot needs {self.needed_m:.2f} m"
         if not self.passable:
             return told
-        let = f"{listed(self.passable)} {'let' if len(self.passable) > 1 else 'lets'}"
+        let = with_verb(self.passable, "lets", "let")
         return f"{told}, or {self.needed_past_them_m:.2f} m where {let} it pass at {self.margin_m:.2f} m"
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from time import monotonic
 
 from comity_domain.choices.options import Options
@@ -13,7 +12,6 @@ from comity_domain.ordering.measuring import measured_options
 from comity_domain.ordering.order import Order
 from comity_domain.ordering.settling import settled
 from comity_domain.plans.actions import SKIP
-from comity_domain.plans.plan import PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
@@ -52,7 +50,8 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan
     in_time = left.in_time and monotonic() <= ends_s
     steps = (*steps_of(visits, choices, around), *skip_steps(request, left.names))
     cost = sum(step.cost for step in steps)
-    bound = _bound(found.order, steps, bounded)
+    skipped = sum(step.cost for step in steps if step.action == SKIP)
+    bound = cost if found.order.proven else min(cost, _least(found.order, bounded) + skipped)
     return VisitPlan(
         ENGINE,
         optimal=bound == cost,
@@ -64,10 +63,6 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan
     )
 
 
-def _bound(order: Order, steps: Sequence[PlanStep], bounded: Options) -> int:
-    """What no plan can cost less than: by ways that are measured, or bounds where they are not."""
-    cost = sum(step.cost for step in steps)
-    if order.proven:
-        return cost
-    skipped = sum(step.cost for step in steps if step.action == SKIP)
-    return min(cost, max(order.bound, lower_bound(bounded)) + skipped)
+def _least(order: Order, bounded: Options) -> int:
+    """What no tour can cost less than: by ways that are measured, or by bounds where they are not."""
+    return max(order.bound, lower_bound(bounded))

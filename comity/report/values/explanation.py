@@ -9,10 +9,10 @@ from comity.report.values.explanation_words import (
     alternative_row,
     derivative_row,
     flip_rows,
-    listed,
     ordered_rules,
     rule_row,
     speaking,
+    terms_in_words,
     units_of,
 )
 from comity.report.values.inference import concluded, outvoted_text, possible
@@ -146,7 +146,7 @@ def _moved(explanation: Explanation) -> Iterator[RenderableType]:
     yield f"\nWhat the situation adds: {step(shift.number, explanation.value.unit, first=False)}"
     yield table(
         [
-            (str(fired.rule.number), listed(concluded(fired, shift.name)), f"{fired.strength:.3f}")
+            (str(fired.rule.number), terms_in_words(concluded(fired, shift.name)), f"{fired.strength:.3f}")
             for fired in shift.fired
         ],
         head=("rule", "gives", "strength"),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.report.text import number, step, words
 from comity.report.values.inference import speaks
 from comity_fis import rests_on_facts
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -57,9 +58,9 @@ def difference(to: float | str, value: ParameterValue) -> str:
     return text if change < 0 else f"+{text}"
 
 
-def listed(terms: Sequence[str]) -> str:
-    """Terms that lead: `medium and far`."""
-    return " and ".join(map(words, terms))
+def terms_in_words(terms: Sequence[str]) -> str:
+    """Terms as a sentence has them: `medium and far`."""
+    return listed(map(words, terms))
 
 
 def units_of(explanation: Explanation) -> Mapping[str, str | None]:
@@ -102,7 +103,7 @@ def rule_row(account: RuleAccount, value: ParameterValue) -> tuple[str, ...]:
         without = change if change == "the same" else f"{without} ({change})"
     return (
         str(account.rule.number),
-        listed(account.terms),
+        terms_in_words(account.terms),
         f"{account.strength:.3f}",
         *middle,
         without + neutral,
@@ -139,7 +140,7 @@ def alternative_row(other: Counterfactual, value: ParameterValue, unit: str | No
     if isinstance(value.value, str):
         return row
     neutral = "none, the neutral value stands" if other.value.origin == "neutral" else "none"
-    return (*row, listed(other.leads) or neutral)
+    return (*row, terms_in_words(other.leads) or neutral)
 
 
 def flip_rows(explanation: Explanation) -> list[tuple[str, str]]:
@@ -173,8 +174,8 @@ def flip_text(there: Flip | Counterfactual, explanation: Explanation) -> str:
         return f"leaves no rule to decide; the neutral value {given} stands"
     if isinstance(there.value.value, str):
         return f"gives {given} instead of {number(explanation.value.value)}"
-    before = f" instead of {listed(explanation.leading)}" if explanation.leading else ""
-    return f"makes {listed(there.leads)} lead{before} ({given} there)"
+    before = f" instead of {terms_in_words(explanation.leading)}" if explanation.leading else ""
+    return f"makes {terms_in_words(there.leads)} lead{before} ({given} there)"
 
 
 def beyond(flip: Flip) -> str:

@@ -10,11 +10,12 @@ from comity_executor.leaves.motion import MotionAction
 from comity_executor.leaves.performing import Performing
 from comity_executor.memory.task import Task
 from comity_executor.memory.visit_context import POSE
-from comity_executor.nodes.cause import Account, with_verb
+from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import PICK_UP
 from comity_executor.robots.goals import ActGoal, MotionGoal, PlannedPose
+from comity_fis.listing import with_verb
 
 STEP_AWAY_M = 0.30
 """So much farther than before the robot stands after a farewell (our choice: no source speaks of it)."""

@@ -8,7 +8,6 @@ variables in the rule, with the source of a score.
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal, Protocol, TypeGuard
 
@@ -18,7 +17,6 @@ from comity_domain.plans.plan import PlanStep
 from comity_fis.explanation.disclosure import facts_first
 from comity_fis.inference.known import Known
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
-from comity_fis.listing import listed
 from comity_fis.record import Record
 from comity_fis.rules.rule import Is, Rule
 
@@ -99,11 +97,6 @@ def causes_of(node: Behaviour, condition: str | None = None) -> tuple[Cause, ...
         return chain(condition, account, node.provenance) if account or condition else ()
     message = "" if node.children else node.feedback_message
     return chain(condition, Account(message) if message else None, None)
-
-
-def with_verb(people: Collection[str], one: str, more: str) -> str:
-    """People and what they do, in words: `ada and ben are`."""
-    return f"{listed(people)} {one if len(people) == 1 else more}"
 
 
 def chain(condition: str | None, account: Account | None, provenance: Provenance | None) -> tuple[Cause, ...]:

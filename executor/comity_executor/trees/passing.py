@@ -24,7 +24,7 @@ from py_trees.common import Status
 from comity_executor.leaves.performing import Performing
 from comity_executor.memory.shared import PassageRequest
 from comity_executor.memory.visit_context import VisitContext
-from comity_executor.nodes.cause import Account, Provenance, with_verb
+from comity_executor.nodes.cause import Account, Provenance
 from comity_executor.nodes.composites import fallback, never_succeeding, sequence
 from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.identity import NodeId
@@ -33,6 +33,7 @@ from comity_executor.robots.goals import speech
 from comity_executor.robots.status import known_motion
 from comity_executor.speech.manner import NORMAL, manner_of
 from comity_fis.inference.value import Inference
+from comity_fis.listing import with_verb
 
 ASK = "ask_to_pass"
 

@@ -26,8 +26,8 @@ KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0
 """Nearer than the first to a body the robot does not go by itself, if a route is wrong or a person stops on
 it: half of the floor, so that it never matters to a right one (our choice)."""
 PAST_S = 1.0
-"""Nearer than that it goes past a person no faster than the gap in this time, and away at any speed: the
-person may be nearer than they seem, and ahead where they seem to be aside [s] (our choice)."""
+"""Within `KEEP_OFF_M` of a person the robot passes no faster than the gap in this time [s], and moves away at
+any speed: by noise and delay the person may be nearer, and farther ahead, than they seem (our choice)."""
 MAX_TURN_RAD_S = 1.5
 MAX_TURN_RAD_S2 = 3.0
 
@@ -123,6 +123,8 @@ def keep_off_people(
     xy: XY, velocity: XY, robot_radius_m: float, people: Iterable[Person], *, braking: float, step_s: float
 ) -> XY:
     """The velocity without what of it would lead to a person's body, whatever the route says.
+
+    Within `KEEP_OFF_M` of a body, what leads past it is limited, too (`PAST_S`).
 
     Args:
         xy: Where the robot's centre is.

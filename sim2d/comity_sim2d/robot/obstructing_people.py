@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
-from comity_fis.listing import listed
+from comity_fis.listing import with_verb
 from comity_sim2d.navigation.barrier import MOST_TRIED, barrier, who_bars
 from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route import Route
@@ -48,7 +48,7 @@ class ObstructingPeople:
     @property
     def words(self) -> str:
         """Who they are, with the verb: `a and b are`."""
-        return f"{listed(self.people)} {'is' if len(self.people) == 1 else 'are'}"
+        return with_verb(self.people, "is", "are")
 
 
 def in_the_way(

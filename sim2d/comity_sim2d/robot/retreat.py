@@ -1,7 +1,7 @@
-"""Retreat: a person who faces the robot and keeps going away from it has declined.
+"""Retreat: a person who faces the robot and keeps moving away from it has declined.
 
-One step back is an answer to its distance, and a person may shift about slowly: both are followed. The
-thresholds are our choice.
+A single step back is about the distance, and people shift about slowly while they stand: in both cases the
+robot keeps its distance and follows. The thresholds are our choice.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.facing import CLOSE_SOCIAL_M, FACES_DEG
 
-LASTS_S, BACK_M = 2.0, 0.5
-"""A retreat has declined once the person has gone away by more than `BACK_M` [m] in `LASTS_S` [s] without
-standing: longer than a step back, and faster than a person who shifts about."""
+LASTS_S, RETREATS_M_S = 2.0, 0.25
+"""A person retreats if they move away from the robot at more than `RETREATS_M_S` on average for `LASTS_S`
+without standing still: longer than a step back takes, and faster than people shift about."""
 
 
 class Retreat:
-    """How long the person that the robot visits has retreated from it.
+    """Whether the person whom the robot visits retreats from it.
 
     Args:
         clock: The ticks.
@@ -29,17 +29,17 @@ class Retreat:
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._mark: tuple[float, XY] | None = None
-        """When the person was where, at the end of the last whole `LASTS_S`; None where they do not move."""
+        """When [s] and where the present interval of `LASTS_S` began; None where none has."""
 
     def forget(self) -> None:
-        """The robot goes to another person."""
+        """Begin again: the robot visits another person, or this one walks."""
         self._mark = None
 
     def look(self, walker: Walker | None, stands: Docked, robot: XY) -> bool:
-        """Whether the person has declined so; called in every tick.
+        """Whether the person has retreated for one more interval; called in every tick.
 
         Args:
-            walker: The person, where they move.
+            walker: The person, if they move.
             stands: Where the robot stands, seen from them.
             robot: Where it is.
         """
@@ -48,6 +48,7 @@ class Retreat:
             return False
         now_s, xy = self._clock.now_s, walker.person.xy
         since_s, was = self._mark or (now_s, xy)
-        is_whole = now_s - since_s >= LASTS_S - 1e-9
-        self._mark = (now_s, xy) if is_whole else (since_s, was)
-        return is_whole and math.dist(robot, xy) - math.dist(robot, was) > BACK_M
+        took_s = now_s - since_s
+        is_over = took_s >= LASTS_S - 1e-9
+        self._mark = (now_s, xy) if is_over else (since_s, was)
+        return is_over and math.dist(robot, xy) - math.dist(robot, was) > RETREATS_M_S * took_s

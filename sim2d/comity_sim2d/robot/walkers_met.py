@@ -9,7 +9,7 @@ social robots to initiate interaction", HRI; the rest is our choice.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,7 +34,7 @@ OFFER_M = 1.5
 """Distance before a walker at which the robot offers to talk, and stands [m]: within the close phase of
 social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
 COME_M = 0.1
-"""So far beyond the distance of the visit the robot has come to a person who stands [m] (our choice)."""
+"""The robot has come up to a person once it is this near to the distance of the visit [m] (our choice)."""
 LEAVES_M = 0.5
 """Additional distance at which a walker has turned away [m] (our choice)."""
 LOST_DEG = 120.0
@@ -111,12 +111,12 @@ class WalkersMet:
             self._place = None
             self._note_pause(name, distance_m, robot)
             return None
+        self._retreat.forget()
         stands = docked(robot, self._spec.radius_m, walker.person)
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
         along = goes_along(self._spec, walker.person)
         if along and math.hypot(*walker.velocity) <= ALONG_M_S:
-            near = bearing_deg <= FACES_DEG and gap_m <= OFFER_M
-            self._along = near or (self._along and bearing_deg <= LOST_DEG and gap_m <= SOCIAL_M)
+            self._along = _is_near(stands) or (self._along and bearing_deg <= LOST_DEG and gap_m <= SOCIAL_M)
         else:
             self._along = False
             self._note_offer(walker, stands)
@@ -151,7 +151,7 @@ class WalkersMet:
         """Take note of a walker who sees the robot before them, and of how they decline."""
         person, now_s, offer = walker.person, self._clock.now_s, self._offer
         if offer is None:
-            if self._is_offer(person.name, stands):
+            if _is_near(stands) and self._senses.sees(person.name):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
@@ -169,24 +169,19 @@ class WalkersMet:
     def _note_pause(self, name: str, distance_m: float, robot: Pose) -> None:
         """Take note of a person who does not walk now.
 
-        An offer that was made stands. To a person on a walk it is made once the robot has come to them: who
-        walks on then does not want it. They decline as well where they draw back.
+        An offer stands. To a person who pauses on a walk the robot makes one by coming up to them, so that
+        they decline if they walk on. Anybody declines by drawing back.
         """
-        person = self._senses.person(name)
+        person, now_s, offer = self._senses.person(name), self._clock.now_s, self._offer
         stands = docked(robot, self._spec.radius_m, person)
-        walks_on = person.walk is not None and not goes_along(self._spec, person)
-        has_come = walks_on and stands.distance_m <= distance_m + COME_M and self._is_offer(name, stands)
-        if self._offer is not None or has_come:
-            heading_rad = person.heading_rad if self._offer is None else self._offer.heading_rad
-            self._offer = _Offer(heading_rad, person.xy, self._clock.now_s)
+        has_come = stands.distance_m <= distance_m + COME_M and _is_near(stands) and self._senses.sees(name)
+        if offer is None and has_come and person.walk is not None and not goes_along(self._spec, person):
+            offer = _Offer(person.heading_rad, person.xy, now_s)
+        if offer is not None:
+            self._offer = replace(offer, mark=person.xy, mark_s=now_s, pace_m_s=None)
         agreed = person.walk is not None and person.walk.accompanied
         if self._retreat.look(self._seen(name), stands, robot.xy) and not agreed:
             self._decline(person, f"drew back from the robot, {stands.distance_m:.1f} m from it")
-
-    def _is_offer(self, name: str, stands: Docked) -> bool:
-        """Whether the robot is near a person and in their view, and they are in its own."""
-        near = stands.distance_m <= OFFER_M and abs(stands.bearing_deg) <= FACES_DEG
-        return near and self._senses.sees(name)
 
     def _decline(self, person: Person, how: str) -> None:
         self.declined[person.name] = f"declined: {how}"
@@ -240,6 +235,11 @@ def _is_beside(place: XY, walker: Walker, aside_m: float) -> bool:
     speed_m_s = math.hypot(vx, vy)
     comes, off_m = (x * vx + y * vy) / speed_m_s > 0.0, abs(x * vy - y * vx) / speed_m_s
     return comes and abs(off_m - aside_m) <= OFF_M
+
+
+def _is_near(stands: Docked) -> bool:
+    """Whether the robot is near enough to talk, and in the person's view."""
+    return stands.distance_m <= OFFER_M and abs(stands.bearing_deg) <= FACES_DEG
 
 
 def _goes_where_they_face(walker: Walker) -> bool:

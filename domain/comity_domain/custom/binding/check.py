@@ -10,7 +10,7 @@ from comity_domain.custom.binding.binding import ActionBinding, Binding, FluentB
 from comity_domain.custom.binding.names import BoundNames
 from comity_domain.custom.binding.option_check import check_option
 from comity_domain.custom.binding.people import BoundPeople
-from comity_domain.custom.binding.persons import can_be_people, listed, strangers
+from comity_domain.custom.binding.persons import can_be_people, first_named, strangers
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location, refused
 from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis import NominalParameter
@@ -107,7 +107,7 @@ class _Check(BoundNames):
         instead = f"Bind {better}" if better else "Bind another"
         raise BindingRefusedError(
             place,
-            expected=f"an argument that is always a person, as {listed(tuple(self.people.known))}",
-            got=f"{bound}, which may be {listed(no_people)}",
+            expected=f"an argument that is always a person, as {first_named(tuple(self.people.known))}",
+            got=f"{bound}, which may be {first_named(no_people)}",
             remedy=f"{instead}; a person among them belongs under `people` (profile: unknown).",
         )

@@ -47,7 +47,7 @@ def can_be_people(own: CustomProblem, people: BoundPeople, types: Mapping[str, T
     )
 
 
-def listed(names: tuple[str, ...]) -> str:
-    """Some names in words."""
+def first_named(names: tuple[str, ...]) -> str:
+    """The first names, and how many more there are."""
     more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
     return ", ".join(names[:MOST_NAMED]) + more

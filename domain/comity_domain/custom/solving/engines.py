@@ -39,8 +39,8 @@ GRACE_S = 1.5
 LEAST_S = 0.1
 """An engine is given so much also where its time is over [s] (our choice)."""
 EPSILON = Fraction(1, 1000)
-"""Least time between two actions of which one needs the other to have ended [s], where the problem has none:
-the usual one of the planning competitions. aries would take 0.1 s."""
+"""Least time [s] from the end of an action to the start of one that needs it to have ended, if the problem
+states none (our choice); aries alone would take 0.1 s."""
 
 
 def solve(
