@@ -66,7 +66,7 @@ def seconds_to_collision(frames: Frames) -> Numbers:
     b = (apart * closing).sum(axis=-1)
     c = (apart**2).sum(axis=-1) - reach**2
     root = b**2 - a * c
-    meets = (b < 0) & (root >= 0) & (c > 0)
+    meets = (a > 0) & (b < 0) & (root >= 0) & (c > 0)
     times = np.where(c <= 0, 0.0, math.inf)
     times[meets] = (-b[meets] - np.sqrt(root[meets])) / a[meets]
     return np.asarray(times)

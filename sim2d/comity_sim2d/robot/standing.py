@@ -37,8 +37,6 @@ EVERY_TICKS = 5
 """Interval of that check for passers-by [control ticks]."""
 RENEWS_S = 0.5
 """Minimum time between changes of the map [s]."""
-FOLLOWS_S = 0.2
-"""Interval of the map's updates for a visited person who walks [s]."""
 MOVED_M = 0.02
 """A person who stands and has moved by more is mapped again [m]; noise of the sensor comes on top."""
 
@@ -97,8 +95,7 @@ class DetourMap:
         for walker in self._senses.walkers:
             self._note_walk(walker.person, now_s)
         self._note_waiting(waits_for)
-        follows = any(walker.person.name == visited for walker in self._senses.walkers)
-        if now_s - self._renewed_s >= (FOLLOWS_S if follows else RENEWS_S) - 1e-9:
+        if now_s - self._renewed_s >= RENEWS_S - 1e-9:
             people = self._mapped(visited, lets_by)
             noise_m = 0.0 if waits else 3.0 * self._senses.noise_m  # it may be noise that it waits for
             if differ(people, self.map.surroundings.people, MOVED_M + noise_m):
