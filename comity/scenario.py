@@ -32,10 +32,10 @@ from comity.system import library
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.learning.signals import SIGNALS, Signal
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
 from comity_sim2d.robot.reduced_margin import BODY_MARGIN_M
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene.robot_reaction import RobotReaction

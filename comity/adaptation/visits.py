@@ -18,7 +18,7 @@ from comity.preparation import PlannedEpisode, prepare
 from comity.scenario import ComfortSpec, ScenarioFile, load_scenario
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+from comity_fis.proxemics import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity_fis import Inference, Learnt, Rulebook

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 
 from comity_executor import MapGoal, MotionStatus
 from comity_executor.robots.status import known_motion
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RouteMap, wrap_angle
 from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, REDUCED_M_S
 from comity_sim2d.navigation.docking import spot_beside
 from comity_sim2d.pose import direction_to
 from comity_sim2d.robot.obstructing_people import in_the_way
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity.live.known_world import KnownWorld

@@ -10,12 +10,13 @@ from comity.live.base_senses import GRACE_S, BaseSenses, one_each, stranger
 from comity.live.identities import Identities
 from comity.live.odd_readings import OddReadings
 from comity.live.people_seen import PeopleSeen
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import Person, RouteMap, Wish, choose_pose, wrap_angle
 from comity_sim2d.navigation.docking import docked
 from comity_sim2d.navigation.past_people import PastPeople
 from comity_sim2d.pose import Pose
 from comity_sim2d.robot.motion import PersonEstimate
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, floor_plan
+from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 from comity_sim2d.senses.overlap_resolution import off_things
 from comity_sim2d.senses.sight import too_short_for

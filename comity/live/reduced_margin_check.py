@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from comity_executor import MarginStatement
 from comity_fis import InputError
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.base.drive import REDUCED_M_S
 from comity_sim2d.robot.reduced_margin import BODY_MARGIN_M, margin_for_m
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile

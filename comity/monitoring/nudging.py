@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_fis import Contribution
 from comity_fis.learning.signals import AWAY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+from comity_fis.proxemics import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity_executor import Visit

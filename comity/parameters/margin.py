@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from comity.parameters.acquaintance import situation_of
 from comity.parameters.perception import NOTHING
 from comity_fis import Interval
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.scene.margin_facts import MarginFacts
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared, Profile

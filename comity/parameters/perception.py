@@ -17,6 +17,7 @@ from comity.people.dated import held
 from comity_domain import Say
 from comity_fis import Choice, Contribution, InputError, Interval
 from comity_fis.defuzzification.moved_curve import MovedCurve
+from comity_fis.proxemics import FACES_DEG
 
 if TYPE_CHECKING:
     from comity.people.profile import Profile
@@ -30,9 +31,6 @@ WORDS_READ: Mapping[str, frozenset[str]] = MappingProxyType({"hearing": NOT_HEAR
 NOTHING: Mapping[str, object] = MappingProxyType({})
 HEARING, SIGHT = "hearing", "sight"
 DIRECTION, MODALITY = "approach_direction", "greeting_modality"
-WITHIN_DEG = 60.0
-"""A person sees the robot come from up to this bearing [deg] (our choice): `FACES_DEG` of
-`comity_sim2d.scene.facing`, which commands that need no simulation do not import."""
 NOTE_OF_DEAF = "does not hear: never greeted in words alone, and approached within view or not at all"
 NOTE_OF_BLIND = (
     "does not see: never greeted by a gesture alone, and told in words when the robot comes, stops and leaves"
@@ -117,9 +115,9 @@ def clash_of(wishes: Mapping[str, object], *, hears: bool, sees: bool) -> Clash 
         remedy = f"Ask for `{MODALITY}: both` or `{other}`, or take one of the two back."
         return Clash(f"{sense}: none with {MODALITY}: {alone}", "no greeting would be noticed", remedy)
     direction = wishes.get(DIRECTION)
-    if not hears and isinstance(direction, float | int) and direction > WITHIN_DEG:
-        why = f"the robot comes to who does not hear only within {WITHIN_DEG:g} deg of where they face"
-        remedy = f"Ask for `{DIRECTION}: {WITHIN_DEG:g}` or less, or take one of the two back."
+    if not hears and isinstance(direction, float | int) and direction > FACES_DEG:
+        why = f"the robot comes to who does not hear only within {FACES_DEG:g} deg of where they face"
+        remedy = f"Ask for `{DIRECTION}: {FACES_DEG:g}` or less, or take one of the two back."
         return Clash(f"{sense}: none with {DIRECTION}: {direction:g}", why, remedy)
     return None
 
@@ -178,12 +176,12 @@ def _within_view(values: Inference) -> Inference:
     direction = values.parameters.get(DIRECTION)
     if direction is None or isinstance(direction.desirability, Choice):
         return values
-    curve = MovedCurve(direction.desirability, 0.0, Interval(0.0, WITHIN_DEG))
+    curve = MovedCurve(direction.desirability, 0.0, Interval(0.0, FACES_DEG))
     seen = replace(direction, desirability=curve)
-    if not direction.asked_for and (over := direction.number - WITHIN_DEG) > 0.0:
-        text = f"they do not hear: the robot comes within {WITHIN_DEG:g} deg of where they face"
+    if not direction.asked_for and (over := direction.number - FACES_DEG) > 0.0:
+        text = f"they do not hear: the robot comes within {FACES_DEG:g} deg of where they face"
         parts = (*direction.contributions, Contribution("safety", -over, text))
-        seen = replace(seen, value=WITHIN_DEG, origin="safety", contributions=parts)
+        seen = replace(seen, value=FACES_DEG, origin="safety", contributions=parts)
     return replace(values, parameters={**values.parameters, DIRECTION: seen})
 
 

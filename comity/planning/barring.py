@@ -17,11 +17,12 @@ import numpy as np
 from comity.planning.narrow_gap import narrow_gap
 from comity_domain import in_the_way
 from comity_fis.listing import with_verb
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import PastPeople
 from comity_sim2d.maps.doorways import turned
 from comity_sim2d.maps.topology import room_at, shut_doors_between, topology
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, floor_plan
+from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan
 
 if TYPE_CHECKING:
     from comity_sim2d import Scene

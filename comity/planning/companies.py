@@ -8,8 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity_domain import Company, Spot
-from comity_domain.choices.earshot import NEAREST_M
-from comity_domain.choices.side import WIDEST_DEG
+from comity_fis.proxemics import COMFORT_M, WIDEST_DEG
 from comity_sim2d import Pose, docked
 from comity_sim2d.pose import XY
 
@@ -68,5 +67,5 @@ def _distance_m(name: str, xy: XY, route_map: RouteMap, widest_deg: float) -> fl
     person = place.person(name)
     stands = docked(Pose(*xy, 0.0), place.robot_radius_m, person)
     sees = abs(stands.bearing_deg) <= widest_deg and place.plan.wall_between(person.xy, xy) is None
-    near = NEAREST_M <= stands.distance_m <= FARTHEST_M or math.isclose(stands.distance_m, NEAREST_M)
+    near = COMFORT_M <= stands.distance_m <= FARTHEST_M or math.isclose(stands.distance_m, COMFORT_M)
     return stands.distance_m if sees and near else None

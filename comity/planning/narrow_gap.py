@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_fis.listing import with_verb
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RouteMap
 from comity_sim2d.pose import XY
 from comity_sim2d.robot.reduced_margin import could_pass
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, floor_plan
+from comity_sim2d.scene.obstacles import WALL_MARGIN_M, floor_plan
 from comity_sim2d.scene.surroundings import Surroundings
 
 if TYPE_CHECKING:

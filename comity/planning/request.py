@@ -28,10 +28,10 @@ from comity_domain import (
     widest_deg,
 )
 from comity_fis import Choice
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
 from comity_sim2d.navigation.docking import spots_beside
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.surroundings import Surroundings
 
 if TYPE_CHECKING:

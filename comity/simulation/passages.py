@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.answers.run import Disturbance
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.metrics import clearances_m
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from comity_sim2d import Frames

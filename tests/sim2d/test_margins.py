@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
 from comity_sim2d.people.said import GO_AHEAD, Said
 from comity_sim2d.robot.acts import ASK_TO_PASS, NORMAL, ActManner, Spoken
 from comity_sim2d.scene.margin_facts import MarginFacts
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 WIDTH_M, MARGIN_M = 1.27, 0.25
 TICK_M_S = 1e-6

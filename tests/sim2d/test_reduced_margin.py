@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RobotBody, Room, Scene, SceneError, Sensor, World
 from comity_sim2d.robot.reduced_margin import (
     CONDITIONS,
@@ -18,7 +19,6 @@ from comity_sim2d.robot.reduced_margin import (
     reasons_against,
 )
 from comity_sim2d.scene.margin_facts import MarginFacts
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 ADULT = MarginFacts(age_years=18.0, walks_unaided=True, hears_well=True, sees_well=True)
 GRANTED = PassageFacts(

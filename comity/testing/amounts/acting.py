@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 
 from comity.testing.amounts.course import runs
 from comity.testing.trials.visits import spoken_to
-from comity_domain.plans.actions import LEAVE, OFFER
+from comity_domain.plans.actions import GREETINGS, LEAVE, OFFER
 from comity_domain.problem.agenda import Say
 from comity_executor.memory.visit_context import SAY_ACT
-from comity_executor.trees.tree import GREETINGS
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:

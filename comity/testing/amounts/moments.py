@@ -18,6 +18,7 @@ from comity.testing.amounts.shaping import told_of
 from comity.testing.trials.visits import approached
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor import Limits
+from comity_fis.proxemics import COMFORT_M
 from comity_sim2d.metrics import (
     clearances_m,
     intrusion_of,
@@ -25,7 +26,6 @@ from comity_sim2d.metrics import (
     seconds_to_collision,
     speeds_m_s,
 )
-from comity_sim2d.navigation.route_map import COMFORT_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.testing.trials.visits import visit_of
-from comity_domain.choices.side import FRONT_HALF_WIDTH_DEG
+from comity_fis.proxemics import FRONT_DEG
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -34,7 +34,7 @@ class DockedPose:
     @property
     def side(self) -> str:
         """front, left, right or back, as the person sees it."""
-        if abs(self.bearing_deg) <= FRONT_HALF_WIDTH_DEG:
+        if abs(self.bearing_deg) <= FRONT_DEG:
             return "front"
         if abs(self.bearing_deg) > BESIDE_DEG:
             return "back"

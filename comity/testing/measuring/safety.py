@@ -15,11 +15,11 @@ import numpy as np
 
 from comity.testing.amounts import causes
 from comity.testing.amounts.touching import THINGS, before_bump, bumps
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_fis.validation.complaint import counted
 from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within
 from comity_sim2d.metrics import clearances_m, speeds_m_s
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

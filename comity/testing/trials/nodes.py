@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing.trials.visits import goals_of
-from comity_domain.plans.actions import SKIP
+from comity_domain.plans.actions import GREETINGS, SKIP
 from comity_executor import is_called, node_names
 from comity_executor.memory.visit_context import SAY_ACT
-from comity_executor.trees.tree import GREETINGS
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:

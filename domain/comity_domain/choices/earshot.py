@@ -10,9 +10,7 @@ from __future__ import annotations
 from comity_domain.problem.circumstances import Circumstances
 from comity_domain.problem.setting import is_setting
 from comity_fis.inference.value import Inference
-
-NEAREST_M = 0.45
-"""The smallest conversational distance of Bruno et al. 2017."""
+from comity_fis.proxemics import COMFORT_M
 
 
 def drowned(values: Inference, now: Circumstances) -> str | None:
@@ -23,4 +21,4 @@ def drowned(values: Inference, now: Circumstances) -> str | None:
 def unheard(values: Inference, now: Circumstances) -> str | None:
     """Why words are useless whatever the person's culture; None where they may be the last resort."""
     distance = values["conversational_distance"]
-    return now.against_words(distance.number if is_setting(distance) else min(distance.number, NEAREST_M))
+    return now.against_words(distance.number if is_setting(distance) else min(distance.number, COMFORT_M))

@@ -14,11 +14,7 @@ from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.defuzzification.moved_curve import upper_limit
 from comity_fis.inference.value import Inference, ParameterValue
-
-FRONT_HALF_WIDTH_DEG = 22.5
-"""The front sector is [-22.5, 22.5], a quarter of the half circle (our choice)."""
-WIDEST_DEG = 90.0
-"""Nobody is approached from behind their shoulders unless they asked for it."""
+from comity_fis.proxemics import FRONT_DEG, WIDEST_DEG
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,12 +66,12 @@ def _asked_for(angle_deg: float) -> tuple[Side, ...]:
 
 def _inferred(direction: ParameterValue) -> tuple[Side, ...]:
     curve = _curve(direction)
-    from_the_side = abs(direction.number) > FRONT_HALF_WIDTH_DEG
-    ahead = curve.height(0.0, FRONT_HALF_WIDTH_DEG)
-    beside = curve.height(FRONT_HALF_WIDTH_DEG, WIDEST_DEG)
-    bearing_deg = curve.centroid(FRONT_HALF_WIDTH_DEG, WIDEST_DEG)
+    from_the_side = abs(direction.number) > FRONT_DEG
+    ahead = curve.height(0.0, FRONT_DEG)
+    beside = curve.height(FRONT_DEG, WIDEST_DEG)
+    bearing_deg = curve.centroid(FRONT_DEG, WIDEST_DEG)
     if bearing_deg is None:
-        bearing_deg = (FRONT_HALF_WIDTH_DEG + WIDEST_DEG) / 2
+        bearing_deg = (FRONT_DEG + WIDEST_DEG) / 2
     return (
         Side("front", 0.0, ahead, inferred=not from_the_side),  # the centre of a mirrored sector, by symmetry
         Side("left", bearing_deg, beside, inferred=from_the_side),

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from comity_domain.problem.agenda import PLAIN
 
 REACH, RETURN = "Reach_user", "Return_to_user"
-GREET, GREET_TOGETHER = "Greet_person", "Greet_company"
+GREET, GREET_TOGETHER = GREETINGS = "Greet_person", "Greet_company"
 ANNOUNCED = "announced"
 """A parameter of the first two, where the person does not see: words tell them that the robot comes, has
 stopped and leaves."""

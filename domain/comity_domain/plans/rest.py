@@ -7,12 +7,10 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from comity_domain.choices.side import sides
-from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, REACH, RETURN, TASKS
+from comity_domain.plans.actions import FETCH, GREETINGS, REACH, RETURN, TASKS
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.bound_parameters import BEARING
 from comity_fis.inference.value import Inference
-
-GREETINGS = (GREET, GREET_TOGETHER)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from comity_fis.proxemics import PERSON_MARGIN_M
+
 RAISED_VOICE_DB = 66.0
 """A raised voice at 1 m, in dB(A): the vocal effort "raised" of ISO 9921:2003 (from memory, unverified).
 
 That words are useless where the noise is louder than the voice is this project's own choice.
 """
-NEAREST_M = 0.30
-"""The voice is taken to be no louder than at this distance."""
 
 HANDS_OF_PERSON = frozenset({"handshake"})
 """Gestures that need a hand of the person, too (our choice)."""
@@ -90,7 +90,8 @@ class Circumstances:
         """Why words are useless at this distance between the bodies; None where they are heard."""
         if self.noisy:
             return "it is too noisy for words"
-        voice_db = RAISED_VOICE_DB - 20.0 * math.log10(max(distance_m, NEAREST_M))
+        # The robot never stands nearer, so the voice is taken to be no louder than there.
+        voice_db = RAISED_VOICE_DB - 20.0 * math.log10(max(distance_m, PERSON_MARGIN_M))
         if self.noise_db is None or voice_db >= self.noise_db:
             return None
         return f"noise of {self.noise_db:g} dB drowns a voice of {voice_db:.0f} dB at {distance_m:.2f} m"

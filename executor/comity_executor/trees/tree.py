@@ -45,7 +45,7 @@ from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
-from comity_domain.plans.actions import ANNOUNCED, FETCH, GREET, GREET_TOGETHER, REACH, RETURN, SKIP
+from comity_domain.plans.actions import ANNOUNCED, FETCH, GREET, GREETINGS, REACH, RETURN, SKIP
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.act import Act
 from comity_executor.leaves.announce import is_announced
@@ -84,7 +84,6 @@ from comity_fis.inference.value import Inference
 
 VISITED, DOCKED = "visited", "docked"
 """What the nodes do in which a whole visit runs, and in which the robot comes to its pose."""
-GREETINGS = (GREET, GREET_TOGETHER)
 KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
 
 
@@ -209,7 +208,7 @@ def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
     for person, steps in visits.items():
         actions = [step.action for step in steps]
         before = actions[1:] if actions[0] == FETCH else actions
-        after = before[2:] if before[1:2] in ([GREET], [GREET_TOGETHER]) else before[1:]
+        after = before[2:] if len(before) > 1 and before[1] in GREETINGS else before[1:]
         if before[:1] != [REACH] or not {FETCH, RETURN, *EFFECTS}.issuperset(after):
             raise ValueError(
                 f"the visit of {person} needs {REACH} and then {GREET}, got {', '.join(actions)}"

@@ -14,10 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.base.base import Base
 from comity_sim2d.base.drive import MAX_TURN_RAD_S, NEAR_PEOPLE_M_S, SPEED_SHARE, stopping_speed
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 
 HORIZON_S, STEP_S = 3.0, 0.25

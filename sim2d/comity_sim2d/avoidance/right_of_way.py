@@ -8,9 +8,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.base.drive import KEEP_OFF_M, NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, NEAR_PEOPLE_SLACK_M
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 SIDEWAYS_COS = 0.1
 """A person farther to the side than this (84 deg) is not in the path."""

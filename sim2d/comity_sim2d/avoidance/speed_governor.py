@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.avoidance.backing_out import BackingOut
 from comity_sim2d.avoidance.emergency_braking import EmergencyBraking
 from comity_sim2d.avoidance.look_before_moving import LookBeforeMoving
@@ -28,7 +29,7 @@ from comity_sim2d.base.drive import (
 )
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import SensedPeople

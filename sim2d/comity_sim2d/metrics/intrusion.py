@@ -17,10 +17,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import COMFORT_M
 from comity_sim2d.frames import Frames
 from comity_sim2d.metrics.motion import Numbers, Span, within
 from comity_sim2d.metrics.proximity import weights_s
-from comity_sim2d.navigation.route_map import COMFORT_M
 
 SLACK_M = 0.01
 """So much nearer than their own distance still counts as keeping it: the precision of docking."""

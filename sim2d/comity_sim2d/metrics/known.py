@@ -38,7 +38,7 @@ class Known:
     contacts: Contacts | None = None
     """None: those with people are counted from the frames, and of things nothing is known."""
     own_m: Mapping[str, float] = field(default_factory=dict)
-    """Each person's own distance [m], by name; `route_map.COMFORT_M` for people who are not in it."""
+    """Each person's own distance [m], by name; `proxemics.COMFORT_M` for people who are not in it."""
     later_m: Mapping[str, Since] = field(default_factory=dict)
     """Since when [s] a person likes another distance [m], by name and in order of time."""
     visits: tuple[TargetStop, ...] = ()

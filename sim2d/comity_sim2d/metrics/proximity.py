@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 
+from comity_fis.proxemics import SOCIAL_M
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics.motion import Numbers, velocities_m_s
-from comity_sim2d.scene.facing import SOCIAL_M
 
 INTIMATE_M, PERSONAL_M = 0.45, 1.2
 """Where Hall's intimate and personal spaces end, as HuNavSim counts them (Hall 1966 has 4 feet for the

@@ -13,6 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import FACES_DEG, SOCIAL_M
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers, require_pairs
@@ -30,7 +31,6 @@ from comity_sim2d.metrics.motion import (
 )
 from comity_sim2d.metrics.proximity import clearances_m
 from comity_sim2d.pose import wrap_angle
-from comity_sim2d.scene.facing import FACES_DEG, SOCIAL_M
 from comity_sim2d.scene_error import require_finite, require_text, require_tuple, unknown
 
 REST_S = 0.3

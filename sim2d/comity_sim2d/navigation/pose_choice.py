@@ -9,6 +9,7 @@ from functools import lru_cache
 from comity_fis.defuzzification.curve import Curve
 from comity_fis.defuzzification.moved_curve import upper_limit
 from comity_fis.errors import WrongValueError
+from comity_fis.proxemics import FRONT_DEG, PERSON_MARGIN_M, WIDEST_DEG
 from comity_sim2d.kinds import require_kinds, wrong
 from comity_sim2d.navigation.docking import (
     BEARING_STEP_DEG,
@@ -19,14 +20,9 @@ from comity_sim2d.navigation.docking import (
 )
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene_error import is_near, require_finite, require_points, require_text, shown
 
 DISTANCE_STEP_M = 0.05
-WIDEST_DEG = 90.0
-"""Largest bearing of a pose [deg]: never behind a person's shoulders."""
-FRONT_DEG = 22.5
-"""Bearings up to here are called the front."""
 WISHES_KEPT = 64
 """Number of wishes whose candidates are cached: the same ones come again in every search for a pose."""
 

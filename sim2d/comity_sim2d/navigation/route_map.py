@@ -16,6 +16,7 @@ from functools import cached_property, lru_cache, partial
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import COMFORT_M
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.navigation.route import Route, round_corners
 from comity_sim2d.paths.cost_grid import WEIGHT, way_cost
@@ -28,8 +29,6 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene.surroundings import Surroundings
 
-COMFORT_M = 0.45
-"""The distance of people whose own is not known: the smallest of Bruno et al. 2017."""
 DETOUR, DETOUR_M = 1.25, 1.0
 """A path around all people is taken without weighing if it is no longer than `DETOUR` times the shortest and
 `DETOUR_M` (our choice)."""

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.navigation.route import Route
 from comity_sim2d.paths.personal_space import Points
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 
 WALKS_M_S = 0.15

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.people.social_force import Numbers
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.footpath import Disc, Footpaths
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_reaction import RobotReaction, RobotSeen
 
 STAYS: frozenset[RobotReaction] = frozenset({"impassive", "threatening"})

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity_fis.proxemics import FRONT_DEG, WIDEST_DEG
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics import clearances_m, measure
-from comity_sim2d.navigation.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
+from comity_sim2d.navigation.pose_choice import side_name
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures import panel
 from comity_sim2d.pictures.cards import cards, reached_s

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.avoidance.contact_recovery import ContactRecovery
 from comity_sim2d.avoidance.speed_governor import NO_LIMITS, SpeedGovernor
 from comity_sim2d.base.base import Base, BaseControl, VelocityCommand
@@ -29,7 +30,7 @@ from comity_sim2d.robot.reduced_margin import least_margin_m
 from comity_sim2d.robot.search import Search
 from comity_sim2d.robot.standing import DetourMap, PassersByKnown
 from comity_sim2d.robot.walkers_met import WalkersMet
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import unknown
 from comity_sim2d.senses.sensing import SensedPeople

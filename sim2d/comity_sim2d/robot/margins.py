@@ -11,13 +11,12 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
+from comity_fis.proxemics import FACES_DEG, PERSON_MARGIN_M
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.people.said import GO_AHEAD, Said
 from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.robot.reduced_margin import PassageFacts, reasons_against
 from comity_sim2d.robot.standing import STANDS_S
-from comity_sim2d.scene.facing import FACES_DEG
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 

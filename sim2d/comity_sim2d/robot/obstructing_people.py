@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from itertools import islice
 
 from comity_fis.listing import with_verb
+from comity_fis.proxemics import COMFORT_M
 from comity_sim2d.navigation.barrier import MOST_TRIED, barrier, who_bars
 from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route import Route
-from comity_sim2d.navigation.route_map import COMFORT_M, WORTH_M, RouteMap
+from comity_sim2d.navigation.route_map import WORTH_M, RouteMap
 from comity_sim2d.pose import XY
 from comity_sim2d.robot.approach import FOLLOWS_S, Approach
 from comity_sim2d.scene.o_space import OSpace

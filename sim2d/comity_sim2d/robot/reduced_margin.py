@@ -10,11 +10,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from comity_fis.proxemics import BEHIND_DEG, FACES_DEG, PERSON_MARGIN_M
 from comity_sim2d.base.drive import REDUCED_M_S, SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within, window_ticks
-from comity_sim2d.scene.facing import BEHIND_DEG, FACES_DEG
 from comity_sim2d.scene.margin_facts import MarginFacts
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import SceneError
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 
+from comity_fis.proxemics import CLOSE_SOCIAL_M, FACES_DEG
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import Docked
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
-from comity_sim2d.scene.facing import CLOSE_SOCIAL_M, FACES_DEG
 
 LASTS_S, RETREATS_M_S = 2.0, 0.25
 """A person retreats if they move away from the robot at more than `RETREATS_M_S` on average for `LASTS_S`

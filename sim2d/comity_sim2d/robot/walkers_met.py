@@ -13,15 +13,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from comity_fis.proxemics import BEHIND_DEG, COMFORT_M, FACES_DEG, SOCIAL_M
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import Docked, DockingPose, docked
 from comity_sim2d.navigation.pose_choice import Wish
-from comity_sim2d.navigation.route_map import COMFORT_M, RouteMap
+from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.paths.personal_space import Points
 from comity_sim2d.pose import XY, Pose, wrap_angle
 from comity_sim2d.robot.retreat import Retreat
-from comity_sim2d.scene.facing import BEHIND_DEG, FACES_DEG, SOCIAL_M
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.surroundings import Surroundings

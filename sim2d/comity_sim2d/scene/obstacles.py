@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.door import Door
 from comity_sim2d.scene.room import Furniture, Room, Wall
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
 
 WALL_MARGIN_M = 0.05
 """The robot stays this far from walls and furniture (our choice: ten times the error of the drive)."""
-PERSON_MARGIN_M = 0.30
-"""The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
 FREE_FROM_M = PERSON_MARGIN_M + 0.005
 """Gap to a bystander at which a place is free [m]: the path to it, round the same person, comes millimetres
 nearer."""

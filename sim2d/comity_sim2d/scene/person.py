@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene.comfort import Comfort
 from comity_sim2d.scene.margin_facts import MarginFacts
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene.robot_reaction import SEEN_M, RobotReaction, require_reaction
 from comity_sim2d.scene.walk import Walk
 from comity_sim2d.scene_error import (

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import Pose
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 from comity_sim2d.scene_error import (
     FARTHEST_M,
     SceneError,

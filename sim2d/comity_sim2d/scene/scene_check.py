@@ -9,7 +9,8 @@ from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Protocol
 
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, ROOM, Floor, FloorPlan, floor_plan
+from comity_fis.proxemics import PERSON_MARGIN_M
+from comity_sim2d.scene.obstacles import ROOM, Floor, FloorPlan, floor_plan
 from comity_sim2d.scene.passers_by import PassersBy
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene_error import SceneError

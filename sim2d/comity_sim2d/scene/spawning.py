@@ -10,10 +10,11 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.kinds import require_kinds
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.area import Area
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene_error import FARTHEST_M, require_between, require_points
 

@@ -9,10 +9,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.yielding import Walker, is_walking
 from comity_sim2d.pose import XY, Pose, direction_to
-from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
+from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.active_faults import SENSORS, ActiveFaults
