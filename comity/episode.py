@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.answers.run import Disturbance
 from comity.data_frames import events_table, frames_table, readings_table
+from comity.monitoring.measuring import known_of
 from comity.monitoring.parameter_updates import values_at
 from comity_executor import (
     History,
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from comity_domain import PlanStep
     from comity_executor import LoopReport
     from comity_fis import Inference
+    from comity_sim2d.metrics.known import Known
 
 Outcome = Literal["success", "partial", "failed", "stopped", "stop_unconfirmed"]
 
@@ -120,6 +122,11 @@ class Episode:
             KeyError: if nobody of the scenario is called so.
         """
         return values_at(self.prepared.values, self.told, person, t)
+
+    @property
+    def known(self) -> Known:
+        """Whose distance was what, and whom the robot visited when: what metrics need beside the frames."""
+        return known_of(self.prepared, self.visits, self.events, revisions=self.revisions, told=self.told)
 
     @property
     def history(self) -> History:

@@ -6,7 +6,6 @@ import json
 
 import pytest
 
-from comity.monitoring.measuring import known_of
 from comity_sim2d.metrics import intrusion_of
 
 NARROW = """schema_version: 1
@@ -59,9 +58,7 @@ def test_every_intrusion_that_is_measured_has_its_reason(scenario):
     from comity.report.episodes.nearness import SHORTEST_S, nearness_answers
 
     episode = comity.run(scenario)
-    known = known_of(
-        episode.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
-    )
+    known = episode.known
     intrusion = intrusion_of(episode.frames, known)
     stays = {
         (stay.person, stay.start_s)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import comity
-from comity.monitoring.measuring import known_of, stretches
+from comity.monitoring.measuring import stretches
 
 HALL = """\
 schema_version: 1
@@ -32,9 +32,7 @@ def test_what_happens_while_somebody_else_is_visited_counts_as_that(tmp_path: Pa
     episode = comity.run(str(file))
     assert [whom for whom, _ in stretches(episode.events)] == ["anna", "bob", "anna"]
     with_bob = stretches(episode.events)[1][1]
-    known = known_of(
-        episode.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
-    )
+    known = episode.known
     anna, bob = (next(visit for visit in known.visits if visit.person == who) for who in ("anna", "bob"))
     assert anna.breaks == (with_bob,)
     assert [with_bob.start_s > span.end_s or with_bob.end_s <= span.start_s for span in anna.spans] == [

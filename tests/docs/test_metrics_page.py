@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from comity.testing.measuring.registry import TESTED
+from comity.testing.measuring.measured import TESTED
 from comity_sim2d import EPISODE, VISIT, Metric
 from tests.docs.tables import Tables, markdown, write, written
 

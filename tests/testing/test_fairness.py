@@ -12,6 +12,7 @@ import pytest
 
 from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
+from comity.testing.measuring.measured import TESTED
 from comity.testing.reporting.account import answer, summary
 from comity.testing.reporting.answers import TestsAnswer, UnexplainedAnswer
 from comity.testing.reporting.fairness import ASPECTS, differences, spread
@@ -166,8 +167,7 @@ def test_an_asked_for_speed_is_behind_the_time_of_coming_near(wishes):
     """Planted: a little slower, and much longer."""
     found = wishes(SLOWER)
     values = {**found[1].measured.values, "approach_speed": found[0].measured.values["approach_speed"] * 0.98}
-    phases_s = {**found[1].measured.phases_s, "coming near": 90.0}
-    told = differences(planted(found, values=values, phases_s=phases_s))
+    told = differences(planted(found, values=values, coming_near_s=90.0))
     assert [one.settings for one in told if one.what == "time of coming near"] == [("approach_speed",)]
 
 
@@ -190,8 +190,7 @@ def test_a_parameter_explains_what_is_in_proportion_to_it(apart, flagged, twins)
     assert found[1].measured
     values = dict(found[1].measured.values)
     values["conversational_distance"] = float(values["conversational_distance"]) * apart
-    phases = {**found[1].measured.phases_s, "way": 3.0 * found[1].measured.phases_s["way"]}
-    told = unexplained(planted(found, values=values, phases_s=phases))
+    told = unexplained(planted(found, values=values, way_s=3.0 * found[1].measured.way_s))
     assert bool(told) == flagged
     assert all("hardly differ" in one.text for one in told)
 
@@ -266,8 +265,8 @@ def test_where_all_is_compared_nothing_is_left_out(write, told):
 def test_who_serves_nobody_takes_no_time_that_counts(write):
     """Planted: the one who is not served ends at once, which is no faster service."""
     found = results(write(more="matrix: {people: [guest], profiles: [german_man, arab_woman]}\n"))
-    phases_s = dict.fromkeys(found[1].measured.phases_s, 0.0)
-    given_up = planted(found, served=0, time_s=0.0, intrusion_s=0.0, detour_m=0.0, phases_s=phases_s)
+    nothing = dict.fromkeys(set(TESTED) - {"served", "distance_error_m"}, 0.0)
+    given_up = planted(found, served=0, **nothing)
     lines = {line.profile: line for line in served(given_up)}
     assert (lines["arab_woman"].served, lines["arab_woman"].time_s, lines["arab_woman"].detour_m) == (
         0.0,

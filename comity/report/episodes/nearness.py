@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.answers.run import Disturbance
-from comity.monitoring.measuring import known_of
 from comity.simulation.scene_later import scene_at
 from comity_executor.trees.passing import ASK
 from comity_sim2d import RouteMap, SceneError
@@ -42,9 +41,7 @@ BEFORE_S = 1.0
 
 def nearness_answers(episode: Episode) -> Iterator[Disturbance]:
     """Every stay within the distance of a person whose distance is known, with its reason, by time."""
-    known = known_of(
-        episode.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
-    )
+    known = episode.known
     intrusion = intrusion_of(episode.frames, known)
     stays = [
         stay

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity.monitoring.measuring import known_of
 from comity.monitoring.parameter_updates import later_distances_m
 from comity.parameters.passing import own_distance_m
 from comity.testing.amounts import causes
@@ -118,10 +117,7 @@ def of_stay(episode: Episode, stay: IntrusionSpan) -> Iterator[str]:
 
 def intrusion(episode: Episode) -> Intrusion:
     """When the robot was within each person's distance without visiting or leaving them."""
-    known = known_of(
-        episode.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
-    )
-    return intrusion_of(episode.frames, known)
+    return intrusion_of(episode.frames, episode.known)
 
 
 def _least(frames: Frames, values: NDArray[np.float64], preposition: str) -> Moment | None:

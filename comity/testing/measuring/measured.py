@@ -1,10 +1,14 @@
-"""What a case amounts to: for reports, and to compare how profiles are served without another episode."""
+"""What a case amounts to: for reports, and to compare how profiles are served without another episode.
+
+These numbers need the events of an episode, or what becomes of its people; those that frames alone give stand
+in `comity_sim2d.EPISODE` and `VISIT`. `docs/reference/metrics.md` has all of them.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -15,6 +19,7 @@ from comity.testing.measuring.safety import Danger, dangers
 from comity.testing.trials.visits import approached, outcome_of, values_when_judged, visit_of
 from comity_domain.problem.bound_parameters import DISTANCE
 from comity_executor.memory.visit_context import SAY_ACT
+from comity_sim2d.metrics.metric import Metric, by_name, defined, definitions
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
@@ -23,36 +28,69 @@ if TYPE_CHECKING:
     from comity_executor import TraceEvent
     from comity_sim2d import Frames
 
-PHASES = ("way", "coming near", "greeting", "attending")
+_PHASES = ("way_s", "coming_near_s", "greeting_s", "attending_s")
 _OF_NODE = {
-    "Navigate_to_user": "way",
-    "Dock_to_user": "coming near",
-    "Face_user": "coming near",
-    "Attend_to": "attending",
+    "Navigate_to_user": "way_s",
+    "Dock_to_user": "coming_near_s",
+    "Face_user": "coming_near_s",
+    "Attend_to": "attending_s",
 }
 _SERVED = ("greeted", "skipped")
 
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """One episode, small enough to keep and to send to another process; `TESTED` defines its numbers."""
+    """One episode, small enough to keep and to send to another process."""
 
     scenario: str
     profile: str
     seed: int
     outcome: str
-    served: int
     wanted: int
     """Without people who declined."""
-    time_s: float
-    """Until the last node ended."""
-    phases_s: Mapping[str, float]
-    """By phase: those of `PHASES`."""
-    intrusion_s: float
-    """`longest_intrusion_s` of the episode's metrics."""
-    detour_m: float
-    distances_m: Mapping[str, tuple[float, float | None]]
-    """By person, wanted at last and reached."""
+    served: int = field(
+        metadata=defined(
+            "1",
+            "People greeted, and people that the plan skipped at the scenario's price. As a mean: the share "
+            "of the people to visit who did not decline.",
+        )
+    )
+    time_s: float = field(metadata=defined("s", "From the start to when the last node of the tree ended."))
+    distances_m: Mapping[str, tuple[float, float | None]] = field(
+        metadata=defined(
+            "m",
+            "Size of the difference between the docking distance (surface to surface, as the robot docked "
+            "last) and the target at the end of the episode, for each person at whom it docked; `--fairness` "
+            "takes the largest of an episode.",
+            name="distance_error_m",
+        )
+    )
+    """By person, target at last and actual."""
+    way_s: float = field(
+        metadata=defined("s", "Time on the way: navigation to people (`Navigate_to_user`), over all visits.")
+    )
+    coming_near_s: float = field(
+        metadata=defined(
+            "s", "Time of coming near: docking and facing (`Dock_to_user`, `Face_user`), over all visits."
+        )
+    )
+    greeting_s: float = field(
+        metadata=defined(
+            "s",
+            "Time of the greeting: words and gestures, over all visits; those at the same time count once.",
+        )
+    )
+    attending_s: float = field(
+        metadata=defined("s", "Time of attending to people (`Attend_to`), over all visits.")
+    )
+    intrusion_s: float = field(metadata=defined("s", "The episode's `longest_intrusion_s`."))
+    detour_m: float = field(
+        metadata=defined(
+            "m",
+            "Path length of the robot's centre beyond the straight lines from its start through the places "
+            "where it docked.",
+        )
+    )
     values: Mapping[str, float | str]
     """The parameters of the person who has the case's profile."""
     settings: tuple[str, ...]
@@ -60,6 +98,12 @@ class Measured:
     order: tuple[str, ...]
     """At whom the robot docked, in this order."""
     dangers: tuple[Danger, ...]
+
+    @property
+    def distance_error_m(self) -> float:
+        """The largest among those who were reached [m]."""
+        reached = [(target, actual) for target, actual in self.distances_m.values() if actual is not None]
+        return max((abs(actual - target) for target, actual in reached), default=0.0)
 
     def properties(self) -> Iterator[tuple[str, str | float]]:
         """For JUnit reports, beside the case's own."""
@@ -70,6 +114,10 @@ class Measured:
             if actual is not None:
                 yield f"distance_actual_m.{person}", round(actual, 4)
                 yield f"distance_reached_m.{person}", round(actual, 4)
+
+
+TESTED: Mapping[str, Metric] = by_name(*definitions(Measured))
+"""What `comity test` compares between profiles, by name."""
 
 
 def measured(case: Case, episode: Episode) -> Measured:
@@ -90,7 +138,7 @@ def measured(case: Case, episode: Episode) -> Measured:
         served=sum(outcome in _SERVED for outcome in outcomes),
         wanted=len(outcomes),
         time_s=episode.history.end_s,
-        phases_s=_phases(episode.events),
+        **_phases(episode.events),
         intrusion_s=episode.metrics.longest_intrusion_s,
         detour_m=_detour_m(frames, episode.metrics.path_length_m, [stop for stop in stops.values() if stop]),
         distances_m={
@@ -113,10 +161,10 @@ def _target_m(episode: Episode, person: str) -> float:
 
 
 def _phases(events: Iterable[TraceEvent]) -> dict[str, float]:
-    spans: dict[str, list[tuple[float, float]]] = {phase: [] for phase in PHASES}
+    spans: dict[str, list[tuple[float, float]]] = {phase: [] for phase in _PHASES}
     for took, start, node in runs(event for event in events if event.of.kind == "action"):
         acts = node.action in VERBS or node.action == SAY_ACT
-        phase = _OF_NODE.get(node.action) or ("greeting" if acts else None)
+        phase = _OF_NODE.get(node.action) or ("greeting_s" if acts else None)
         if phase:
             spans[phase].append((start, start + took))
     return {phase: _covered(times) for phase, times in spans.items()}

@@ -10,19 +10,18 @@ brings about only what its parameter bears on.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from comity.testing.measuring.registry import TESTED
+from comity.testing.measuring.measured import TESTED
 from comity.testing.reporting.answers import UnexplainedAnswer
 from comity.testing.reporting.summary import by_case, served_alike, shared
 
 if TYPE_CHECKING:
     from comity.testing.measuring.measured import Measured
     from comity.testing.runner.result import Result
-    from comity_sim2d import Metric
 
 PLACE = ("conversational_distance", "approach_direction")
 """What decides where the robot stops, and with it the way there and who of a group is greeted together."""
@@ -49,9 +48,8 @@ class Aspect:
     """One number of an episode, and the parameters that bear on it."""
 
     what: str
-    metric: Metric
-    """Its definition."""
-    value: Callable[[Measured], float]
+    metric: str
+    """Its name in `TESTED`."""
     bears: Sequence[str]
     """Parameters by which it may come out otherwise."""
     small: float
@@ -59,10 +57,14 @@ class Aspect:
     """Whether everybody is owed the same: then no parameter explains a difference, and only what a person
     asked for may be behind it. Anything else is compared where as many people were served."""
 
+    def value(self, one: Measured) -> float:
+        """Of an episode."""
+        return float(getattr(one, self.metric))
+
     @property
     def unit(self) -> str:
         """As sentences have it: none of a count."""
-        return "" if self.metric.unit == "1" else self.metric.unit
+        return TESTED[self.metric].unit.removeprefix("1")
 
     @property
     def hangs_on(self) -> Sequence[str]:
@@ -75,36 +77,15 @@ def told(value: float, unit: str) -> str:
     return f"{value:.{FINE.get(unit, 0)}f} {unit}".rstrip()
 
 
-def _error_m(one: Measured) -> float:
-    """The worst among those who were reached."""
-    return max(
-        (abs(got - wanted) for wanted, got in one.distances_m.values() if got is not None), default=0.0
-    )
-
-
 ASPECTS = (
-    Aspect("people served", TESTED["served"], lambda one: one.served, (*PLACE, *ACTS), 0.0, owed=True),
-    Aspect(
-        "distance off the wanted one", TESTED["distance_error_m"], _error_m, PLACE, SMALL_ERROR_M, owed=True
-    ),
-    Aspect("time on the way", TESTED["way_s"], lambda one: one.phases_s["way"], PLACE, SMALL_S),
-    Aspect(
-        "time of coming near",
-        TESTED["coming_near_s"],
-        lambda one: one.phases_s["coming near"],
-        (*PLACE, "approach_speed"),
-        SMALL_S,
-    ),
-    Aspect(
-        "time of the greeting",
-        TESTED["greeting_s"],
-        lambda one: one.phases_s["greeting"],
-        (*GREETING, *PLACE),
-        SMALL_S,
-    ),
-    Aspect("time of attending", TESTED["attending_s"], lambda one: one.phases_s["attending"], PLACE, SMALL_S),
-    Aspect("intrusion", TESTED["intrusion_s"], lambda one: one.intrusion_s, PLACE, SMALL_S),
-    Aspect("detour", TESTED["detour_m"], lambda one: one.detour_m, PLACE, SMALL_M),
+    Aspect("people served", "served", (*PLACE, *ACTS), 0.0, owed=True),
+    Aspect("distance off the wanted one", "distance_error_m", PLACE, SMALL_ERROR_M, owed=True),
+    Aspect("time on the way", "way_s", PLACE, SMALL_S),
+    Aspect("time of coming near", "coming_near_s", (*PLACE, "approach_speed"), SMALL_S),
+    Aspect("time of the greeting", "greeting_s", (*GREETING, *PLACE), SMALL_S),
+    Aspect("time of attending", "attending_s", PLACE, SMALL_S),
+    Aspect("intrusion", "intrusion_s", PLACE, SMALL_S),
+    Aspect("detour", "detour_m", PLACE, SMALL_M),
 )
 
 
