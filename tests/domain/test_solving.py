@@ -195,6 +195,34 @@ def test_nothing_that_is_stated_is_overlooked(rich_request):
         solve(changed)
 
 
+@pytest.mark.parametrize(
+    ("lack", "expected"),
+    [
+        (
+            lambda problem: problem.clear_quality_metrics(),
+            "the metric MinimizeActionCosts of",
+        ),
+        (lambda problem: problem.action("Greet_person").clear_preconditions(), "the action Greet_person as"),
+        (lambda problem: problem.clear_actions(), "the action Reach_user of the visit domain"),
+        (lambda problem: problem.clear_goals(), "greeted(b) = True as goal"),
+    ],
+)
+def test_what_a_problem_lacks_is_named_as_what_was_expected(lack, expected, rich_request):
+    request = rich_request(1, 3)
+    problem = problem_of(request)
+    user = id_of(request.visitees[0].name)
+    lack(problem)
+    with pytest.raises(InputError) as refused:
+        solve(problem)
+    assert refused.value.expected.startswith(expected.replace("(b)", f"({user})"))
+
+
+def test_what_is_no_problem_is_refused():
+    with pytest.raises(InputError) as refused:
+        solve("visits")
+    assert (refused.value.expected, refused.value.got) == ("a Problem of unified-planning", "'visits'")
+
+
 def test_a_problem_without_a_route_has_no_plan(rich_request):
     request = rich_request(2, 3)
     problem = problem_of(request)

@@ -7,8 +7,8 @@ overlook is refused, never planned without.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from comity_domain.choices.companies import CompanyOptions
 from comity_domain.choices.greeting import Greeting
@@ -27,7 +27,7 @@ from comity_domain.classical.naming import PddlNames, PddlWord
 from comity_domain.classical.timing import NO_TIMING, Timing
 from comity_domain.problem.agenda import PLAIN, Agenda, Offer, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot
-from comity_fis.errors import InputError, Where
+from comity_fis.errors import InputError, Where, shown
 from comity_fis.inference.value import Inference
 
 if TYPE_CHECKING:
@@ -232,17 +232,30 @@ def _side(name: str, tie: int) -> Side:
 
 
 def _require_visit_domain(problem: Problem) -> None:
+    from unified_planning.model import Problem
+
     from comity_domain.classical.visit_domain import empty_problem
 
+    if not isinstance(problem, Problem):
+        _refuse("a Problem of unified-planning", shown(problem))
     ours = empty_problem("visit", problem.environment)
     for what, theirs, known in (
-        ("fluent", problem.fluents, ours.fluents),
-        ("action", problem.actions, ours.actions),
-        ("metric", problem.quality_metrics, ours.quality_metrics),
+        ("fluent", _named(problem.fluents), _named(ours.fluents)),
+        ("action", _named(problem.actions), _named(ours.actions)),
+        ("metric", _named(problem.quality_metrics), _named(ours.quality_metrics)),
     ):
-        for one in (*theirs, *known):
-            if one not in known or one not in theirs:
-                _refuse(f"the {what}s of the visit domain", f"the {what} {getattr(one, 'name', one)}")
+        for name in (*known, *theirs):
+            if name not in theirs:
+                _refuse(f"the {what} {name} of the visit domain", "a problem without it")
+            if name not in known:
+                _refuse(f"the {what}s of the visit domain", f"another one, {name}")
+            if theirs[name] != known[name]:
+                _refuse(f"the {what} {name} as the visit domain has it", "another one of that name")
+
+
+def _named(parts: Iterable[Any]) -> dict[str, Any]:
+    """Fluents and actions by name, metrics by kind: `MinimizeActionCosts`."""
+    return {getattr(part, "name", type(part).__name__): part for part in parts}
 
 
 def _wanted(problem: Problem) -> Iterator[Atom]:
@@ -267,7 +280,8 @@ def _require_same(theirs: Mapping[Atom, int], ours: Mapping[Atom, int], what: st
     facts = (atom for atom, value in theirs.items() if value is True)
     for atom in (*facts, *ours):
         if theirs.get(atom, 0) != ours.get(atom, 0):
-            expected, got = (f"{_shown(atom)} = {values.get(atom, 0)}" for values in (ours, theirs))
+            none = False if isinstance(theirs.get(atom, ours.get(atom)), bool) else 0
+            expected, got = (f"{_shown(atom)} = {values.get(atom, none)}" for values in (ours, theirs))
             _refuse(f"{expected} as {what}, as `problem_of` states such visits", got)
 
 

@@ -30,6 +30,7 @@ def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float =
         InputError: The problem says something else than `problem_of` can say.
         NoPlan: There is none.
         PlanningFailed: None was found; `cut_off` where the limit is the reason.
+        ValueError: The time limit is not positive.
     """
     return solved(problem, timing, time_limit_s=time_limit_s)[0]
 
@@ -38,6 +39,8 @@ def solved(
     problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0
 ) -> tuple[SequentialPlan, Order]:
     """The same, and what the search knows about it."""
+    if not time_limit_s > 0.0:
+        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     choices, names = choices_of(problem, timing)
     order = best_order(choices, time_limit_s)
     visits = best_tour(order.stops, choices)
