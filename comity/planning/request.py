@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -28,6 +28,7 @@ from comity_domain import (
     widest_deg,
 )
 from comity_fis import Choice
+from comity_fis.listing import listed, with_verb
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
 from comity_sim2d.navigation.docking import spots_beside
@@ -179,14 +180,14 @@ def what_bars(scene: Scene, visitee: Visitee) -> str:
     bar = barring(
         scene,
         visitee.name,
-        _free_places(scene, visitee),
+        [place for place, _ in _free_places(scene, visitee)],
         lambda other: bool(spots_of(other, RouteMap(other), visitee)),
     )
     return f"; {bar}" if bar else ""
 
 
-def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
-    """Where the robot could stand before a person, had it a way there."""
+def _free_places(scene: Scene, visitee: Visitee) -> list[tuple[XY, str]]:
+    """Where the robot could stand before a person, had it a way there, and on which side that is."""
     person, accepted = visitee.name, _accepted(visitee)
     if not accepted:
         return []
@@ -194,7 +195,11 @@ def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
     pairs = [(distance, bearing) for distance, bearing in tried if side_name(bearing) in accepted]
     places = spots_beside(scene.person(person), scene.robot.radius_m, pairs)
     free = Surroundings.of(scene).are_free(places, visited=person).tolist()
-    return [place for place, is_free in zip(places, free, strict=True) if is_free]
+    return [
+        (place, side_name(bearing))
+        for place, (_, bearing), is_free in zip(places, pairs, free, strict=True)
+        if is_free
+    ]
 
 
 def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, XY]:
@@ -242,11 +247,25 @@ def _reason(scene: Scene, visitee: Visitee) -> str:
     if not accepted and visitee.not_from:
         return f"the scenario rules out every side that {person} accepts ({', '.join(sides(visitee.values))})"
     blocked = {side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in accepted}
-    words = [
-        f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
-    ]
-    if len(words) > 1 and not any(blocked.values()):
-        words = [f"{', '.join([*blocked][:-1])} and {[*blocked][-1]} have no way to them"]
+    free = {side for _, side in _free_places(scene, visitee)}
     seen = "" if visitee.now.hears else f" within {widest_deg(visitee.values):g} deg of where they face"
     why = "" if visitee.now.hears else ", who does not hear"
-    return f"no free and reachable place{seen} before {person}{why}: {', '.join(words)}"
+    return f"no free and reachable place{seen} before {person}{why}: {_told(blocked, free)}"
+
+
+def _told(blocked: Mapping[str, str | None], free: Collection[str]) -> str:
+    """Why each side is out of reach.
+
+    Args:
+        blocked: What stands at the place that the person would have, by side; None where no way leads there.
+        free: Sides with any free place.
+    """
+    if not any(blocked.values()):
+        return with_verb(blocked, "has no way to it", "have no way to them")
+    words = [
+        f"{side} is blocked by {what}" if what else f"{side} has no way to it"
+        for side, what in blocked.items()
+    ]
+    elsewhere = [side for side, what in blocked.items() if what and side in free]
+    more = f"; no way leads to other free places ({listed(elsewhere)})" if elsewhere else ""
+    return ", ".join(words) + more

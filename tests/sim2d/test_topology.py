@@ -71,6 +71,16 @@ def test_of_two_ways_the_one_with_fewer_shut_doors_comes_first():
     assert ways("red room") == [[], ["red room"]]
 
 
+def test_a_room_without_doors_has_no_ways_and_an_unknown_one_is_an_error():
+    """As networkx has it."""
+    place = row([True])
+    alone = Area("room 9", ((0.0, 5.0), (2.0, 5.0), (2.0, 7.0), (0.0, 7.0)))
+    graph = topology(replace(place, room=Room.rectangle(8.0, 8.0), areas=(*place.areas, alone)))
+    assert not list(shut_doors_between(graph, "room 0", "room 9"))
+    with pytest.raises(nx.NodeNotFound):
+        next(shut_doors_between(graph, "room 0", "attic"))
+
+
 @pytest.mark.parametrize("name", shipped_maps())
 def test_every_shipped_map_is_one_graph_with_every_door_and_place(name):
     place = load_map(name)

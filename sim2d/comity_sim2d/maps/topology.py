@@ -76,15 +76,19 @@ def shut_doors_between(graph: Topology, here: str, there: str) -> Iterator[Seque
         graph: As `topology` makes it.
         here: A room.
         there: Another room.
+
+    Raises:
+        networkx.NodeNotFound: A room is not in the graph.
     """
     import networkx as nx
 
     simple: nx.Graph[str] = nx.Graph()
+    simple.add_nodes_from(graph)
     for one, other, facts in graph.edges(data=True):
         shut = int(not facts["is_open"])
         if one != other and shut <= simple.get_edge_data(one, other, {"shut": 1})["shut"]:
             simple.add_edge(one, other, shut=shut)
-    if not (simple.has_node(here) and simple.has_node(there) and nx.has_path(simple, here, there)):
+    if not nx.has_path(simple, here, there):
         return
     for way in islice(nx.shortest_simple_paths(simple, here, there, weight="shut"), MOST_WAYS):
         yield _shut_on(graph, way)
