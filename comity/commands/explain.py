@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from comity.commands.options import AsJson, At, OptionalProfileName, PersonsRulebookName, Set, day, print_json
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from comity.report.values.explained import Explained
@@ -48,7 +49,7 @@ def _draw(explained: Explained, picture: Path) -> None:
     if explained.alone is None:
         raise InputError(
             expected="one culture to draw",
-            got=" and ".join(name for name, _, _ in explained.parts),
+            got=listed(name for name, _, _ in explained.parts),
             remedy="Leave --picture out, or take one of them with --set culture=...",
             where=Where("--picture"),
         )

@@ -9,6 +9,7 @@ import typer
 
 from comity.commands.evaluate import Radius
 from comity.commands.options import AsJson, RulebookName, print_json
+from comity_fis.listing import listed
 
 Table = Annotated[str, typer.Argument(metavar="TABLE.csv", help="Rows as `comity evaluate` reads them.")]
 ParameterName = Annotated[
@@ -77,7 +78,7 @@ def learn(
     )
     if write is not None and write not in lesson.proposals:
         raise InputError(
-            expected=" or ".join(lesson.proposals) or "nothing, as the table proposes nothing",
+            expected=listed(lesson.proposals, "or") or "nothing, as the table proposes nothing",
             got=write,
             remedy="A prior needs a column `participant`, a rule three rows of one kind.",
             where=Where("--write"),

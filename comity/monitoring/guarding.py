@@ -16,6 +16,7 @@ from comity.parameters.values import infer_for
 from comity.people.profile import NOBODY, Profile
 from comity_domain.problem.bound_parameters import DISTANCE, SPEED
 from comity_fis import InputError
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from comity.preparation import PlannedEpisode
@@ -69,7 +70,7 @@ class Guarding:
         self.was_uncertain |= uncertain
         for name in sorted(sure):
             self._planner.tell(name, self._own[name], f"the robot has made sure who {name} is")
-        others = " or ".join((*sorted(uncertain), "a stranger"))
+        others = listed((*sorted(uncertain), "a stranger"), "or")
         for name in sorted(uncertain):
             text = f"whom the robot takes for {name} may be {others}: what holds for each of them is kept"
             self._planner.tell(name, self._guarded(name), text)

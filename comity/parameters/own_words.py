@@ -9,6 +9,7 @@ from comity.parameters.used import used_facts
 from comity.people.dated import OLDEST
 from comity.people.language import iso639
 from comity_fis import Interval, NominalVariable, NumericVariable
+from comity_fis.listing import listed
 from comity_fis.variables.own_words import in_own_words
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     if word not in variable.categories and "gender" in used_facts(rulebook):
         yield (
             f"gender {word}: no rule of {rulebook.name} speaks of it; its rules know "
-            f"{' and '.join(variable.categories)}."
+            f"{listed(variable.categories)}."
         )
 
 

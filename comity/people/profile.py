@@ -43,6 +43,7 @@ from comity.system import library
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.inference.scalar import scalar
+from comity_fis.listing import listed
 from comity_fis.validation.one_line import one_line
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml, parse_yaml, read_yaml
 
@@ -164,7 +165,7 @@ class Profile(BaseModel):
         said = [name for name in ("age", "birth_year", "birth_date") if getattr(self, name) is not None]
         if len(said) > 1:
             raise WrongValueError(
-                expected="one of age, birth_year and birth_date", got=" and ".join(said), remedy="Keep one."
+                expected="one of age, birth_year and birth_date", got=listed(said), remedy="Keep one."
             )
         if twice := [name for name in PERSONAL if name in self.other and getattr(self, name) is not None]:
             raise WrongValueError(

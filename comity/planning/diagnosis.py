@@ -20,6 +20,7 @@ from comity_domain import (
     in_the_way,
     offers,
 )
+from comity_fis.listing import listed
 from comity_sim2d import RouteMap
 from comity_sim2d.pose import XY
 
@@ -106,7 +107,7 @@ def _of_the_moment(name: str, now: Circumstances) -> Iterator[RelaxableCondition
     if now.person_carries:
         yield RelaxableCondition("hands", name, f"{name} did not carry {now.person_carries}")
     if now.withheld:
-        needed = " and ".join(dict.fromkeys(now.withheld.values())).replace("_", " ")
+        needed = listed(dict.fromkeys(now.withheld.values())).replace("_", " ")
         otherwise = "did not ask for no touch" if now.wants_no_touch else f"said that {needed}"
         yield RelaxableCondition("consent", "consent", f"{name} {otherwise}")
 

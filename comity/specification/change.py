@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_vali
 
 from comity.people.fact import Fact, Number
 from comity_fis.errors import WrongValueError
+from comity_fis.listing import listed
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 Metres = Annotated[Number, Field(ge=-1000, le=1000)]
@@ -50,7 +51,7 @@ class Change(Timed):
         if len(found) != 1:
             raise WrongValueError(
                 expected=f"one of {', '.join(THINGS)}",
-                got=" and ".join(found) or "none of them",
+                got=listed(found) or "none of them",
                 remedy="Write a change of its own for each.",
             )
         about_somebody = found[0] != "emergency_stop_s"

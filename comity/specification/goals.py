@@ -11,6 +11,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 from comity.people.fact import Number
 from comity_domain import Agenda, Offer, Say, TakeLeave, Task, Wait
 from comity_fis.errors import WrongValueError
+from comity_fis.listing import listed
 from comity_sim2d.maps.file import Name
 
 if TYPE_CHECKING:
@@ -136,7 +137,7 @@ class Goal(BaseModel):
         if len(kinds) != 1:
             raise WrongValueError(
                 expected=f"a goal with one of {', '.join(f'`{kind}`' for kind in KINDS)}",
-                got=" and ".join(f"`{kind}`" for kind in kinds) or "none of them",
+                got=listed(f"`{kind}`" for kind in kinds) or "none of them",
                 remedy="Write each goal as an item of its own." if kinds else "Add `greet:` and a name.",
             )
         (kind,) = kinds
@@ -144,7 +145,7 @@ class Goal(BaseModel):
         strange = [name for name in given if name != kind and name not in allowed]
         missing = [name for name in needed if name not in given]
         if strange or missing:
-            beside = " and ".join(f"`{name}`" for name in allowed) or "nothing"
+            beside = listed(f"`{name}`" for name in allowed) or "nothing"
             raise WrongValueError(
                 expected=f"{beside} beside `{kind}`",
                 got=f"`{strange[0]}`" if strange else f"no `{missing[0]}`",

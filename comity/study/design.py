@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from comity.study.study_file import StudyFile, ValueRange
 from comity_fis import InputError, unknown_word
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from comity_fis.errors import Location
@@ -101,7 +102,7 @@ def _require_keys(file: YamlFile, written: StudyFile) -> None:
     for key, designs in foreign.items():
         if getattr(written, key) and design not in designs:
             raise InputError(
-                expected=f"`design: {' or '.join(designs)}` beside `{key}`",
+                expected=f"`design: {listed(designs, 'or')}` beside `{key}`",
                 got=f"`design: {design}`",
                 remedy="Change the design, or remove the key.",
                 where=file.where((key,)),
@@ -170,7 +171,7 @@ def _in_step(file: YamlFile, group: Sequence[str], lists: Mapping[str, Sequence[
                 where=file.where(("factors", path)),
             )
     found = [{path: lists[path][i] for path in group} for i in range(len(lists[first]))]
-    refuse_repeated(file, ("factors", first), found, f"value of {' and '.join(group)}")
+    refuse_repeated(file, ("factors", first), found, f"value of {listed(group)}")
     return found
 
 

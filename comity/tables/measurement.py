@@ -16,6 +16,7 @@ from comity_fis import (
     Where,
     closest,
 )
+from comity_fis.listing import listed
 from comity_fis.validation.csv_table import CsvTable, Row, short
 from comity_fis.variables.unit import factor
 
@@ -159,7 +160,7 @@ class RowReader:
         cell = self._cell(row, name).lower()
         if cell and cell not in get_args(words):
             raise InputError(
-                expected=f"{' or '.join(get_args(words))} as {name}, or an empty cell",
+                expected=f"{listed(get_args(words), 'or')} as {name}, or an empty cell",
                 got=short(cell),
                 remedy="Leave it empty where the source does not say.",
             )

@@ -10,6 +10,7 @@ from typing import get_args
 
 import numpy as np
 
+from comity_fis.listing import listed
 from comity_sim2d.scene_error import SceneError, is_number, require_tuple, shown
 
 Kind = type | UnionType
@@ -117,7 +118,7 @@ def _in_words(kind: Kind) -> tuple[str, str]:
     """What a message calls a kind, and the remedy: of the first class that will do."""
     classes: tuple[type, ...] = get_args(kind) if isinstance(kind, UnionType) else (kind,)
     words = [_WORDS.get(each) or _of_class(each.__name__) for each in classes]
-    return " or ".join(dict.fromkeys(word for word, _ in words)), words[0][1]
+    return listed((dict.fromkeys(word for word, _ in words)), "or"), words[0][1]
 
 
 def _of_class(name: str) -> tuple[str, str]:

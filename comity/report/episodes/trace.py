@@ -25,6 +25,7 @@ from comity_executor import (
     tree_text,
 )
 from comity_fis import InputError, Where, unknown_word
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sized
@@ -216,7 +217,7 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
     if len(used) > 1:
         raise InputError(
             expected="one question at a time",
-            got=" and ".join(used),
+            got=listed(used),
             remedy=f"Ask with {used[0]}, and then with {used[1]}.",
         )
 

@@ -17,6 +17,7 @@ from comity.tables.contenders import ASK, CONSTANT, INDIVIDUAL, LINE
 from comity.tables.leaving_out import LEAST_UNITS
 from comity_fis.learning.pooling import DECLARED_PEOPLE, LEAST_PEOPLE
 from comity_fis.learning.rule_table import LEAST_SUPPORT
+from comity_fis.listing import listed
 from comity_fis.rules.rule import Is
 from comity_fis.validation.complaint import counted
 
@@ -286,14 +287,9 @@ def _standing(lesson: Lesson, kind: Kind) -> str:
             beaten.append(called)
         else:
             perhaps.append(f"nearer than {called} by {by}, which may be chance")
-    as_well = [f"{_all_of(level)} predict{'s' if len(level) == 1 else ''} as well"] if level else []
-    beats = [f"nearer than {_all_of(beaten)}"] if beaten else []
+    as_well = [f"{listed(level)} predict{'s' if len(level) == 1 else ''} as well"] if level else []
+    beats = [f"nearer than {listed(beaten)}"] if beaten else []
     return "; ".join((*nearer, *as_well, *beats, *perhaps))
-
-
-def _all_of(names: list[str]) -> str:
-    """`a`, `a and b`, `a, b and c`."""
-    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def _rule(lesson: Lesson, cell: Cell) -> str:

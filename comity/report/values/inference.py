@@ -9,6 +9,7 @@ from comity.answers.inference import InferAnswer, SettledAnswer
 from comity.report.text import number, stated, table, words, words_of
 from comity_fis import kept_back, outvoting, rests_on_facts
 from comity_fis.inference.value import fact_as_json
+from comity_fis.listing import listed
 from comity_fis.record import reader
 
 if TYPE_CHECKING:
@@ -164,7 +165,7 @@ def outvoted_text(value: ParameterValue, inputs: Inputs) -> str:
     terms = dict.fromkeys(term for one in found.rules for term in concluded(one, value.name))
     return (
         f"{words_of(found.hidden)} not disclosed {'outvotes' if len(found.hidden) == 1 else 'outvote'} "
-        f"{_in_short(found.outvoted, value.name, inputs)}: {rules} → {' or '.join(map(words, terms))}"
+        f"{_in_short(found.outvoted, value.name, inputs)}: {rules} → {listed(map(words, terms), 'or')}"
     )
 
 
@@ -189,7 +190,7 @@ def _in_short(fired: FiredRule, parameter: str, inputs: Inputs) -> str:
 
 
 def _terms(fired: FiredRule, parameter: str) -> str:
-    return " and ".join(map(words, concluded(fired, parameter)))
+    return listed(map(words, concluded(fired, parameter)))
 
 
 def concluded(fired: FiredRule, parameter: str) -> list[str]:

@@ -12,6 +12,7 @@ from comity.people.fact import Number
 from comity.specification.matrix import Word
 from comity_fis import Where, unknown_word
 from comity_fis.errors import WrongValueError
+from comity_fis.listing import listed
 from comity_fis.validation.name_or_path import looks_like_a_file
 from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d.maps.file import Name
@@ -95,7 +96,7 @@ class QuestionnaireFile(BaseModel):
             if len(scales := {str(self.scale_of(item)) for item in items}) > 1:
                 raise WrongValueError(
                     expected=f"one scale for all items of {subscale}, whose answers are averaged",
-                    got=" and ".join(sorted(scales)),
+                    got=listed(sorted(scales)),
                     remedy="Give them one scale, or put them into subscales of their own.",
                 )
         return self

@@ -8,6 +8,7 @@ from functools import partial
 from typing import Literal, Self
 
 from comity_fis import InputError
+from comity_fis.listing import listed
 from comity_fis.variables.unit import factor
 
 _DIGITS = {"m": 3, "s": 2, "deg": 1}
@@ -156,8 +157,8 @@ class Bounds:
             ]
             ends = (("least", self.least), ("most", self.most))
             raise InputError(
-                expected=f"a bound that a run may break: {what} is {' and '.join(known)}",
-                got=" and ".join(f"at {word} {end}" for word, end in ends if end),
+                expected=f"a bound that a run may break: {what} is {listed(known)}",
+                got=listed(f"at {word} {end}" for word, end in ends if end),
                 remedy="Write another number, or leave the sentence out.",
             )
 

@@ -20,6 +20,7 @@ from comity.testing.grammar.vocabulary import KEYWORDS, MEANING, grammar
 from comity.testing.kinds import KINDS
 from comity.testing.kinds.metric import MetricBounds
 from comity_fis import InputError, Where, closest
+from comity_fis.listing import listed
 from comity_fis.validation.one_line import JOINERS
 
 Place = Callable[[int], Where]
@@ -177,7 +178,7 @@ def _told(rest: Sequence[str]) -> str:
 
 
 def _either(words: Sequence[str]) -> str:
-    return " or ".join(words) or "the end of the sentence"
+    return listed(words, "or") or "the end of the sentence"
 
 
 def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, measures: bool) -> str:

@@ -11,6 +11,7 @@ from comity.testing.amounts.amount import told
 from comity.testing.amounts.standing import standing
 from comity.testing.expectation import Expectation, Finding
 from comity.testing.trials.visits import approached, require_goal
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from comity.episode import Episode
@@ -39,7 +40,7 @@ class ApproachSide(Expectation):
         require_goal(episode.prepared.file.scenario, *self.people)
         for person in self.people or approached(episode.prepared.plan):
             stood = standing(episode.frames, episode.visits, person)
-            expected = f"{' or '.join(self.sides)} of {person}"
+            expected = f"{listed(self.sides, 'or')} of {person}"
             if stood is None:
                 because = tuple(causes.of_visit(episode, person))
                 yield Finding(expected, "the robot never stopped there", because)

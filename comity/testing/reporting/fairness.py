@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 from comity.testing.measuring.measured import TESTED
 from comity.testing.reporting.answers import UnexplainedAnswer
 from comity.testing.reporting.summary import by_case, served_alike, shared
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from comity.testing.measuring.measured import Measured
@@ -162,7 +163,7 @@ def _between(case: str, one: Measured, other: Measured) -> Iterator[UnexplainedA
             mine, theirs = aspect.value(one), aspect.value(other)
             settings = tuple(_asked_for(aspect, one, other))
             because = _because(aspect, one, other, settings)
-            pair = " and ".join(
+            pair = listed(
                 f"{told(value, aspect.unit)} for {who.profile}"
                 for value, who in ((mine, one), (theirs, other))
             )
@@ -209,7 +210,7 @@ def _apart(mine: float | str | None, theirs: float | str | None) -> float:
 
 def asked_for(settings: Sequence[str]) -> str:
     """That it is a person's own doing."""
-    return f"one of them asked for another {' and '.join(settings)}"
+    return f"one of them asked for another {listed(settings)}"
 
 
 def _because(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[str]) -> str:

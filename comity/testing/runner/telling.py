@@ -14,6 +14,7 @@ from comity.testing.runner.citing import cited
 from comity.testing.runner.evidence import NONE
 from comity.testing.trials.day import day_taken
 from comity_domain import ENGINE
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -116,7 +117,7 @@ def _fresh(because: tuple[str, ...], here: Failure, told: dict[tuple[str, ...], 
     fresh = [cause for cause in dict.fromkeys(because) if not (cause.startswith(HEAD) and (cause,) in told)]
     if because and not fresh:
         places = dict.fromkeys(_place(told[(cause,)], here) for cause in because)
-        return [f"as for {' and '.join(places)}"]
+        return [f"as for {listed(places)}"]
     told.update({(cause,): here for cause in fresh if cause.startswith(HEAD)})
     if because:
         told[because] = here

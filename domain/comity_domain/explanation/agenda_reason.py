@@ -13,9 +13,10 @@ from comity_domain.problem.spot import Spot
 from comity_domain.tours.lateness import late
 from comity_domain.tours.tour import PlannedVisit, Stop, stays, tour_cost, visit_as
 from comity_fis.inference.value import Inference
+from comity_fis.listing import listed
 
 NO_SOURCE = "that this holds for handing over is a design choice without a source"
-_HANDS_FULL = f"with full hands only {' or '.join(sorted(FREE_OF_HANDS - {'none'}))} is left of the gestures"
+_HANDS_FULL = f"with full hands only {listed(sorted(FREE_OF_HANDS - {'none'}), 'or')} is left of the gestures"
 BEFORE, AFTER = "before the greeting", "after the greeting"
 
 

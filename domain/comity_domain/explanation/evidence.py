@@ -5,6 +5,7 @@ from __future__ import annotations
 from comity_domain.problem.setting import is_setting
 from comity_fis.explanation.disclosure import facts_first, kept_back, rests_on_facts
 from comity_fis.inference.value import FiredRule, Inference
+from comity_fis.listing import listed
 
 
 def because(values: Inference, parameter: str, category: str | None = None) -> str:
@@ -21,7 +22,7 @@ def because(values: Inference, parameter: str, category: str | None = None) -> s
     if category is not None and not speaking and category != value.value:
         return "no rule speaks for it"
     rule = facts_first(speaking or value.fired, values.inputs)[0].rule
-    hidden = " and ".join(map(_words, kept_back(rule, values.inputs)))
+    hidden = listed(map(_words, kept_back(rule, values.inputs)))
     said = f"rule {rule.number}: {_words(rule.text)}"
     if not hidden:
         return said

@@ -13,6 +13,7 @@ from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Condition, Ports
 from comity_executor.robots.goals import RelativePose
 from comity_executor.robots.robot import Reading
+from comity_fis.listing import listed
 
 
 class IsDocked(Condition):
@@ -83,7 +84,7 @@ class IsGreeted(Condition):
         missing = [act for act in self._acts if not self._meeting.is_done(act)]
         if not missing and not self._meeting.is_attended:
             return Account(f"{self._meeting.person} has had no time to react", parameter="greeting_modality")
-        text = f"{' and '.join(missing)} not done yet" if missing else f"{' and '.join(self._acts)} done"
+        text = f"{listed(missing)} not done yet" if missing else f"{listed(self._acts)} done"
         return Account(text, parameter="greeting_modality")
 
 

@@ -9,6 +9,7 @@ from comity_executor.memory.visit_context import VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.identity import NodeId
 from comity_executor.nodes.leaf import Condition, Ports
+from comity_fis.listing import listed
 
 
 class IsServed(Condition):
@@ -66,7 +67,7 @@ class AreActsDone(Condition):
     def explain(self) -> Account | None:
         """What is missing."""
         missing = [act for act in self._task.acts if act not in self._task.memory.performed]
-        text = f"{' and '.join(missing)} not done yet" if missing else f"{' and '.join(self._task.acts)} done"
+        text = f"{listed(missing)} not done yet" if missing else f"{listed(self._task.acts)} done"
         return Account(text, parameter="greeting_modality")
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from comity_fis.errors import InputError
 from comity_fis.inference.rough import Rough, RoughNumber, RoughWord, Stated, largest_of_smallest
+from comity_fis.listing import listed
 from comity_fis.membership.function import Membership
 from comity_fis.membership.interval import Interval
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
@@ -37,7 +38,7 @@ class MixedFact:
         }
 
     def __str__(self) -> str:
-        return " and ".join(
+        return listed(
             f"{'not disclosed' if value is None else _shown(value)} ({name}, {share:.0%})"
             for name, share, value in self.parts
         )

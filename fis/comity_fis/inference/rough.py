@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from comity_fis.listing import listed
 from comity_fis.membership.function import Categories, Membership
 from comity_fis.membership.interval import Interval
 from comity_fis.membership.turns import Function, extreme, turning_places
@@ -59,7 +60,7 @@ class RoughWord:
         return dict(self.given)
 
     def __str__(self) -> str:
-        return " or ".join(f"{category} ({degree:g})" for category, degree in self.given.items())
+        return listed((f"{category} ({degree:g})" for category, degree in self.given.items()), "or")
 
 
 Rough = RoughNumber | RoughWord

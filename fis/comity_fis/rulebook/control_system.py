@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_fis.errors import InputError, shown
+from comity_fis.listing import listed
 from comity_fis.membership.arrays import degrees
 from comity_fis.membership.function import Singleton
 from comity_fis.rules.hedge import HEDGES
@@ -80,7 +81,7 @@ def _refuse(program: Program, parameters: Mapping[str, Parameter], rules: list[R
     _refuse_outputs(program, parameters, rules)
     for field, known in COUNTERPARTS.items():
         if (method := getattr(program.methods, field)) not in known:
-            raise _refusal(f"{field} by {' or '.join(known)}", method)
+            raise _refusal(f"{field} by {listed(known, 'or')}", method)
 
 
 def _refuse_reads(program: Program, parameters: Mapping[str, Parameter], rules: list[Rule]) -> None:

@@ -25,6 +25,7 @@ from pydantic import (
 )
 
 from comity_fis.errors import MOST_NAMED, WrongValueError, closest
+from comity_fis.listing import listed
 from comity_fis.membership.function import (
     Bump,
     Categories,
@@ -131,7 +132,7 @@ class TermModel(MatlabShapesModel):
         if len(shapes) != 1:
             raise WrongValueError(
                 expected="one shape, such as trapezoid or two_term_gaussian",
-                got=" and ".join(shapes) or "none",
+                got=listed(shapes) or "none",
             )
         return self
 

@@ -16,6 +16,7 @@ from lark import Lark, Token, Transformer, UnexpectedInput, v_args
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 
 from comity_fis.errors import InputError, Where, closest
+from comity_fis.listing import listed
 from comity_fis.rules.hedge import HEDGES
 from comity_fis.rules.rule import And, Condition, Hedged, Is, Not, Or
 
@@ -151,7 +152,7 @@ def _syntax_error(error: UnexpectedInput, text: str, place: Place) -> InputError
     if hedge := _hedge_error(text[:offset], place):
         return hedge
     return InputError(
-        expected=" or ".join(words) or "a rule",
+        expected=listed(words, "or") or "a rule",
         got=got,
         remedy="Write it like `if individualism is LC1 and gender is female then approach_speed is slow`.",
         where=place(offset),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from comity_fis.errors import closest
+from comity_fis.listing import listed
 
 Context = Mapping[str, Any]
 """The numbers and words that belong to one of pydantic's errors, such as the bound that was passed."""
@@ -92,8 +93,8 @@ def of_type(called: str, kinds: Sequence[str], value: object) -> Complaint:
         kinds: What would have been right: values of `TYPES`, or other words such as "a mapping such as ...".
         value: What came.
     """
-    right = " or ".join(dict.fromkeys(kinds))
-    how = " or ".join(dict.fromkeys(_HOW.get(kind, kind) for kind in kinds))
+    right = listed(dict.fromkeys(kinds), "or")
+    how = listed(dict.fromkeys(_HOW.get(kind, kind) for kind in kinds), "or")
     return Complaint(f"{called} as {right}", shown(value), f"Write {how}.")
 
 

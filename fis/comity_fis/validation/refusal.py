@@ -7,6 +7,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from comity_fis.errors import InputError, Location, Where, WrongValueError, closest
+from comity_fis.listing import listed
 from comity_fis.validation.complaint import (
     TYPES,
     Complaint,
@@ -159,7 +160,7 @@ def _of_extra(key: str, places: Sequence[Schema]) -> Complaint:
     """What is said of a key that the model does not know there, or only beside others than these."""
     for place in places:
         if key in place.get("properties", {}):
-            beside = " and ".join(repr(other) for other in place.get("required", ()) if other != key)
+            beside = listed(repr(other) for other in place.get("required", ()) if other != key)
             remedy = f"It goes with {beside}; leave it out." if beside else "Leave it out."
             return Complaint("a key that goes with the others here", repr(key), remedy)
     return Complaint(

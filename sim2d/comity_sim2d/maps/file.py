@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity_fis.errors import WrongValueError
+from comity_fis.listing import listed
 from comity_fis.validation.one_line import one_line
 from comity_sim2d.scene.scene_check import MAX_OBSTACLES
 from comity_sim2d.scene_error import FARTHEST_M
@@ -48,7 +49,7 @@ class Outline(BaseModel):
         if len(given) != 1:
             raise WrongValueError(
                 expected=f"one of {', '.join(f'`{shape}`' for shape in self._shapes())}",
-                got=" and ".join(f"`{shape}`" for shape in given) or "none of them",
+                got=listed(f"`{shape}`" for shape in given) or "none of them",
                 remedy="Remove all but one." if given else "Add `box_m: [x, y, width, height]`.",
             )
         if self.box_m is not None and min(self.box_m[2:]) <= 0:

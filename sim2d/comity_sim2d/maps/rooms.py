@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity_fis.listing import listed
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.area import Area
 from comity_sim2d.scene.room import Room, Wall
@@ -111,4 +112,4 @@ def _between(start: XY, end: XY, areas: Sequence[Area], shapes: Sequence[Polygon
         next((area.name for area, shape in zip(areas, shapes, strict=True) if shape.contains(side)), "")
         for side in sides
     ]
-    return f"the wall between {' and '.join(sorted(names))}"
+    return f"the wall between {listed(sorted(names))}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from comity_fis.listing import listed
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import PATH, require_each, require_kinds
 from comity_sim2d.maps.doorways import DoorTurn
@@ -58,7 +59,7 @@ def check_drawing(
         raise SceneError(
             entity=what,
             field="path",
-            expected=f"a path that ends with {' or '.join(suffixes)}",
+            expected=f"a path that ends with {listed(suffixes, 'or')}",
             got=repr(str(path)),
             remedy="Name it so, and convert it afterwards.",
         )

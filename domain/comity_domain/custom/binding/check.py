@@ -14,6 +14,7 @@ from comity_domain.custom.binding.persons import can_be_people, first_named, str
 from comity_domain.custom.binding.refusal import BindingRefusedError, Location, refused
 from comity_domain.custom.reading.reading import CustomProblem
 from comity_fis import NominalParameter
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from unified_planning.model import Fluent, Type
@@ -103,7 +104,7 @@ class _Check(BoundNames):
         """Refuse an argument that may be no person: it would silently be taken for an unknown one."""
         if not (no_people := strangers(self.own, self.people, type_)):
             return
-        better = " or ".join(f"?{name}" for name in can_be_people(self.own, self.people, others))
+        better = listed((f"?{name}" for name in can_be_people(self.own, self.people, others)), "or")
         instead = f"Bind {better}" if better else "Bind another"
         raise BindingRefusedError(
             place,

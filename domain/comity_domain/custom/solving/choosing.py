@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from comity_domain.custom.costs.classical import MAXIMIZED, beyond_classical, beyond_strips
 from comity_domain.errors import NoEngine, PlanningFailed
 from comity_fis.errors import InputError, Where, closest
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -145,7 +146,7 @@ def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
     instead = f"one of: {', '.join(able)}" if able else "another engine"
     if not lacks:
         return PlanningFailed(f"{name} broke off ({text})", remedy=f"Plan with {instead}.")
-    words = " and ".join(sorted(one.lower().replace("_", " ") for one in lacks))
+    words = listed(sorted(one.lower().replace("_", " ") for one in lacks))
     return PlanningFailed(
         f"{name} broke off: it does not take {words}, which the problem has",
         remedy=f"Leave --engine out, or plan with {instead}.",

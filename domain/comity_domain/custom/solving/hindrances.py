@@ -17,6 +17,7 @@ from comity_domain.custom.solving.ruled_out import reason, ruled_out_steps
 from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.explanation.relaxing import in_the_way
+from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from unified_planning.model import FNode, Problem
@@ -59,7 +60,7 @@ class _Search:
             return NoPlan("no plan reaches all goals", remedy=remedy)
         if not failing:
             return self._conflict(goals)
-        names = " and ".join(map(self.words, failing))
+        names = listed(map(self.words, failing))
         never = [goal for goal in failing if goal.is_fluent_exp() and not self._is_made(goal)]
         if never:
             remedy = f"No action makes {self.words(never[0])} true: add one, or state it in the problem."
@@ -71,7 +72,7 @@ class _Search:
         found = in_the_way(
             goals, lambda lifted: bool(self.reaches([one for one in goals if one not in lifted]))
         )
-        names = " or ".join(map(self.words, found.any_of)) or " and ".join(map(self.words, found.all_of))
+        names = listed(map(self.words, found.any_of), "or") or listed(map(self.words, found.all_of))
         if not names:
             return NoPlan(
                 "no plan reaches all goals",
@@ -107,7 +108,7 @@ class _Search:
     def _if_open(self, steps: Sequence[GroundAction]) -> str:
         """That the plan stands and falls with steps whose costs are missing, or that are not permitted."""
         reasons = dict(reason(step, self.bound) for step in steps)
-        conditions = " and ".join([*reasons][:MOST_NAMED])
+        conditions = listed([*reasons][:MOST_NAMED])
         more = f" and {len(reasons) - MOST_NAMED} more" if len(reasons) > MOST_NAMED else ""
         return f"It would be possible if {conditions}{more}. {next(iter(reasons.values()))}"
 

@@ -13,6 +13,7 @@ from comity_domain.plans.plan import Alternative, StepExplanation
 from comity_domain.problem.setting import is_setting
 from comity_fis.explanation.disclosure import facts_first, kept_back
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.listing import listed
 
 
 def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bound: Bound) -> StepExplanation:
@@ -75,7 +76,7 @@ def _because(value: ParameterValue, person: Inference, category: str | None) -> 
     if not value.fired or (category and not speaking):
         return "no rule speaks for it" if value.fired else value.note or f"{value.origin} value"
     rule = facts_first(speaking or value.fired, person.inputs)[0].rule
-    hidden = " and ".join(map(_words, kept_back(rule, person.inputs)))
+    hidden = listed(map(_words, kept_back(rule, person.inputs)))
     return f"rule {rule.number}: {_words(rule.text)}" + (f"; {hidden} not disclosed" if hidden else "")
 
 
