@@ -1,4 +1,4 @@
-"""A 2D world in which a robot goes to people and stops beside them, as far and on the side as suits them."""
+"""A 2D world in which a robot visits people and stops at the distance and on the side that suit them."""
 
 from comity_sim2d.base.physics import Touch
 from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv

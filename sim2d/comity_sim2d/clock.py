@@ -1,4 +1,4 @@
-"""Simulated time: it advances in control ticks and knows no other clock."""
+"""Simulated time: it advances in control ticks and depends on no other clock."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import dataclass
 
 @dataclass(slots=True)
 class Clock:
-    """Counts ticks, so that time has no rounding to pile up."""
+    """Counts ticks, so that rounding errors do not accumulate."""
 
     hz: int
     tick: int = 0
 
     @property
     def now_s(self) -> float:
-        """Since the start."""
+        """Time since the start [s]."""
         return self.tick / self.hz
 
     @property
     def step_s(self) -> float:
-        """The length of a tick."""
+        """Length of a tick [s]."""
         return 1.0 / self.hz

@@ -23,13 +23,13 @@ COLUMNS = ("t", "entity", "x", "y", "heading_rad", "radius_m")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Frames:
-    """The record of a world up to a moment; the robot is entity 0."""
+    """The recorded poses of a world up to a moment; the robot is entity 0."""
 
     entities: tuple[str, ...]
     radius_m: tuple[float, ...]
-    """At least 0."""
+    """Radius of each entity [m], at least 0."""
     time_s: NDArray[np.float64]
-    """Shape (n,)."""
+    """Times [s], shape (n,)."""
     poses: NDArray[np.float64]
     """Shape (n, entities, 3): x [m], y [m], heading [rad] in (-pi, pi]."""
 
@@ -82,12 +82,12 @@ Row = tuple[float, float, float]
 
 
 def frame_row(pose: Pose) -> Row:
-    """A pose as a frame has it."""
+    """A pose as a row of a frame."""
     return (pose.x_m, pose.y_m, wrap_angle(pose.heading_rad))
 
 
 class FrameRecorder:
-    """Collects frames, compactly."""
+    """Collects frames in compact arrays."""
 
     def __init__(self, bodies: Iterable[tuple[str, float]]) -> None:
         names_and_radii = list(bodies)
@@ -97,7 +97,7 @@ class FrameRecorder:
         self._poses = array("d")
 
     def record(self, time_s: float, rows: Iterable[Row], rest: NDArray[np.float64] | None = None) -> None:
-        """Add a frame; rows (x, y, heading) in the order of the bodies, of the last ones as an array."""
+        """Add a frame: rows (x, y, heading) in the order of the bodies, the last ones as an array."""
         self._time.append(time_s)
         for row in rows:
             self._poses.extend(row)
@@ -105,9 +105,9 @@ class FrameRecorder:
             self._poses.frombytes(rest.tobytes())
 
     def frames(self, since: int = 0) -> Frames:
-        """A copy of the frames so far, without as many of the first ones as `since` says."""
+        """A copy of the frames so far, without the first `since`."""
         shape = (-1, len(self._entities), 3)
-        # Straight from the buffer: a slice would be one more copy of what may be hundreds of megabytes.
+        # Read directly from the buffer: a slice would be another copy of what may be hundreds of megabytes.
         poses = np.frombuffer(self._poses)[since * len(self._entities) * 3 :].copy().reshape(shape)
         time = np.array(self._time[since:])
         poses.flags.writeable = time.flags.writeable = False
@@ -118,7 +118,7 @@ def write_frames_csv(path: str | Path, frames: Frames) -> None:
     """Write one row per entity and frame; numbers read back to the same bits.
 
     Raises:
-        SceneError: Where these are no frames; nothing is written then.
+        SceneError: If `frames` are no frames; nothing is written then.
     """
     require_kinds("frames", path=(path, PATH), frames=(frames, Frames))
     with FramesFile(path) as file:
@@ -129,7 +129,7 @@ class FramesFile:
     """Frames on disk that grow while the world moves, so that a crash keeps what happened before it.
 
     Args:
-        path: Where to write; what is there is replaced.
+        path: Where to write; an existing file is replaced.
     """
 
     def __init__(self, path: str | Path) -> None:
@@ -141,7 +141,7 @@ class FramesFile:
         """Frames written so far."""
 
     def keep(self, new: Frames) -> None:
-        """Write down frames that are not yet."""
+        """Append frames that are not yet written."""
         require_kinds("frames", new=(new, Frames))
         self._writer.writerows(new.rows())
         self._file.flush()
@@ -157,11 +157,11 @@ class FramesFile:
 
 
 def read_frames_csv(path: str | Path) -> Frames:
-    """Read the whole frames of a file; what was being written when a run was killed is left out.
+    """Read the complete frames of a file; a frame cut off when a run was killed is dropped.
 
     Raises:
-        InputError: Where it is no file of frames.
-        OSError: Where it cannot be read.
+        InputError: If it is no file of frames.
+        OSError: If it cannot be read.
     """
     require_kinds("frames", path=(path, PATH))
     try:
@@ -191,7 +191,7 @@ def _read(path: str | Path) -> Frames:
 
 
 def _require_everybody(block: list[dict[str, str]], entities: list[str], first_line: int) -> None:
-    """Refuse a moment in which a row is missing: all rows after it would be taken for others'."""
+    """Reject a frame with a missing row: all later rows would be assigned to the wrong entities."""
     for line, (row, name) in enumerate(zip(block, entities, strict=True), first_line):
         if (row["entity"], row["t"]) != (name, block[0]["t"]):
             got = f"line {line} of {row['entity']} at t={row['t']}, where {name} at t={block[0]['t']} is due"

@@ -1,4 +1,4 @@
-"""Kinds of values that a field or an argument may have: every other value is refused."""
+"""Type checks of fields and arguments: any value of another type is rejected."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from comity_fis.listing import listed
 from comity_sim2d.scene_error import SceneError, is_number, require_tuple, shown
 
 Kind = type | UnionType
-"""A class, or several of which one will do, such as `Walk | None`."""
+"""A class, or a union of accepted classes such as `Walk | None`."""
 
 TRUTH: Kind = bool | np.bool_
 PATH: Kind = str | Path
 MOST_EXACT = 2**53
-"""Larger whole numbers are no longer told apart as floats."""
+"""Larger integers are not represented exactly by floats."""
 
 _WORDS: Mapping[type, tuple[str, str]] = {
     bool: ("True or False", "Write True or False."),
@@ -33,7 +33,7 @@ _WORDS: Mapping[type, tuple[str, str]] = {
     Collection: ("several", "Write `(..., ...)`."),
     Iterable: ("several", "Write `(..., ...)`."),
 }
-"""What a message calls a class, and how one comes by such a thing; others by their name."""
+"""Name of a class in messages, and how to obtain an instance; other classes go by their own name."""
 
 _TAKEN: Mapping[str, str] = {
     "FloorPlan": "Take `floor_plan(scene)`.",
@@ -42,14 +42,14 @@ _TAKEN: Mapping[str, str] = {
     "Metrics": "Take what `measure(...)` gives.",
     "PoseBeside": "Make a `DockingPose(...)`.",
 }
-"""Of classes that are not called by their name."""
+"""Plural names in messages, for classes not called by their name."""
 
 
 def require_kinds(entity: str, /, **values: tuple[object, Kind]) -> None:
-    """Each value with what it may be, by its name: `walk=(self.walk, Walk | None)`.
+    """Check each value against its type, by name: `walk=(self.walk, Walk | None)`.
 
     Raises:
-        SceneError: For the first that is something else.
+        SceneError: For the first value of another type.
     """
     for field, (value, kind) in values.items():
         if not isinstance(value, kind):
@@ -57,10 +57,10 @@ def require_kinds(entity: str, /, **values: tuple[object, Kind]) -> None:
 
 
 def require_each(entity: str, field: str, values: Sequence[object], kind: Kind) -> None:
-    """Several of one kind, in a list or a tuple.
+    """Check a list or a tuple of values of one type.
 
     Raises:
-        SceneError: Where it is neither, or holds something else.
+        SceneError: If it is neither, or holds a value of another type.
     """
     if isinstance(values, str) or not isinstance(values, Sequence):
         raise wrong(entity, field, f"{field} as a list or a tuple", values, "Write `(..., ...)`.")
@@ -71,10 +71,10 @@ def require_each(entity: str, field: str, values: Sequence[object], kind: Kind) 
 
 
 def require_names(entity: str, field: str, names: Collection[object]) -> None:
-    """Several names, in any collection; one text would be taken for its letters.
+    """Check a collection of names; a single string would be taken for its letters.
 
     Raises:
-        SceneError: Where it is none, or holds something else.
+        SceneError: If it is not, or holds a value of another type.
     """
     several = isinstance(names, Collection) and not isinstance(names, str)
     if not several or not all(isinstance(name, str) for name in names):
@@ -82,10 +82,10 @@ def require_names(entity: str, field: str, names: Collection[object]) -> None:
 
 
 def require_numbers(entity: str, /, **values: float | None) -> None:
-    """Times and other figures without bounds of their own: numbers; whatever is None is left out.
+    """Check unbounded numbers, such as times; None is allowed.
 
     Raises:
-        SceneError: For the first that is no number.
+        SceneError: For the first value that is not a number.
     """
     for field, value in values.items():
         if value is not None and not (is_number(value) and -MOST_EXACT <= value <= MOST_EXACT):
@@ -93,10 +93,10 @@ def require_numbers(entity: str, /, **values: float | None) -> None:
 
 
 def require_pairs(entity: str, field: str, pairs: object, what: str) -> None:
-    """A tuple of pairs of numbers without bounds of their own.
+    """Check a tuple of pairs of unbounded numbers.
 
     Raises:
-        SceneError: Where it is none, or holds something else.
+        SceneError: If it is not, or holds a value of another type.
     """
     require_tuple(entity, field, pairs, tuple, f"pairs `{what}`")
     for pair in pairs if isinstance(pairs, tuple) else ():
@@ -110,12 +110,12 @@ def _refusal(entity: str, field: str, value: object, kind: Kind) -> SceneError:
 
 
 def wrong(entity: str, field: str, expected: str, value: object, remedy: str) -> SceneError:
-    """What is said of a value that is none of what it may be."""
+    """The error for a value of the wrong type."""
     return SceneError(entity=entity, field=field, expected=expected, got=shown(value), remedy=remedy)
 
 
 def _in_words(kind: Kind) -> tuple[str, str]:
-    """What a message calls a kind, and the remedy: of the first class that will do."""
+    """The name of a type in messages, and the remedy for its first class."""
     classes: tuple[type, ...] = get_args(kind) if isinstance(kind, UnionType) else (kind,)
     words = [_WORDS.get(each) or _of_class(each.__name__) for each in classes]
     return listed((dict.fromkeys(word for word, _ in words)), "or"), words[0][1]

@@ -1,4 +1,4 @@
-"""Where a body stands and which way it faces: x to the right, y up, angles counter-clockwise."""
+"""Pose of a body: x to the right, y up, angles counter-clockwise."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ XY = tuple[float, float]
 
 
 class Pose(NamedTuple):
-    """A place and a heading."""
+    """A position and a heading."""
 
     x_m: float
     y_m: float
     heading_rad: float
-    """Counter-clockwise from the x axis."""
+    """Heading, counter-clockwise from the x axis [rad]."""
 
     @property
     def xy(self) -> XY:
-        """The place alone."""
+        """Position [m]."""
         return (self.x_m, self.y_m)
 
     def ahead(self, distance_m: float, bearing_rad: float = 0.0) -> XY:
@@ -32,7 +32,7 @@ class Pose(NamedTuple):
 
 
 class Twist(NamedTuple):
-    """A velocity in the plane, in the world's frame, and a turning rate."""
+    """A velocity in the plane, in the world frame, and a turning rate."""
 
     x_m_s: float = 0.0
     y_m_s: float = 0.0
@@ -40,17 +40,17 @@ class Twist(NamedTuple):
 
     @property
     def xy(self) -> XY:
-        """The velocity alone."""
+        """Velocity [m/s]."""
         return (self.x_m_s, self.y_m_s)
 
     @property
     def speed_m_s(self) -> float:
-        """How fast the place changes."""
+        """Speed [m/s]."""
         return math.hypot(self.x_m_s, self.y_m_s)
 
 
 def wrap_angle(angle_rad: float) -> float:
-    """The same direction in (-pi, pi]."""
+    """The same angle in (-pi, pi]."""
     try:
         wrapped = remainder(angle_rad, tau)
     except (TypeError, ValueError, ArithmeticError) as error:  # asked at every tick: told where it fails

@@ -1,6 +1,6 @@
 """Backing out: in a narrow place the robot retreats along its own path from an approaching person.
 
-The walking person goes first. Without this, both would wait where neither gets by the other.
+The walking person goes first. Otherwise both would wait where neither can pass the other.
 """
 
 from __future__ import annotations
@@ -19,36 +19,37 @@ from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 
 HELD_S, RESTS_M_S = 3.0, 0.02
-"""A person slower than `RESTS_M_S` for `HELD_S` is blocked (our choice)."""
+"""A person slower than `RESTS_M_S` [m/s] for `HELD_S` [s] is blocked (our choice)."""
 ASKED_S = 6.0
-"""The same time for a person who has not come close [s]: they may have been asked by then, and had time to
+"""The same for a person who has not come close [s]: the robot may have asked them, and they need time to
 go."""
 NEAR_M = 0.6
-"""Gap between the bodies below which a passer-by blocks the robot [m]: they stop before it no farther
-away."""
+"""Gap between the bodies below which a passer-by blocks the robot [m]: passers-by stop about this far before
+it."""
 BESIDE_M = 0.05
-"""Space that two bodies need in addition to their widths to get by one another [m]."""
+"""Clearance that two bodies need in addition to their widths to pass each other [m]."""
 AROUND = 48
 """Number of places around the robot that are tested for a person to get by."""
 BACK_M, BACK_M_S = 0.9, 0.3
-"""Minimum way back [m] and its speed [m/s]: a person who comes out has room to turn aside (our choice)."""
+"""Minimum distance to back up [m] and its speed [m/s]: the person who comes out can then turn aside (our
+choice)."""
 LETS_BY_S = 5.0
-"""Time without progress after which the robot goes on, whether or not they went by [s] (our choice)."""
+"""Time without progress after which the robot goes on, whether or not they have passed [s] (our choice)."""
 BY_S = 1.0
-"""Time without an approaching known person after which they are by, or have turned round [s] (our choice)."""
+"""Time without an approaching known person after which they have passed or turned round [s] (our choice)."""
 NEARER_M = 0.05
 """A person who has come nearer by this distance is still approaching [m]."""
 MARK_M, MARKS = 0.1, 100
 """Spacing [m] and maximum number of the marks by which the robot remembers its path."""
 SETTLES_S, THERE_M = 0.5, 0.03
-"""Time in which it comes to rest at the waiting place [s], and its tolerance there [m]."""
+"""Time in which the robot comes to rest at the waiting place [s], and its tolerance there [m]."""
 
 
 class BackingOut:
-    """Gets one robot out of doorways and passages that others want to use.
+    """Moves one robot out of doorways and passages that others want to use.
 
     Args:
-        radius_m: Of the robot.
+        radius_m: Radius of the robot [m].
         oncoming: The known people who may block it.
     """
 
@@ -59,39 +60,39 @@ class BackingOut:
         self._marks: deque[XY] = deque(maxlen=MARKS)
         self._held_s = 0.0
         self._is_barred = False
-        """Whether the blocking person does not get by it."""
+        """Whether the blocking person cannot get past the robot."""
         self._by: OncomingPerson | None = None
-        """The current or last blocking person, and where they were then."""
+        """The current or last blocking person, and their position at that time."""
         self._held_at: XY | None = None
-        """Where they blocked it, when it backs out for that."""
+        """Where they blocked the robot, if it backs out for that."""
         self._waits_at: XY | None = None
-        """Where it waits until they are by, once it is out."""
+        """Where the robot waits, once out, until they have passed."""
         self._idle_s = self._alone_s = 0.0
         """Time without progress, and time without an approaching known person [s]."""
         self._nearest_m = math.inf
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
-        """Know of passers-by, who are in no plan: they may block the robot, too."""
+        """Register passers-by, who are in no plan: they may block the robot, too."""
         self._passers_by = passers_by
 
     @property
     def before(self) -> str | None:
-        """The person for whom it backs out or waits."""
+        """The person for whom the robot backs out or waits."""
         return self._by.name if self._by and self._held_at else None
 
     @property
     def held_up_by(self) -> str | None:
-        """The person for whom it will back out if they stay."""
+        """The person for whom the robot will back out if they stay."""
         expects = self._held_s and self._is_barred and self._by is not None and self._by.is_close
         return self._by.name if self._by and expects else None
 
     def velocity(self, base: Base, plan: FloorPlan, *, visited: str | None) -> XY | None:
-        """The velocity of backing out, (0, 0) while it waits; None where it does neither.
+        """The velocity for backing out [m/s], (0, 0) while waiting; None if the robot does neither.
 
         Args:
-            base: How the robot's base moves now.
-            plan: What stands still.
-            visited: The person it goes to: it does not back out for them.
+            base: Current motion of the robot's base.
+            plan: The static obstacles.
+            visited: The person the robot visits: it does not back out for them.
         """
         if self._held_at is None or self._by is None:
             if not self._marks or math.dist(base.xy, self._marks[-1]) >= MARK_M:
@@ -115,11 +116,11 @@ class BackingOut:
         """Observe how far others let the robot go; back out if they block it for long.
 
         Args:
-            base: How the robot's base moves now.
+            base: Current motion of the robot's base.
             allowed: The velocity command after all limits.
-            plan: What stands still.
-            to: The person or place it is under way to; None where it is not.
-            stand: Passers-by who stood in its path before it came to them: it asks them to make way.
+            plan: The static obstacles.
+            to: The person or place the robot is going to; None if it is going nowhere.
+            stand: Passers-by who stood in its path before it reached them: the robot asks them to make way.
         """
         rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and self._held_at is None
         comer = self._holder(base.xy, to, stand, plan) if rests and to is not None else None
@@ -136,7 +137,7 @@ class BackingOut:
                 self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
 
     def _holder(self, xy: XY, visited: str, stand: Collection[str], plan: FloorPlan) -> OncomingPerson | None:
-        """The nearest possible blocking person, not from behind; of passers-by, one that it blocks."""
+        """The nearest person in front who may block the robot; a passer-by only if the robot blocks them."""
         before = self._before(xy)
         known = [
             comer
@@ -146,12 +147,12 @@ class BackingOut:
             and not (before and _are_on_one_side(xy, comer.xy, before))
         ]
         strangers = [comer for comer in self._strangers(xy) if comer.name not in stand]
-        if len(strangers) > 1:  # one may stand beside it, and another one before it
+        if len(strangers) > 1:  # one may stand next to it, another in front
             strangers = [comer for comer in strangers if self._bars(xy, comer, plan)] or strangers
         return min([*known, *strangers], key=lambda comer: comer.gap_m, default=None)
 
     def _strangers(self, xy: XY) -> list[OncomingPerson]:
-        """The passers-by who are near a robot there."""
+        """The passers-by near a robot at this position."""
         passers_by = self._passers_by
         if passers_by is None:
             return []
@@ -167,7 +168,7 @@ class BackingOut:
         ]
 
     def _watch(self, base: Base, by: OncomingPerson, held_at: XY, visited: str | None) -> None:
-        """Observe progress: the robot went back, or they came on."""
+        """Observe progress: the robot backed up, or the person came nearer."""
         self._idle_s += base.step_s
         self._alone_s += base.step_s
         while self._marks and math.dist(base.xy, self._marks[-1]) < MARK_M:
@@ -181,7 +182,7 @@ class BackingOut:
                 self._idle_s, self._nearest_m = 0.0, comer.gap_m
 
     def _is_out(self, xy: XY, by: OncomingPerson, held_at: XY, plan: FloorPlan) -> bool:
-        """Whether they get by the robot there, or it cannot go back farther: its way turned round there."""
+        """Whether they can get past the robot there, or its path allows no further retreat."""
         if not self._marks:
             return True
         away_m = math.dist(xy, held_at)
@@ -200,11 +201,11 @@ class BackingOut:
         return not self._strangers(held_at) and self._alone_s >= BY_S
 
     def _before(self, xy: XY) -> XY | None:
-        """Where it came from; None: it has not come far."""
+        """Where the robot came from; None if it has not moved far."""
         return next((mark for mark in reversed(self._marks) if math.dist(mark, xy) >= BACK_M / 2), None)
 
     def _bars(self, xy: XY, who: OncomingPerson, plan: FloorPlan) -> bool:
-        """Whether the robot leaves no room to get by, on either side, from there to where it came from."""
+        """Whether the robot leaves no room to pass on either side between `xy` and where it came from."""
         before = self._before(xy)
         if before is None:
             return False
@@ -218,7 +219,7 @@ class BackingOut:
 
 
 def _towards(xy: XY, goal: XY, *, stops: bool = True) -> XY:
-    """The velocity to a place; (0, 0) at the place if it stops there."""
+    """The velocity towards a place [m/s]; (0, 0) at the place if the robot is to stop there."""
     left_m = math.dist(xy, goal)
     if stops and left_m <= THERE_M:
         return (0.0, 0.0)
@@ -227,6 +228,6 @@ def _towards(xy: XY, goal: XY, *, stops: bool = True) -> XY:
 
 
 def _are_on_one_side(xy: XY, one: XY, other: XY) -> bool:
-    """Whether two places are on the same side of a third, to within a right angle."""
+    """Whether two points lie on the same side of a third, less than a right angle apart."""
     (x, y), (ax, ay), (bx, by) = xy, one, other
     return (ax - x) * (bx - x) + (ay - y) * (by - y) > 0.0

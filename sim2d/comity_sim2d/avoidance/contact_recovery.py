@@ -1,7 +1,7 @@
-"""Contact recovery: after a contact with a person the robot moves straight away from them before all else.
+"""Contact recovery: after a contact with a person the robot first moves straight away from them.
 
-It knows where they are, as it felt them. Moving along a body, or turning towards its route with a step aside,
-would rub against it.
+The contact itself tells where they are. Moving along a body, or turning towards the route while stepping
+aside, would rub against it.
 """
 
 from __future__ import annotations
@@ -21,32 +21,32 @@ BACK_M_S = 0.2
 FACES_RAD = math.radians(3.0)
 """A base that cannot move sideways faces the person to within this angle before it goes back."""
 AHEAD_M = 0.05
-"""Room behind it that is enough for the next ticks [m]."""
+"""Free space behind the robot that is enough for the next ticks [m]."""
 
 
 class ContactRecovery:
-    """The contacts of one robot from which it recovers.
+    """The contacts of one robot and the recovery from them.
 
     Args:
-        touches: All contacts so far, in order; they grow with the world.
-        radius_m: Of the robot.
+        touches: All contacts so far, in order; the world appends to it.
+        radius_m: Radius of the robot [m].
     """
 
     def __init__(self, touches: Sequence[Touch], radius_m: float) -> None:
         self._touches = touches
         self._radius_m = radius_m
         self._over = 0
-        """Number of contacts that are handled."""
+        """Number of contacts already handled."""
 
     def look(
         self, base: Base, people: Sequence[Person], plan: FloorPlan
     ) -> tuple[str, VelocityCommand] | None:
-        """The person it recovers from now, and the command; None without a contact, or without room.
+        """The person to move away from, and the command; None without a contact, or without room.
 
         Args:
-            base: How the robot's base moves now.
-            people: Where they are believed to be.
-            plan: What it must not go back into.
+            base: Current motion of the robot's base.
+            people: Their believed positions.
+            plan: The static obstacles, which the robot must not back into.
         """
         if len(self._touches) == self._over:
             return None

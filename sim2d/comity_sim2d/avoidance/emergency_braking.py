@@ -1,8 +1,8 @@
-"""Emergency braking before obstacles and passers-by, whatever brought the robot so near.
+"""Emergency braking before obstacles and passers-by, however the robot came so near.
 
-Routes keep off walls and furniture, and a robot on its route never needs emergency braking. But a robot that
-a rule for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its
-route. And passers-by may stop or step in front of it.
+Routes keep clear of walls and furniture, so a robot on its route never needs emergency braking. But a robot
+leaves its route when a rule for people moves it sideways, or when it cannot move sideways and turns while
+braking. And passers-by may stop or step in front of it.
 """
 
 from __future__ import annotations
@@ -19,24 +19,24 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 
 SPARE_M = 0.75
-"""Radius of the cached lines [m]: they are looked up again after this path length."""
+"""Radius within which obstacle lines are cached [m]; the cache is renewed after this path length."""
 NEARLY_M = 0.01
-"""Gap to things at which the robot is to stop [m]: less than a path off its route leaves (our choice)."""
+"""Target gap to obstacles at rest [m]: smaller than the clearance of any path off the route (our choice)."""
 
 TURNS_S = 0.5
-"""Time for which a base that cannot move sideways then only turns to its goal [s]: on its heading it would
-creep up to the same thing, a tick and a brake at a time (our choice)."""
+"""Time for which a base that cannot move sideways then only turns to its goal [s] (our choice). Driving on
+its heading, it would creep up to the same obstacle, a tick and a brake at a time."""
 AWAY = 0.1
-"""Share of its speed away from the thing, while it goes past it (our choice)."""
+"""Share of its speed directed away from the obstacle while it passes (our choice)."""
 
 Numbers = NDArray[np.float64]
 Vectors = NDArray[np.complex128]
 Line = tuple[float, float, float, float, float]
-"""Start, the way from there to the end, and half the thickness [m]."""
+"""Start x and y, vector from there to the end, and half the thickness [m]."""
 
 
 class EmergencyBraking:
-    """Emergency braking of one robot between things.
+    """Emergency braking of one robot before static obstacles and passers-by.
 
     Args:
         spec: The robot's body.
@@ -49,18 +49,18 @@ class EmergencyBraking:
         self._at: XY = (0.0, 0.0)
         self._within_m = 0.0
         self._lines: list[Line] = []
-        """Lines of the floor plan within `SPARE_M` of that place, and their distances."""
+        """Lines of the floor plan within `SPARE_M` of the cached place."""
         self._clear_at: XY = (0.0, 0.0)
         self._clear_m = 0.0
-        """Radius around that place without a line [m]."""
+        """Radius around the cached place that is free of lines [m]."""
         self._turns_s = 0.0
         self._towards: XY = (0.0, 0.0)
-        """Unit vector from the thing it braked before."""
+        """Unit vector from the obstacle that it last braked for."""
 
     def has_come(self, base: Base, plan: FloorPlan) -> bool:
-        """Whether the robot has to brake as hard as it can now, to avoid a contact a tick later.
+        """Whether the robot must brake at full deceleration now to avoid a contact one tick later.
 
-        It brakes on a straight line. What it goes away from or along does not count, however near it is.
+        It brakes on a straight line. Obstacles that it moves away from or along do not count, however near.
         """
         self._turns_s = max(0.0, self._turns_s - base.step_s)
         speed = base.speed_m_s
@@ -79,12 +79,12 @@ class EmergencyBraking:
         return False
 
     def has_come_before(self, base: Base, people: Vectors, reach_m: Numbers) -> bool:
-        """The same before passers-by; one next to the path counts only if the path leads nearer to them.
+        """The same for passers-by; one next to the path counts only if the path leads nearer to them.
 
         Args:
-            base: Where the robot is, and how it moves.
-            people: Where their centres are, x + iy, shape (n,).
-            reach_m: Both radii together, shape (n,).
+            base: Current pose and motion of the robot's base.
+            people: Their centres [m], x + iy, shape (n,).
+            reach_m: Sum of the robot's and each person's radius [m], shape (n,).
         """
         speed = base.speed_m_s
         if not speed:
@@ -100,9 +100,9 @@ class EmergencyBraking:
         return False
 
     def turned(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
-        """The command for a base that has just braked before a thing: past it; at rest it turns first.
+        """The command for a base that has just braked for an obstacle: drive past it; at rest, turn first.
 
-        A command that may go backwards stays: it leads away from the thing.
+        A command that may drive backwards is kept: it leads away from the obstacle.
         """
         if not self._turns_s or not base.turns_to_go or wanted.velocity == (0.0, 0.0):
             return wanted
@@ -112,7 +112,7 @@ class EmergencyBraking:
         return wanted._replace(velocity=(0.0, 0.0), heading_rad=direction_to((0.0, 0.0), wanted.velocity))
 
     def _past(self, velocity: XY) -> XY:
-        """The velocity without its component towards the thing, and with a little away from it."""
+        """The velocity without its component towards the obstacle, plus a little away from it."""
         ux, uy = self._towards
         closing = velocity[0] * ux + velocity[1] * uy + AWAY * math.hypot(*velocity)
         if closing <= 0.0:
@@ -120,7 +120,7 @@ class EmergencyBraking:
         return velocity[0] - closing * ux, velocity[1] - closing * uy
 
     def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[tuple[float, Line]]:
-        """All lines within a distance of a place, and some more, with their distances."""
+        """All lines within a distance of a point (possibly some more), with their distances [m]."""
         if plan is not self._plan or math.dist(xy, self._at) + within_m > self._within_m:
             self._plan, self._at, self._within_m = plan, xy, within_m + SPARE_M
             self._lines = _lines_near(plan, xy, self._within_m)
@@ -142,13 +142,13 @@ def _lines_near(plan: FloorPlan, xy: XY, within_m: float) -> list[Line]:
 
 
 def _from_line(xy: XY, line: Line) -> float:
-    """From a point to the surface of a line [m]."""
+    """Distance from a point to the surface of a line [m]."""
     x, y, dx, dy, half_m = line
     return _from_leg(xy, (x, y), (dx, dy)) - half_m
 
 
 def _direction(xy: XY, line: Line) -> XY:
-    """From a point to the nearest of a line, as a unit vector."""
+    """Unit vector from a point to the nearest point of a line."""
     x, y, dx, dy, _ = line
     square = dx * dx + dy * dy
     share = min(1.0, max(0.0, ((xy[0] - x) * dx + (xy[1] - y) * dy) / square)) if square else 0.0
@@ -158,7 +158,7 @@ def _direction(xy: XY, line: Line) -> XY:
 
 
 def _from_way(xy: XY, way: XY, line: Line, here_m: float) -> float:
-    """From a straight path, which begins at distance `here_m` from it, to the surface of a line [m]."""
+    """Distance from a straight path, which begins `here_m` from the line, to the line's surface [m]."""
     x, y, dx, dy, half_m = line
     ahead = (xy[0] + way[0], xy[1] + way[1])
     if _crosses(xy, ahead, (x, y), (dx, dy)) and _crosses((x, y), (x + dx, y + dy), xy, way):
@@ -168,7 +168,7 @@ def _from_way(xy: XY, way: XY, line: Line, here_m: float) -> float:
 
 
 def _from_leg(xy: XY, start: XY, way: XY) -> float:
-    """From a point to a straight way without thickness [m]."""
+    """Distance from a point to a straight segment without thickness [m]."""
     px, py, (dx, dy) = xy[0] - start[0], xy[1] - start[1], way
     square = dx * dx + dy * dy
     share = min(1.0, max(0.0, (px * dx + py * dy) / square)) if square else 0.0
@@ -176,6 +176,6 @@ def _from_leg(xy: XY, start: XY, way: XY) -> float:
 
 
 def _crosses(one: XY, other: XY, start: XY, way: XY) -> bool:
-    """Whether two points are on different sides of a line that goes on for ever."""
+    """Whether two points are on different sides of an infinite line."""
     sides = [way[0] * (y - start[1]) - way[1] * (x - start[0]) for x, y in (one, other)]
     return sides[0] * sides[1] < 0.0

@@ -1,8 +1,8 @@
-"""Prediction of each direction in which a robot can leave a person's line: all positions and gaps.
+"""Prediction of each direction in which a robot can leave a person's line: future positions and gaps.
 
-Directions are tried out against people who walk on as they do, as the dynamic window does (Fox, Burgard and
-Thrun 1997, "The dynamic window approach to collision avoidance"), each with the time that the base takes to
-turn and to get going.
+Candidate directions are simulated against people who keep their velocity, as in the dynamic window approach
+(Fox, Burgard and Thrun 1997, "The dynamic window approach to collision avoidance"). Each includes the time
+that the base takes to turn and to accelerate.
 """
 
 from __future__ import annotations
@@ -25,14 +25,15 @@ HORIZON_S, STEP_S = 3.0, 0.25
 """Prediction horizon [s], for which people are assumed to walk straight on, and its time step [s]."""
 MOMENTS = np.arange(0.0, HORIZON_S + STEP_S / 2, STEP_S)
 IN_THE_WAY_M, OUT_M = 0.15, 0.25
-"""The robot obstructs a person who would come nearer than `IN_THE_WAY_M`, until they would pass at `OUT_M`
-(our choice: a walk stops 0.10 m before it; a robot stands 0.30 m from people at least)."""
+"""The robot obstructs a person who would come nearer than `IN_THE_WAY_M` [m], until they would pass at
+`OUT_M` [m] (our choice: a walking person stops 0.10 m before it; a robot stands at least 0.30 m from
+people)."""
 PASSES_M = 0.1
 """A path that ends nearer to their line than this blocks them [m]."""
 FAR_M, MARK_M = 1.5, 0.1
-"""Length of the paths that are tried [m], and spacing of the tested points on them [m]."""
+"""Length of the candidate paths [m], and spacing of the sample points on them [m]."""
 NEAR_WALL_M = 0.03
-"""A path ends where it comes nearer than this to a wall or furniture [m] (our choice: it goes slowly
+"""A path ends where it comes nearer than this to a wall or furniture [m] (our choice: it drives slowly
 there)."""
 
 Numbers = NDArray[np.float64]
@@ -40,13 +41,13 @@ Numbers = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class ApproachingPerson:
-    """A person who approaches the robot, or has come and waits for it."""
+    """A person who approaches the robot, or who has arrived and waits for it."""
 
     person: Person
     course: XY
-    """Of length one."""
+    """Unit vector."""
     velocity: XY
-    """In m/s; (0, 0) where they wait."""
+    """Velocity [m/s]; (0, 0) if they wait."""
 
     @property
     def waits(self) -> bool:
@@ -56,20 +57,20 @@ class ApproachingPerson:
 
 @dataclass(frozen=True, slots=True)
 class CandidateDirection:
-    """A direction tried out."""
+    """A candidate direction with its predicted outcome."""
 
     direction: XY
-    """Of length one."""
+    """Unit vector."""
     speed_m_s: float
-    """Speed in that direction; 0 where there is no path."""
+    """Speed in that direction [m/s]; 0 if there is no path."""
     score_m: float
-    """Gained distance [m]."""
+    """Distance gained [m]; higher is better."""
     gap_m: float
-    """The least gap to a person [m]."""
+    """Smallest gap to a person [m]."""
 
 
 class Foresight:
-    """Predicted positions of all people, and the gaps of each path of the robot to them."""
+    """Predicted positions of all people, and the gaps between them and each candidate path."""
 
     def __init__(
         self,
@@ -93,10 +94,10 @@ class Foresight:
         self._reach_m = np.array([person.radius_m + radius_m for person in people])
         speed = base.speed_m_s / (2.0 * base.acceleration_m_s2)
         self._start = (base.xy[0] + base.velocity[0] * speed, base.xy[1] + base.velocity[1] * speed)
-        """Where it would come to rest."""
+        """Where the robot would come to rest [m]."""
 
     def is_in_the_way(self, comer: ApproachingPerson, within_m: float) -> bool:
-        """Whether they would come nearer than a gap to the robot at rest."""
+        """Whether they would come nearer than this gap to the robot at rest."""
         start = np.array([self._start])
         if comer.waits:
             return bool(self._off_line(start, comer)[0] < within_m)
@@ -120,7 +121,7 @@ class Foresight:
         return True
 
     def tried(self, ways: list[XY], in_way: frozenset[str]) -> Iterator[CandidateDirection]:
-        """What each direction is worth."""
+        """Evaluate each candidate direction."""
         # Each direction is simulated with the base's own acceleration and time to turn, against people who
         # walk on straight (dynamic window; Fox, Burgard and Thrun 1997). Directions and not velocities are
         # sampled, since near people the speed is given by the limit there and by how far the way is free. The
@@ -137,28 +138,28 @@ class Foresight:
             yield CandidateDirection(way, speed, float(score), float(gap_m))
 
     def score_at_rest(self, in_way: frozenset[str]) -> float:
-        """The score of staying."""
+        """The score of standing still [m]."""
         return float(self._scores(np.broadcast_to(self._start, (1, len(MOMENTS), 2)), in_way)[0][0])
 
     def _scores(self, points: Numbers, in_way: frozenset[str]) -> tuple[Numbers, Numbers]:
-        """Of ways (n, moments, 2): metres gained, and the least gap; both of shape (n,)."""
+        """Score [m] and smallest gap [m] of paths (n, moments, 2); both of shape (n,)."""
         gaps = np.minimum(self._gaps(points), PERSON_MARGIN_M).min(axis=1)
         least = gaps.min(axis=1)
         out = np.minimum(self._off_lines(points[:, -1], in_way), PERSON_MARGIN_M)
         return least + gaps.mean(axis=1) + out, least
 
     def _gaps(self, points: Numbers) -> Numbers:
-        """Between the bodies, for ways (n, moments or 1, 2) and all people; (n, people, moments)."""
+        """Gaps between bodies [m], for paths (n, moments or 1, 2); shape (n, people, moments)."""
         apart = points[:, None] - self._paths[None]
         return np.asarray(np.hypot(apart[..., 0], apart[..., 1]) - self._reach_m[:, None])
 
     def _off_lines(self, points: Numbers, in_way: frozenset[str]) -> Numbers:
-        """Distance of places (n, 2) from the nearest of their lines; (n,)."""
+        """Distance of points (n, 2) from the nearest of the approaching people's lines [m]; shape (n,)."""
         off = [self._off_line(points, comer) for comer in self.comers if comer.person.name in in_way]
         return np.asarray(np.min(off, axis=0))
 
     def _off_line(self, points: Numbers, comer: ApproachingPerson) -> Numbers:
-        """Distance of places (n, 2) from the line on which a person comes; (n,)."""
+        """Distance of points (n, 2) from the line along which a person approaches [m]; shape (n,)."""
         apart = points - np.array(comer.person.xy)
         along = apart @ np.array(comer.course)
         across = np.abs(apart @ np.array((-comer.course[1], comer.course[0])))
@@ -166,7 +167,7 @@ class Foresight:
         return np.asarray(beside - comer.person.radius_m - self._radius_m)
 
     def _free_m(self, ways: list[XY]) -> Numbers:
-        """How far the robot can go each way before something that stands still; (n,)."""
+        """Free distance in each direction before a static obstacle [m]; shape (n,)."""
         marks = np.arange(MARK_M, FAR_M + MARK_M / 2, MARK_M)
         points = np.array(self._start) + marks[:, None] * np.array(ways)[:, None]
         free = self._plan.are_free(points.reshape(-1, 2), self._radius_m + NEAR_WALL_M)
@@ -174,7 +175,7 @@ class Foresight:
         return np.asarray(free.sum(axis=1) * MARK_M)
 
     def _driven(self, ways: list[XY], free_m: Numbers, most_m_s: float) -> Numbers:
-        """Where the robot is at each moment on its way; shape (n, moments, 2)."""
+        """Positions of the robot on each path at each moment [m]; shape (n, moments, 2)."""
         faster = SPEED_SHARE * self.base.acceleration_m_s2
         after_s = np.array([self._turning_s(way) for way in ways])
         time_s = np.maximum(MOMENTS[None] - after_s[:, None], 0.0)
@@ -184,7 +185,7 @@ class Foresight:
         return np.asarray(np.array(self._start) + gone_m[..., None] * np.array(ways)[:, None])
 
     def _turning_s(self, way: XY) -> float:
-        """How long until the base goes that way, forwards or back."""
+        """Time until the base can drive in that direction, forwards or backwards [s]."""
         if not self.base.turns_to_go:
             return 0.0
         heading = self.base.pose.heading_rad

@@ -1,7 +1,7 @@
-"""Look before moving: a robot without all-round view goes only where it saw free floor a moment ago.
+"""Look before moving: a robot without all-round view drives only where it recently saw free floor.
 
-Unseen floor may have people on it, whatever the motion: onto its pose, aside, or back from an approaching
-person. Where its path leads onto such floor it slows down, turns to see it, and goes on.
+People may be on unseen floor, whatever the motion: to a docking pose, aside, or back from an approaching
+person. If its path leads onto such floor, the robot slows down, turns to look, and goes on.
 """
 
 from __future__ import annotations
@@ -21,20 +21,21 @@ from comity_sim2d.senses.sensing import SensedPeople
 from comity_sim2d.senses.visibility_memory import CELL_M, Numbers
 
 SEEN_S = 10.0
-"""Time for which floor that was free counts as free [s]: longer than a look to both sides (our choice)."""
+"""Time for which floor seen free counts as free [s]: longer than a look to both sides (our choice)."""
 SHIFT_M = 0.05
-"""Distance from its last free place that it moves without looking [m], as by its own noise (our choice)."""
+"""Distance from its last known free place that it moves without looking [m], such as by its own noise (our
+choice)."""
 LOOKS_M_S = 0.1
 """Below this speed it stops to look instead of going on [m/s] (our choice)."""
 SPARE_M = 0.1
 """Distance beyond its stopping point that it has to see [m]."""
 FINISHES_S = 3.0
-"""Minimum time to look at a place that it began to look at, even if its goal has changed [s]: longer than
-half a turn takes (our choice). Its goal may depend on where it looks."""
+"""Minimum time to look at a place once it has begun, even if its goal has changed [s]: longer than half a
+turn takes (our choice). Otherwise it may turn to and fro, as its goal may depend on where it looks."""
 
 
 class StraightPath(NamedTuple):
-    """A straight way."""
+    """A straight path."""
 
     start: XY
     direction: XY
@@ -45,29 +46,30 @@ class LookBeforeMoving:
     """Keeps one robot on floor that it has seen to be free.
 
     Args:
-        spec: The robot's body; its sensor sees less than all round.
-        senses: What it saw, and when.
+        spec: The robot's body; its sensor's field of view is less than 360 degrees.
+        senses: What the robot saw, and when.
     """
 
     def __init__(self, spec: RobotBody, senses: SensedPeople) -> None:
         self._reach_m = spec.radius_m + PERSON_RADIUS_M
         self._senses = senses
         self._knew: XY | None = None
-        """Its last known free place, or where it stood at the start."""
+        """The last place known to be free; at first, the start."""
         self._place: XY | None = None
-        """The place it turns to see; it keeps the side, left or right, until it has seen it."""
+        """The place it turns to look at; the side, left or right, is kept until the robot has seen the
+        place."""
         self._idle_s = 0.0
-        """Time since a command last led where it would have to look [s]."""
+        """Time since a command last led onto floor that it has to look at [s]."""
         self.looks = False
-        """Whether it waits for a look before it follows the command."""
+        """Whether it looks before it follows the command."""
 
     def allowed(self, base: Base, wanted: VelocityCommand, plan: FloorPlan) -> VelocityCommand:
         """The part of the velocity command that is allowed, and the heading for a look.
 
         Args:
-            base: How the robot's base moves now.
+            base: Current motion of the robot's base.
             wanted: The velocity command, within all other limits.
-            plan: What stands still, where no person can be.
+            plan: The static obstacles, where no person can be.
         """
         self.looks = False
         self._knew = self._knew or base.xy
@@ -98,7 +100,7 @@ class LookBeforeMoving:
         return wanted._replace(velocity=limit_speed(wanted.velocity, most_m_s), heading_rad=heading)
 
     def _finishing(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
-        """The command at rest, which goes on with the look for a while."""
+        """The command at rest, which continues the look for a while."""
         self._idle_s += base.step_s
         heading = self._heading(base) if self._idle_s <= FINISHES_S else None
         if heading is None:
@@ -108,7 +110,7 @@ class LookBeforeMoving:
         return wanted._replace(heading_rad=heading)
 
     def _heading(self, base: Base) -> float | None:
-        """The direction of the place it turns to see; None where it has looked there."""
+        """Heading of the place it turns to look at [rad]; None if it has looked there."""
         if self._place is None:
             return None
         x, y = self._place[0] - base.xy[0], self._place[1] - base.xy[1]
@@ -117,11 +119,11 @@ class LookBeforeMoving:
         return math.atan2(y, x) if is_left else None
 
     def _met(self, way: StraightPath, places: Numbers, plan: FloorPlan) -> tuple[Numbers, Numbers]:
-        """Places where it would touch a person standing there, and the path length to the contact [m]."""
+        """Places where it would touch a person standing there, and the path length up to the contact [m]."""
         along = places @ np.array(way.direction)
         across = places @ np.array((-way.direction[1], way.direction[0]))
         near = (np.abs(across) < self._reach_m) & (along > 0.0)
-        near &= np.hypot(along, across) >= self._reach_m  # nearer it would have touched them
+        near &= np.hypot(along, across) >= self._reach_m  # any nearer, it would have touched them already
         free_m = along[near] - np.sqrt(self._reach_m**2 - across[near] ** 2)
         places, free_m = places[near][free_m < way.length_m], free_m[free_m < way.length_m]
         if len(places):
@@ -131,7 +133,7 @@ class LookBeforeMoving:
 
 
 def _nearest(base: Base, places: Numbers) -> XY:
-    """The place that takes the least turning."""
+    """The place that needs the least turning."""
     heading = base.pose.heading_rad
     x, y = min(places.tolist(), key=lambda place: abs(wrap_angle(math.atan2(place[1], place[0]) - heading)))
     return base.xy[0] + x, base.xy[1] + y

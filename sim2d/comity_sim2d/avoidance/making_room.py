@@ -1,4 +1,4 @@
-"""Making room: a robot that cannot step aside goes back from a slow approaching person."""
+"""Making room: a robot that cannot step aside retreats from a slowly approaching person."""
 
 from __future__ import annotations
 
@@ -11,23 +11,24 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 
 WITHIN_S = 1.0
-"""It makes room for a person who would reach its body (but for `KEEP_OFF_M`) sooner [s] (our choice)."""
+"""The robot makes room for a person who would come within `KEEP_OFF_M` of its body sooner than this [s] (our
+choice)."""
 
 
 def make_room(
     xy: XY, velocity: XY, radius_m: float, walkers: Iterable[Walker], plan: FloorPlan, *, braking: float
 ) -> XY:
-    """The velocity with as much retreat as keeps an approaching person at a distance.
+    """The velocity, with as much retreat as keeps the distance to an approaching person [m/s].
 
-    The robot cannot get away from a person who is faster than its limit near people: for them it stays.
+    The robot cannot get away from a person who is faster than its speed limit near people: then it stays.
 
     Args:
-        xy: Where the robot's centre is.
-        velocity: The velocity command.
-        radius_m: Of the robot.
+        xy: Position of the robot's centre [m].
+        velocity: The velocity command [m/s].
+        radius_m: Radius of the robot [m].
         walkers: People who move.
-        plan: What it must not go back into.
-        braking: The deceleration to count on [m/s^2].
+        plan: The static obstacles, which the robot must not back into.
+        braking: The assumed deceleration [m/s^2].
     """
     made = velocity
     for walker in walkers:
@@ -41,7 +42,7 @@ def make_room(
 
 
 def _before(walker: Walker, xy: XY, velocity: XY, radius_m: float) -> XY:
-    """The velocity that one of them leaves."""
+    """The velocity after making room for one person [m/s]."""
     person = walker.person
     apart = math.dist(xy, person.xy)
     if not apart:

@@ -1,7 +1,7 @@
-"""People who approach the robot, or have come and stand before it: one of both has to go back.
+"""People who approach the robot, or stand in front of it after approaching: one of the two has to back up.
 
-Bystanders are another case: the robot may ask them to make way. An approaching person would have to go back
-all of their way.
+Bystanders are another case: the robot may ask them to make way. An approaching person would have to walk all
+the way back.
 """
 
 from __future__ import annotations
@@ -17,30 +17,30 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.senses.sensing import SensedPeople
 
 HELD_UP_M = 0.95
-"""The robot blocks a person who has come this near, between the bodies, and goes no farther [m] (our choice).
-In a passage, people who take it for another person stop 0.8 m before it; people who only look at it stop at
-1.05 m."""
+"""Gap between the bodies at which an approaching person is blocked by the robot and goes no farther [m] (our
+choice). In a passage, people who take the robot for another person stop 0.8 m before it; people who only look
+at it stop at 1.05 m."""
 COMES_COS = 0.5
 """A person whose course is within 60 degrees of the robot approaches it. Close to it any course counts: they
 try to get by (our choice)."""
 COMES_S = 0.35
-"""A person who has walked for less may only lean in, or step up [s] (our choice)."""
+"""A person who has walked for a shorter time may only lean in or step up [s] (our choice)."""
 MAKES_WAY_S = 5.0
-"""Time for which a person makes way after being asked, and does not count as approaching [s] (our choice)."""
+"""Time after being asked for which a person makes way, and does not count as approaching [s] (our choice)."""
 LATELY_S = 30.0
-"""A standing person who came within this time may have stopped because of the robot [s] (our choice)."""
+"""A standing person who arrived within this time may have stopped because of the robot [s] (our choice)."""
 
 
 class OncomingPerson(NamedTuple):
-    """A person who approaches, or has come."""
+    """A person who approaches, or has arrived."""
 
     name: str
     xy: XY
     radius_m: float
     gap_m: float
-    """Between the bodies."""
+    """Gap between the bodies [m]."""
     is_close: bool = True
-    """Whether they came as near as `HELD_UP_M` themselves; else they wait, or the robot came up to them."""
+    """Whether they came as near as `HELD_UP_M` themselves; else they wait, or the robot came to them."""
 
 
 @dataclass(slots=True)
@@ -48,9 +48,9 @@ class _Way:
     """The approach of a person."""
 
     since_s: float
-    """When they set out."""
+    """When they set out [s]."""
     came_s: float = -math.inf
-    """When they came last."""
+    """When they last arrived [s]; -inf if never."""
     is_close: bool = False
 
 
@@ -58,8 +58,8 @@ class Oncoming:
     """The people who have approached one robot.
 
     Args:
-        radius_m: Of the robot.
-        senses: Where it believes people to be, and how they go.
+        radius_m: Radius of the robot [m].
+        senses: Believed positions and velocities of people.
     """
 
     def __init__(self, radius_m: float, senses: SensedPeople) -> None:
@@ -67,16 +67,16 @@ class Oncoming:
         self._senses = senses
         self._now_s = 0.0
         self._ways: dict[str, _Way] = {}
-        """By name of people who walk or have come."""
+        """Approaches by name, of people who walk or have arrived."""
         self._asked_s: dict[str, float] = {}
-        """When each person was asked last to let the robot pass."""
+        """When each person was last asked to let the robot pass [s]."""
 
     def note_asked(self, names: Collection[str]) -> None:
-        """The robot has asked some people to let it pass."""
+        """Note that the robot has asked these people to let it pass."""
         self._asked_s.update(dict.fromkeys(names, self._now_s))
 
     def look(self, base: Base) -> None:
-        """Update who walks now, and whether towards the robot; to be called in every tick."""
+        """Update who walks towards the robot; call it in every tick."""
         self._now_s += base.step_s
         walkers = self._senses.walkers
         if not walkers and not self._ways:
@@ -97,11 +97,11 @@ class Oncoming:
                 del self._ways[name]
 
     def comers(self, xy: XY, *, within_s: float = LATELY_S) -> list[OncomingPerson]:
-        """People who stand close before a robot there, or came within a given time.
+        """People who stand close in front of a robot at `xy`, or arrived within a given time.
 
         Args:
-            xy: Where the robot is.
-            within_s: What counts as lately.
+            xy: Position of the robot [m].
+            within_s: The time [s].
         """
         found = []
         for name, way in self._ways.items():
@@ -112,7 +112,7 @@ class Oncoming:
         return found
 
     def knows(self, name: str) -> bool:
-        """Whether a person is known by name, and no passer-by."""
+        """Whether a person is known by name and is not a passer-by."""
         return any(person.name == name for person in self._senses.people)
 
     def forget(self, name: str) -> None:

@@ -13,13 +13,14 @@ from comity_sim2d.base.drive import KEEP_OFF_M, NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, 
 from comity_sim2d.pose import XY
 
 SIDEWAYS_COS = 0.1
-"""A person farther to the side than this (84 deg) is not in the path."""
+"""Cosine of the angle to the path (84 deg); a person farther to the side is not in the path."""
 CLOSES_M_S = 0.015
 """Maximum closing speed while passing them [m/s]: less than what counts as approaching (our choice)."""
 AWAY_COS = -0.3
-"""A line at more than 107 degrees from the direction of a person gets away from them (our choice)."""
+"""Cosine of 107 degrees; a path at a larger angle to a person's direction leads away from them (our
+choice)."""
 GRAZES_M = 0.02
-"""A person already inside the margin does not block a line that leads nearer to them by no more than this
+"""A person already inside the margin does not block a path that leads nearer to them by no more than this
 [m], and not below the minimum gap (our choice). Otherwise a person next to the robot would block it for
 good."""
 
@@ -29,17 +30,17 @@ class PassersBySeen(Protocol):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What they are called in the frames."""
+        """Their names in the frames."""
         ...
 
     @property
     def at(self) -> NDArray[np.complex128]:
-        """Where they are, x + iy; shape (n,)."""
+        """Their positions [m], x + iy; shape (n,)."""
         ...
 
     @property
     def radius_m(self) -> NDArray[np.float64]:
-        """Of their bodies, shape (n,)."""
+        """Radii of their bodies [m], shape (n,)."""
         ...
 
 
@@ -53,17 +54,17 @@ def yield_to(
     ahead_m: float,
     stands_beside: bool = False,
 ) -> XY:
-    """The velocity command, slowed down so that the robot can stop before people and is slow near them.
+    """The velocity command, slowed down so that the robot can stop before people and passes them slowly.
 
     Args:
-        wanted: The velocity command without them.
-        xy: Where its centre is.
-        people: Where theirs are, x + iy, shape (n,).
-        reach_m: Both radii together, shape (n,).
-        braking: The deceleration to count on [m/s^2].
-        ahead_m: How far the robot comes before the next command.
-        stands_beside: Whether it stands beside those inside the margin, unless it gets away from them: a
-            person who walks may come nearer yet.
+        wanted: The velocity command, people ignored [m/s].
+        xy: Position of the robot's centre [m].
+        people: Positions of their centres [m], x + iy, shape (n,).
+        reach_m: Sum of the robot's and each person's radius [m], shape (n,).
+        braking: The assumed deceleration [m/s^2].
+        ahead_m: Distance that the robot covers before the next command [m].
+        stands_beside: Whether the robot stands still next to people inside the margin, unless it moves away
+            from them: a walking person may come nearer still.
     """
     speed = math.hypot(*wanted)
     if not len(people) or speed == 0.0:
@@ -96,6 +97,6 @@ def yield_to(
 
 
 def _grazes(apart_m: float, gap_m: float, towards: float) -> bool:
-    """Whether a person is inside the margin, and a line at an angle with this cosine leads by them."""
+    """Whether a person is inside the margin, and a path at an angle with this cosine passes them."""
     nearer_m = apart_m * (1.0 - math.sqrt(max(0.0, 1.0 - towards * towards)))
     return gap_m < PERSON_MARGIN_M and nearer_m <= min(GRAZES_M, gap_m - KEEP_OFF_M)

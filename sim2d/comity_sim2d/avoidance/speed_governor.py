@@ -35,19 +35,19 @@ from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import SensedPeople
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
-"""The robot brakes as hard as it can rather than come nearer to a person than `TOUCHING_M`, faster than
-`DRIFT_M_S` (our choice: a third of the gap that it keeps by itself)."""
+"""The robot brakes as hard as it can rather than come within `TOUCHING_M` [m] of a person faster than
+`DRIFT_M_S` [m/s] (our choice: a third of the gap that it keeps by itself)."""
 UNSURE = 2.0
-"""Standard deviations of the sensor that a walking person may be nearer."""
+"""Number of the sensor's standard deviations by which a walking person may be nearer."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 
 class SpeedGovernor:
-    """The limits that hold everywhere, over what one robot knows of the people around it.
+    """Speed limits that always apply, given what one robot knows of the people around it.
 
     Args:
         spec: The robot's body.
-        senses: Where it believes people to be.
+        senses: Believed positions of people.
     """
 
     def __init__(self, spec: RobotBody, senses: SensedPeople) -> None:
@@ -57,9 +57,9 @@ class SpeedGovernor:
         self._oncoming = Oncoming(spec.radius_m, senses)
         self._backing_out = BackingOut(spec.radius_m, self._oncoming)
         self._reach_m = np.empty(0)
-        """Between the robot's centre and theirs when the bodies touch."""
+        """Distance between the robot's and each person's centre when the bodies touch [m]."""
         self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
-        """Gap between the bodies when a person comes into view, less the gap that the robot keeps."""
+        """Gap between the bodies when a person comes into view, less the gap that the robot keeps [m]."""
         self._emergency_braking = EmergencyBraking(spec)
         self._stepping_aside = SteppingAside(spec.radius_m)
         self._look_first = None if senses.sees_all_round else LookBeforeMoving(spec, senses)
@@ -71,7 +71,7 @@ class SpeedGovernor:
         self._reach_m = passers_by.radius_m + self._spec.radius_m
 
     def note_asked(self, names: Collection[str]) -> None:
-        """The robot has asked some people to let it pass: for a while they make way, however they go."""
+        """Note that the robot has asked these people to let it pass: they make way for a while."""
         self._oncoming.note_asked(names)
 
     def allowed(
@@ -90,14 +90,14 @@ class SpeedGovernor:
         """The allowed part of the velocity command, and the speed limit here [m/s].
 
         Args:
-            base: How the robot's base moves now.
+            base: Current motion of the robot's base.
             wanted: The velocity command.
-            plan: What stands still around it.
-            visited: The person or place it is under way to; None where it is not.
-            approached: The same where there is a route.
-            movers: People that its route does not lead round, except the visited person.
-            stand: People who block its path, and are to be asked to let it pass.
-            looks: Whether it looks before moving, where it does not see all round.
+            plan: The static obstacles around it.
+            visited: The person or place the robot is going to; None if it is going nowhere.
+            approached: The same if there is a route; else None.
+            movers: People that its route does not lead around, except the visited person.
+            stand: People who block its path and are to be asked to make way.
+            looks: Whether it looks before moving, if its sensor does not cover all directions.
             near_m_s: Speed limits near the people it visits, by name, in addition to what they asked for.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
@@ -127,9 +127,9 @@ class SpeedGovernor:
         return left, most_m_s
 
     def _most_near(self, visited_m_s: Mapping[str, float]) -> Callable[[Person], float]:
-        """The limit near each person: as they asked, and as suits those who are visited.
+        """The speed limit near each person: what they asked for, and what suits those who are visited.
 
-        A person who walks adds their own speed: the robot could never come up to them otherwise.
+        A walking person's own speed is added: the robot could never catch up with them otherwise.
         """
         walks_m_s = {each.person.name: math.hypot(*each.velocity) for each in self._senses.walkers}
 
@@ -144,12 +144,12 @@ class SpeedGovernor:
 
     @property
     def backs_out_before(self) -> str | None:
-        """The person for whom the robot backs out of a narrow place, or waits until they are by."""
+        """The person for whom the robot backs out of a narrow place, or waits until they have passed."""
         return self._backing_out.before
 
     @property
     def held_up_by(self) -> str | None:
-        """The person for whom it will do so, if they do not go elsewhere."""
+        """The person for whom it will back out if they do not move elsewhere."""
         return self._backing_out.held_up_by
 
     @property
@@ -161,9 +161,9 @@ class SpeedGovernor:
         """Whether usual braking would touch a person in its path, or harder braking a thing.
 
         Args:
-            base: Where its commands will have brought it.
-            body: Where it is, and how it moves: from there it brakes.
-            plan: What stands still around it.
+            base: Where its commands will have taken it.
+            body: Current pose and motion of the body, from which it brakes.
+            plan: The static obstacles around it.
         """
         if self._is_late_for_people(base) or self._emergency_braking.has_come(body, plan):
             return True
@@ -185,8 +185,8 @@ class SpeedGovernor:
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             if closing <= DRIFT_M_S:
                 continue
-            # Its stopping point is predicted; a walking person comes on until the body has caught up with its
-            # commands.
+            # The stopping point is predicted; a walking person comes nearer until the body has caught up with
+            # its commands.
             walks = person.name in walking
             behind_s = base.step_s + (base.lag_s if walks else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
@@ -198,9 +198,9 @@ class SpeedGovernor:
     def _is_late_for_walkers(self, body: Base) -> bool:
         """Whether braking as hard as it can would bring it to where a walking person may be.
 
-        The robot may go past or away from a walking person inside the margin, and they may overtake it and
-        turn in. So it is not its commands that count here but its body, and a person may be two standard
-        deviations of the sensor nearer than they are believed to be.
+        The robot may pass or leave a walking person inside the margin, and they may overtake it and turn in.
+        So its body counts here, not its commands, and a person may be two standard deviations of the sensor
+        nearer than believed.
         """
         walkers = self._senses.walkers
         if not walkers:
@@ -241,7 +241,7 @@ class SpeedGovernor:
         return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
 
     def _yielding(self, base: Base, velocity: XY, movers: Sequence[Walker], braking: float) -> XY:
-        """Stop before those who move, and let them go first."""
+        """Stop before people who move, and let them go first."""
         ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
         at = np.array([complex(*mover.person.xy) for mover in movers], dtype=complex)
         reach_m = np.array([mover.person.radius_m + self._spec.radius_m for mover in movers])

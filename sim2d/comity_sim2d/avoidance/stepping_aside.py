@@ -1,8 +1,8 @@
-"""Stepping aside: a robot in the path of an approaching person leaves their line, to the free side.
+"""Stepping aside: a robot in the path of an approaching person moves off their line, to the free side.
 
-Retreating instead would take both of them to where the walk ends, and into a corner if it ends in one. The
-robot takes the direction that `foresight.py` finds best: two wheels set out in time, or where they need not
-turn first.
+If it retreated instead, both would move to where the walk ends, possibly into a corner. The robot takes the
+best direction that `foresight.py` finds; a two-wheeled base sets out early, or in a direction for which it
+need not turn first.
 """
 
 from __future__ import annotations
@@ -30,47 +30,48 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 
 LEAST_M = 0.02
-"""With a smaller gap it does not set out before an approaching person [m]: at rest it is no surprise."""
+"""With a smaller gap it does not set out in front of an approaching person [m]: a robot at rest is no
+surprise."""
 STANDS_M = 0.25
-"""A person who approached and stands nearer than this waits for the robot [m]: it never stands so near by
-itself."""
+"""A person who approached and stands nearer than this waits for the robot [m]: the robot never stops so
+near."""
 WAITS_S = 1.0
-"""Time for which a person who stood still counts as waiting [s]: they go on as soon as they can, a little at
-a time."""
+"""Time for which a person who stood still counts as waiting [s]: they go on as soon as they can, bit by
+bit."""
 AHEAD_M = 1.5
 """Length of the line that is kept free ahead of a waiting person [m]."""
 DRIFTS_M_S = 0.3
-"""The robot follows a visited person who comes more slowly than this, and does not step aside [m/s] (our
+"""The robot follows a visited person who approaches more slowly than this, and does not step aside [m/s] (our
 choice)."""
 MAY_COME, FORGETS_S = 10, 60.0
-"""Maximum number of times `MAY_COME` within `FORGETS_S` that it steps aside for the same person, unless they
-wait for it (our choice)."""
+"""The robot steps aside for the same person at most `MAY_COME` times within `FORGETS_S` [s], unless they wait
+for it (our choice)."""
 OFF_COURSE = np.radians([45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0])
 """Directions to try on either side, relative to the course of the approaching person [rad]."""
 TOWARDS = 0.1
-"""Penalty for going against their course [m]."""
+"""Penalty for moving against their course [m]."""
 SAME_WAY = 0.05
-"""Margin by which another direction has to be better than the current one [m]."""
+"""Margin by which another direction must be better than the current one [m]."""
 
 
 class SteppingAside:
     """Keeps one robot off the lines of approaching people.
 
     Args:
-        radius_m: Of the robot.
+        radius_m: Radius of the robot [m].
     """
 
     def __init__(self, radius_m: float) -> None:
         self._radius_m = radius_m
         self._now_s = 0.0
         self._courses: dict[str, XY] = {}
-        """Courses on which people near the robot came."""
+        """Courses of the people who approached, by name; unit vectors."""
         self._still_s: dict[str, float] = {}
-        """When people near the robot last stood."""
+        """When each person near the robot last stood still [s]."""
         self._waited_s: dict[str, float] = {}
-        """When a person last stood before the robot."""
+        """When each person last stood in front of the robot [s]."""
         self._begun_s: dict[str, deque[float]] = {}
-        """When it last stepped aside for a person."""
+        """When it last stepped aside, by person [s]."""
         self._before: frozenset[str] = frozenset()
         """The people for whom it steps aside."""
         self._direction: XY = (0.0, 0.0)
@@ -88,12 +89,12 @@ class SteppingAside:
         """The velocity that steps aside; None where the velocity command is enough.
 
         Args:
-            base: How the robot's base moves now.
+            base: Current motion of the robot's base.
             wanted: The velocity command.
             walkers: People who walk.
             people: All people.
-            plan: What stands still.
-            approached: The person whose pose the robot is under way to, if there is a route.
+            plan: The static obstacles.
+            approached: The person whose docking pose the robot is going to, if there is a route.
         """
         self._now_s += base.step_s
         moving = {walker.person.name: walker.velocity for walker in walkers}
@@ -112,7 +113,7 @@ class SteppingAside:
         return self._aside(scene, in_way)
 
     def _aside(self, scene: Foresight, in_way: frozenset[str]) -> XY | None:
-        """The best of the directions; None where none helps."""
+        """The velocity in the best direction [m/s]; None if no direction helps."""
         lead = next(comer for comer in scene.comers if comer.person.name in in_way)
         ways = scene.tried(_directions(lead.course, scene.base), in_way)
         going = in_way & self._before
@@ -128,14 +129,14 @@ class SteppingAside:
         return (best.direction[0] * best.speed_m_s, best.direction[1] * best.speed_m_s)
 
     def _worth(self, way: CandidateDirection, lead: ApproachingPerson) -> float:
-        """In metres: what it gains, less for going against their course, more for going on as before."""
+        """Score [m]: gain, penalty for moving against their course, bonus for the current direction."""
         against = TOWARDS * min(_cos(way.direction, lead.course), 0.0)
         return way.score_m + against + (SAME_WAY if _cos(way.direction, self._direction) > 0.9 else 0.0)
 
     def _comers(
         self, xy: XY, moving: Mapping[str, XY], people: Sequence[Person], approached: str | None
     ) -> Iterator[ApproachingPerson]:
-        """People who approach the robot, and people who have come and wait."""
+        """People who approach the robot, and people who have arrived and wait."""
         for person in people:
             velocity = moving.get(person.name, (0.0, 0.0))
             speed = math.hypot(*velocity)
@@ -164,14 +165,14 @@ class SteppingAside:
                 yield ApproachingPerson(person, course, velocity)
 
     def _is_to_be_let_by(self, name: str) -> bool:
-        """Or has come again and again of late: a robot that left its way each time would not get anywhere."""
+        """Whether the person waits for the robot, or has not made it step aside too often recently."""
         begun_s: Sequence[float] = self._begun_s.get(name, ())
         often = len(begun_s) == MAY_COME and self._now_s - begun_s[0] < FORGETS_S
         return name in self._before or not often
 
 
 def _directions(course: XY, base: Base) -> list[XY]:
-    """The ways aside, and those for which two wheels need not turn."""
+    """Directions to step aside, and those for which a two-wheeled base need not turn."""
     along = math.atan2(course[1], course[0])
     angles = [along + sign * float(off) for off in OFF_COURSE[::-1] for sign in (1.0, -1.0)]
     if base.turns_to_go:

@@ -10,24 +10,24 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 
 ASIDE_M = 0.5
-"""Gap that it leaves them between the bodies [m]: people do not like to go nearer to another (our choice)."""
+"""Gap left for them between the bodies [m]: people do not like to pass nearer (our choice)."""
 AWAY_M, STEP_M = (0.3, 0.5, 0.7, 0.9, 1.1), 0.1
 """Distances of the candidate places [m], and the step along the paths to them [m]."""
 AROUND = 32
-"""Number of directions."""
+"""Number of candidate directions."""
 FARTHER = 0.2
-"""Metres that another place has to be farther off their line per metre of path (our choice)."""
+"""Gain in distance from their line that each metre of path must bring (our choice)."""
 
 
 def waiting_place(xy: XY, held_at: XY, radius_m: float, other_m: float, plan: FloorPlan) -> XY:
-    """The best place on a straight path, not back to where it was blocked; here, if none is better.
+    """The best place on a straight path not leading back to `held_at`; `xy` if none is better.
 
     Args:
-        xy: Where the robot is.
-        held_at: Where it was blocked: from there they come.
-        radius_m: Of the robot.
-        other_m: Of theirs.
-        plan: What stands still.
+        xy: Position of the robot [m].
+        held_at: Where it was blocked: the person comes from there [m].
+        radius_m: Radius of the robot [m].
+        other_m: Radius of the person [m].
+        plan: The static obstacles.
     """
     angles = np.arange(AROUND) * (math.tau / AROUND)
     away_m = np.repeat(AWAY_M, AROUND)

@@ -1,4 +1,4 @@
-"""The bump stop: what the robot touches presses its emergency stop, for a moment."""
+"""The bump stop: a contact presses the robot's emergency stop for a moment."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from comity_sim2d.base.physics import Touch
 from comity_sim2d.clock import Clock
 
 HOLD_S = 1.0
-"""So long the base stays where it is after a contact began (our choice)."""
+"""Time for which the base is held after a contact began [s] (our choice)."""
 
 
 class BumpStop:
     """Watches the contacts of the robot's body.
 
     Args:
-        touches: All contacts so far, in order; they grow with the world.
-        clock: The ticks.
+        touches: All contacts so far, in order; the world appends to it.
+        clock: Simulated time.
         emergency_stop: What a contact presses.
     """
 
@@ -29,7 +29,7 @@ class BumpStop:
         """What was touched, in words, while the base is held; else None."""
 
     def feel(self) -> None:
-        """Press the stop where a contact began a moment ago, and release it when that is over."""
+        """Press the stop when a contact has just begun, and release it after `HOLD_S`."""
         before, self.reason = self.reason, self._touched()
         if before == self.reason:
             return

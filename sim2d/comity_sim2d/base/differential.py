@@ -1,4 +1,4 @@
-"""A base with two driven wheels: it moves where it looks, or straight back, and turns on the spot."""
+"""A differential drive: it moves along its heading, forwards or backwards, and turns on the spot."""
 
 from __future__ import annotations
 
@@ -11,35 +11,41 @@ from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.scene.robot_body import RobotBody
 
 LOOKAHEAD_M, SOFT_LOOKAHEAD_M = 0.2, 0.1
-"""Pure pursuit (Coulter 1992, CMU-RI-TR-92-01) aims so far ahead: less than the margin of a bend's arc. With
-little jerk it aims nearer: taking commands up slowly, it comes inside of its bends besides (tried out)."""
+"""Look-ahead distance of pure pursuit (Coulter 1992, CMU-RI-TR-92-01) [m]: less than the margin of a bend's
+arc. With a low jerk limit the shorter one is used, since slow acceleration also makes the base cut its bends
+(tuned)."""
 SETTLE_M, SETTLE_SIGMAS = 0.004, 0.2
-"""Nearer to its goal than this, and so many deviations of the sensor, it does not turn to come nearer."""
+"""Within this distance [m] plus this many standard deviations of the sensor, the base does not turn to get
+closer to its goal."""
 LEAVES_M, LEAVES_SIGMAS = 0.008, 1.4
-"""Content, it moves again for as much: for less than the centimetre within which a robot counts as docked, or
-it would rest in front of a person who shifted by a little more, and never be; with fewer deviations it would
-turn away after what is noise (our choice, tried out)."""
+"""Same units: distance at which a base at rest moves again. It is less than the centimetre within which a
+robot counts as docked, or it would never dock with a person who shifts slightly more. With fewer standard
+deviations it would react to noise (our choice, tuned)."""
 FOLLOWS_M_S = 0.1
-"""A person who shifts more slowly is looked at and not followed, until they are too far away."""
+"""A person who shifts more slowly than this [m/s] is faced but not followed until they are too far away."""
 TURN_FIRST_RAD = math.radians(35.0)
-"""Farther off its direction than this, it stops and turns on the spot."""
+"""At a larger heading error than this [rad], the base stops and turns on the spot."""
 HARD_M_S3, STRAIGHT_SHARE, TURN_SHARE = 6.0, 0.75, 0.5
-"""Where its heading turns, its acceleration changes besides: by 3 m/s^3 at most, within its limits. With less
-jerk allowed than the first it uses the second of it for its speed, and turns no faster than the third of that
-over its acceleration (our choice, tried out: the rest is for its bends)."""
+"""Turning adds up to 3 m/s^3 of jerk, within the limits. If the jerk limit is below `HARD_M_S3`, the base
+uses `STRAIGHT_SHARE` of it for its speed, and turns no faster than `TURN_SHARE` of the jerk over its
+acceleration (our choice, tuned; the rest is for bends)."""
 RESTING_M_S = 1e-6
 TURNS_M_S = 0.1
-"""Where it is to rest, it turns to where it is to look once it is slower: turning, it would leave its way."""
+"""At its goal, the base turns to its target heading once slower than this [m/s]: turning earlier, it would
+leave its path."""
 
 
 class Differential:
-    """Keeps the limits of speed, acceleration and jerk; `Twist.x_m_s` of its own commands is forwards."""
+    """A differential drive within its limits of speed, acceleration and jerk.
+
+    In its own commands `Twist.x_m_s` is the forward speed.
+    """
 
     def __init__(self, body: RobotBody, step_s: float) -> None:
         self._body = body
         self._step_s = step_s
         self._heading_rad = body.heading_rad
-        """Of the body itself, when the next command takes effect."""
+        """Heading of the body when the next command takes effect [rad]."""
         is_soft = body.max_jerk_m_s3 < HARD_M_S3
         self._lookahead_m = SOFT_LOOKAHEAD_M if is_soft else LOOKAHEAD_M
         jerk = body.max_jerk_m_s3 * (STRAIGHT_SHARE if is_soft else 1.0)
@@ -48,7 +54,7 @@ class Differential:
         self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, jerk, step_s))
 
     def base(self, pose: Pose) -> Base:
-        """The state to decide from."""
+        """The state to plan from."""
         self._heading_rad, ahead = pose.heading_rad, self._smoothing.to_come()
         for twist in ahead:
             pose = self._driven(pose, twist)
@@ -70,36 +76,36 @@ class Differential:
         """The velocity for the coming tick."""
         forwards, turn = self._aim(base, wanted, most_m_s)
         a, dt, now = base.acceleration_m_s2, base.step_s, self._smoothing.latest.x_m_s
-        # It turns no faster than its speed allows now, and goes no faster than that turning allows then.
+        # The turning rate is limited by the present speed, and the speed by the next turning rate.
         tightest = BEND_SHARE * a / max(abs(now), 1e-9)
         tightest = min(tightest, self._fastest_rad_s)
         turning = min(max(turn_rate(base.turn_rad_s, turn, dt), -tightest), tightest)
         bend = BEND_SHARE * a / max(abs(turning), 1e-9)
         forwards = min(max(forwards, -bend), bend)
-        # A goal that comes nearer needs more braking than was counted on: all of it on a straight way, as
-        # much as for speeding up in the tightest bend, and less than the bend leaves in between.
+        # A goal that comes nearer needs more braking than expected: the whole limit on a straight path, the
+        # same as for speeding up in the tightest bend, and less than the bend leaves in between.
         left = a - (1.0 - SPEED_SHARE) / BEND_SHARE * abs(now * turning)
         most = dt * (left if (forwards - now) * now < 0.0 else SPEED_SHARE * a)
         change = min(max(forwards - now, -most), most)
         return self._in_world(self._smoothing.take(Twist(now + change, 0.0, turning)))
 
     def brake(self) -> Twist:
-        """Slow down as hard as the body may, and turn no more."""
+        """Decelerate at the limit, and stop turning."""
         return self._in_world(self._smoothing.brake(*hardest_change(self._body, self._step_s)))
 
     def brake_before_things(self, base: Base) -> Twist:
-        """The same, but turn on where it hardly moves: else it never turned away from what it is before."""
+        """The same, but keep turning when almost at rest: else it could not turn away from the obstacle."""
         if base.speed_m_s > TURNS_M_S:
             return self.brake()
         slower_m_s, _ = hardest_change(self._body, self._step_s)
         return self._in_world(self._smoothing.brake_straight(slower_m_s))
 
     def cut(self) -> None:
-        """Stand still at once."""
+        """Stop at once."""
         self._smoothing.cut()
 
     def _aim(self, base: Base, wanted: VelocityCommand, most_m_s: float) -> tuple[float, float]:
-        """The speed forwards, and what is left to turn."""
+        """The forward speed [m/s], and the angle left to turn [rad]."""
         speed = min(math.hypot(*wanted.velocity), most_m_s)
         if speed <= RESTING_M_S:
             if base.speed_m_s > TURNS_M_S:
@@ -111,12 +117,12 @@ class Differential:
         return (speed * math.cos(off) if abs(off) < TURN_FIRST_RAD else 0.0), off
 
     def _in_world(self, twist: Twist) -> Twist:
-        """Along the heading that the body has in the middle of the tick."""
+        """The twist in the world frame, along the heading in the middle of the tick."""
         heading = self._heading_rad + twist.turn_rad_s * self._step_s / 2
         return Twist(twist.x_m_s * math.cos(heading), twist.x_m_s * math.sin(heading), twist.turn_rad_s)
 
     def _driven(self, pose: Pose, twist: Twist) -> Pose:
-        """The pose a tick later."""
+        """The pose one tick later."""
         middle = pose.heading_rad + twist.turn_rad_s * self._step_s / 2
         return Pose(
             pose.x_m + twist.x_m_s * self._step_s * math.cos(middle),

@@ -1,6 +1,6 @@
-"""The limits of a base: how fast it may be to still stop, bend and respect people.
+"""The limits of a base: speeds from which it can still stop, take bends and respect people.
 
-Velocities are commanded once per tick and held, so all laws are exact for that discrete motion.
+Velocities are commanded once per tick and held, so all formulas are exact for this discrete motion.
 """
 
 from __future__ import annotations
@@ -14,29 +14,32 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 
 SPEED_SHARE, BEND_SHARE = 0.6, 0.8
-"""Shares of the acceleration limit for changing speed and direction: at a right angle, together all of it."""
+"""Shares of the acceleration limit for changing speed and direction: at a right angle they add up to all of
+it."""
 NEAR_PEOPLE_M = 1.5
 NEAR_PEOPLE_M_S = 0.5
-"""At most so fast within `NEAR_PEOPLE_M` of a person's surface (safety limits of the design, our choice)."""
+"""Maximum speed within `NEAR_PEOPLE_M` of a person's body [m/s] (safety limit, our choice)."""
 REDUCED_M_S = 0.2
 """Maximum speed within `NEAR_PEOPLE_M` of a person who is passed at a reduced margin [m/s] (our choice)."""
 NEAR_PEOPLE_SLACK_M = 0.03
-"""The limit holds from a little farther away, a tick's travel, so that it also holds between ticks."""
+"""Extra distance at which that limit applies [m]: one tick's travel, so that it also holds between ticks."""
 KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0
-"""Nearer than the first to a body the robot does not go by itself, if a route is wrong or a person stops on
-it: half of the floor, so that it never matters to a right one (our choice)."""
+"""Gap to a body below which the robot never drives by itself [m], if a route is wrong or a person stops on
+it. Half of the minimum gap of routes, so it never affects a correct one (our choice). People farther away
+than `KEEP_OFF_WITHIN_M` [m] are ignored."""
 PAST_S = 1.0
-"""Within `KEEP_OFF_M` of a person the robot passes no faster than the gap in this time [s], and moves away at
-any speed: by noise and delay the person may be nearer, and farther ahead, than they seem (our choice)."""
+"""Within `KEEP_OFF_M` of a person the robot passes no faster than gap / `PAST_S` [s], and moves away at any
+speed: with noise and delay the person may be nearer, and farther ahead, than they seem (our choice)."""
 MAX_TURN_RAD_S = 1.5
 MAX_TURN_RAD_S2 = 3.0
 
 
 def stopping_speed(distance: float, deceleration: float, step_s: float) -> float:
-    """The speed from which a body comes to rest exactly after a distance; the discrete form of sqrt(2 a d).
+    """The speed from which a body stops exactly after a distance [m/s]; the discrete form of sqrt(2 a d).
 
-    In n ticks, each slower by x = a dt, a body covers dt (n v - x n (n - 1) / 2), and stops after the last if
-    that was no faster than x: n is the smallest number of ticks for which this holds. Good for angles, too.
+    In n ticks, each slower by x = a dt, a body covers dt (n v - x n (n - 1) / 2), and stops after the last
+    tick if that speed was at most x; n is the smallest such number of ticks. The formula holds for angles,
+    too.
     """
     slower = deceleration * step_s
     ticks = math.ceil((math.sqrt(1.0 + 8.0 * distance / (slower * step_s)) - 1.0) / 2.0)
@@ -49,22 +52,22 @@ def hardest_braking(body: RobotBody) -> float:
 
 
 def stopping_time_s(body: RobotBody) -> float:
-    """How long a body takes at most to come to rest from its full speed, braking as usual [s]."""
+    """Maximum time to stop from full speed with normal braking [s]."""
     braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
     return body.max_speed_m_s / braking + LONGEST_S
 
 
 def hardest_change(body: RobotBody, step_s: float) -> tuple[float, float]:
-    """How much slower an emergency makes a body in one tick: its speed [m/s], and its turning [rad/s].
+    """Deceleration of one tick of emergency braking: speed [m/s] and turning rate [rad/s].
 
-    Turning as slows the rim down as much.
+    The turning rate is such that the rim slows down equally.
     """
     slower_m_s = hardest_braking(body) * step_s
     return slower_m_s, slower_m_s / body.radius_m
 
 
 def limit_change(now: XY, wanted: XY, most: float) -> XY:
-    """The velocity nearest to the wanted one whose difference to the present one is within a bound."""
+    """The velocity nearest to the target that differs from the current one by at most `most` [m/s]."""
     dx, dy = wanted[0] - now[0], wanted[1] - now[1]
     change = math.hypot(dx, dy)
     if change <= most:
@@ -73,7 +76,7 @@ def limit_change(now: XY, wanted: XY, most: float) -> XY:
 
 
 def limit_speed(velocity: XY, most: float) -> XY:
-    """The same direction, at most so fast."""
+    """The same direction, at most this fast."""
     speed = math.hypot(*velocity)
     return velocity if speed <= most else (velocity[0] * most / speed, velocity[1] * most / speed)
 
@@ -88,15 +91,15 @@ def speed_near_people(
     step_s: float,
     most_m_s: Callable[[Person], float] = lambda _: NEAR_PEOPLE_M_S,
 ) -> float:
-    """Return the speed from which the robot, braking in time, keeps every person's limit near them.
+    """The speed from which the robot, braking in time, keeps the limit near every person [m/s].
 
     Args:
-        xy: Where the robot's centre is.
-        speed_m_s: Its speed now: so far it may come before the next command.
-        robot_radius_m: Its radius.
-        people: Where people stand.
-        braking: The deceleration to count on [m/s^2].
-        step_s: The tick, and what the body is behind its commands.
+        xy: Position of the robot's centre [m].
+        speed_m_s: Its current speed [m/s], which it may keep until the next command.
+        robot_radius_m: Its radius [m].
+        people: The people and their positions.
+        braking: The assumed deceleration [m/s^2].
+        step_s: The tick plus the lag of the body behind its commands [s].
         most_m_s: The limit within `NEAR_PEOPLE_M` of a person's body; never above `NEAR_PEOPLE_M_S`.
     """
     slow_m = robot_radius_m + NEAR_PEOPLE_M + NEAR_PEOPLE_SLACK_M + speed_m_s * step_s
@@ -109,12 +112,12 @@ def speed_near_people(
 
 
 def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> float:
-    """The speed from which the robot comes to rest before a person who comes into view.
+    """The speed from which the robot can stop before a person who comes into view [m/s].
 
     Args:
-        clear_m: How far from its body they are then, less what it keeps off them.
-        blind_s: How long it goes on before it brakes: the tick, what its base is behind and its sensor.
-        braking: The deceleration to count on [m/s^2].
+        clear_m: Their gap to its body at that moment, less the gap that it keeps [m].
+        blind_s: Time until it brakes [s]: one tick, plus the delays of its base and its sensor.
+        braking: The assumed deceleration [m/s^2].
     """
     return braking * (math.sqrt(blind_s**2 + 2.0 * max(clear_m, 0.0) / braking) - blind_s)
 
@@ -122,17 +125,17 @@ def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> flo
 def keep_off_people(
     xy: XY, velocity: XY, robot_radius_m: float, people: Iterable[Person], *, braking: float, step_s: float
 ) -> XY:
-    """The velocity without what of it would lead to a person's body, whatever the route says.
+    """The velocity without the part that leads to a person's body, whatever the route [m/s].
 
-    Within `KEEP_OFF_M` of a body, what leads past it is limited, too (`PAST_S`).
+    Within `KEEP_OFF_M` of a body, the speed past it is limited, too (`PAST_S`).
 
     Args:
-        xy: Where the robot's centre is.
-        velocity: What is wanted.
-        robot_radius_m: Its radius.
-        people: Where people stand.
-        braking: The deceleration to count on [m/s^2].
-        step_s: The tick.
+        xy: Position of the robot's centre [m].
+        velocity: The velocity command [m/s].
+        robot_radius_m: Its radius [m].
+        people: The people and their positions.
+        braking: The assumed deceleration [m/s^2].
+        step_s: The tick [s].
     """
     for person in people:
         apart = math.dist(xy, person.xy)
@@ -156,12 +159,12 @@ def keep_off_people(
 
 
 def turn_rate(now_rad_s: float, angle_rad: float, step_s: float) -> float:
-    """The next turning rate towards an angle left to turn, within the limits of the base.
+    """The next turning rate towards a remaining angle, within the limits of the base [rad/s].
 
     Args:
-        now_rad_s: The rate now.
-        angle_rad: What is left to turn, signed.
-        step_s: The tick.
+        now_rad_s: The current turning rate [rad/s].
+        angle_rad: The remaining angle, signed [rad].
+        step_s: The tick [s].
     """
     speed = min(MAX_TURN_RAD_S, stopping_speed(abs(angle_rad), SPEED_SHARE * MAX_TURN_RAD_S2, step_s))
     wanted = math.copysign(speed, angle_rad)

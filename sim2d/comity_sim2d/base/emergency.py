@@ -1,15 +1,15 @@
-"""The emergency stop: a button that cuts the motors of the base, whatever the robot was told to do."""
+"""The emergency stop: a button that cuts the motors of the base, whatever its commands."""
 
 from __future__ import annotations
 
 
 class EmergencyStop:
-    """Pressed, for one or more reasons, until all of them are released."""
+    """An emergency stop, pressed for one or more reasons until all of them are released."""
 
     def __init__(self) -> None:
         self._reasons: list[str] = []
         self.was_pressed = False
-        """Whether a person has pressed it so far, and not a contact alone."""
+        """Whether a person has ever pressed it, not only a contact."""
 
     @property
     def reason(self) -> str | None:
@@ -17,16 +17,16 @@ class EmergencyStop:
         return "; ".join(dict.fromkeys(self._reasons)) if self._reasons else None
 
     def press(self, reason: str = "the emergency stop is pressed", *, contact: bool = False) -> None:
-        """Stop the robot at once; it stays stopped until every press is released, also of the same reason.
+        """Stop the robot at once; it stays stopped until each press is released, repeated reasons included.
 
         Args:
             reason: Why, in words.
-            contact: Whether nobody presses it, and the robot touched something.
+            contact: Whether the cause is a contact and not a person.
         """
         self._reasons.append(reason)
         self.was_pressed = self.was_pressed or not contact
 
     def release(self, reason: str = "the emergency stop is pressed") -> None:
-        """Let it go on, unless something else holds it; nothing happens if this did not."""
+        """Release one press of this reason; no effect if there is none."""
         if reason in self._reasons:
             self._reasons.remove(reason)

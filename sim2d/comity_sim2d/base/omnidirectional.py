@@ -1,4 +1,4 @@
-"""A base that moves in any direction and turns while it does, as Pepper's does."""
+"""An omnidirectional base: it moves in any direction while turning, as Pepper does."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from comity_sim2d.scene.robot_body import RobotBody
 
 
 class Omnidirectional:
-    """Keeps the limits of speed, acceleration and jerk."""
+    """An omnidirectional base within its limits of speed, acceleration and jerk."""
 
     def __init__(self, body: RobotBody, step_s: float) -> None:
         self._body = body
@@ -19,7 +19,7 @@ class Omnidirectional:
         self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, body.max_jerk_m_s3, step_s))
 
     def base(self, pose: Pose) -> Base:
-        """The state to decide from."""
+        """The state to plan from."""
         ahead, latest, dt = self._smoothing.sum_to_come(), self._smoothing.latest, self._step_s
         return Base(
             Pose(
@@ -42,13 +42,13 @@ class Omnidirectional:
         return self._smoothing.take(Twist(*velocity, turn_rate(base.turn_rad_s, turn, base.step_s)))
 
     def brake(self) -> Twist:
-        """Slow down as hard as the body may, and turn no more."""
+        """Decelerate at the limit, and stop turning."""
         return self._smoothing.brake(*hardest_change(self._body, self._step_s))
 
     def brake_before_things(self, base: Base) -> Twist:
-        """The same: it need not turn to go elsewhere."""
+        """The same: the base need not turn to move elsewhere."""
         return self.brake()
 
     def cut(self) -> None:
-        """Stand still at once."""
+        """Stop at once."""
         self._smoothing.cut()

@@ -1,7 +1,7 @@
-"""The bodies: a robot that is pushed and pushes back, people, walls and furniture that do not budge (pymunk).
+"""The bodies in pymunk: the robot can be pushed; people, walls and furniture do not budge.
 
-The robot is a dynamic body held to a kinematic control body by a pivot and a gear joint: it follows
-velocities exactly while nothing is in the way, and collides with what stands still (kinematic bodies do not).
+The robot is a dynamic body attached to a kinematic control body by a pivot and a gear joint. It follows
+velocities exactly while nothing blocks it, and collides with static bodies (kinematic bodies do not).
 """
 
 from __future__ import annotations
@@ -25,24 +25,25 @@ from comity_sim2d.scene.scene import Scene
 ROBOT, OTHER = 1, 2
 """Collision types."""
 NEAR_M = 0.6
-"""Passers-by whose bodies are farther away cannot be touched before they choose again how to go on."""
+"""Passers-by farther away than this [m] cannot be touched before their next decision."""
 MASS_KG = 20.0
 DRIVE_N, DRIVE_N_M = 400.0, 100.0
-"""The most the wheels push and turn: 20 m/s^2, far more than is commanded, too little for a wall."""
+"""Maximum force [N] and torque [N m] of the drive: 20 m/s^2, far above any command, but too little to move a
+wall."""
 
 
 @dataclass(frozen=True, slots=True)
 class Touch:
-    """A contact of the robot with something else."""
+    """A contact of the robot with a person or an object."""
 
     t: float
-    """When it began, to the tick."""
+    """When it began, to the tick [s]."""
     entity: str
     """The person's or the furniture's name, `wall 2`, `door NAME`, or `room`."""
 
 
 class Physics:
-    """One pymunk space."""
+    """One pymunk space with all bodies."""
 
     def __init__(self, scene: Scene, clock: Clock, hz: int) -> None:
         self._clock = clock
@@ -72,46 +73,46 @@ class Physics:
 
     @property
     def step_s(self) -> float:
-        """One step of the bodies."""
+        """Length of one physics step [s]."""
         return 1.0 / self._hz
 
     @property
     def pose(self) -> Pose:
-        """Where the robot is."""
+        """Pose of the robot."""
         if self._pose is None:
             self._pose = Pose(*self._robot.position, self._robot.angle)
         return self._pose
 
     @property
     def twist(self) -> Twist:
-        """How the robot moves."""
+        """Velocity of the robot."""
         if self._twist is None:
             self._twist = Twist(*self._robot.velocity, self._robot.angular_velocity)
         return self._twist
 
     def command(self, twist: Twist) -> None:
-        """Set the velocity that the drive holds; the bodies take it up at the end of their next step."""
+        """Set the velocity of the drive; the body takes it up at the end of its next step."""
         if twist != self._commanded:
             self._commanded = twist
             self._control.velocity = twist.xy
             self._control.angular_velocity = twist.turn_rad_s
 
     def run(self, steps: int) -> None:
-        """Advance by so many steps."""
+        """Advance by a number of steps."""
         step, step_s = self._space.step, self.step_s
         for _ in range(steps):
             step(step_s)
         self._pose = self._twist = None
 
     def place(self, person: Person) -> None:
-        """Put a person somewhere."""
+        """Move a person's body to where they are."""
         body = self._people[person.name]
         body.position = person.pose.xy
         body.angle = person.heading_rad
         self._space.reindex_shapes_for_body(body)
 
     def add_passers_by(self, names: Sequence[str], radius_m: Sequence[float]) -> None:
-        """Have bodies for people who are not of the scene; they are there once they are near the robot."""
+        """Create bodies for people who are not of the scene; they take effect once near the robot."""
         for name, radius in zip(names, radius_m, strict=True):
             body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
             shape = pymunk.Circle(body, radius)
@@ -121,7 +122,7 @@ class Physics:
         self._near_m = np.array(radius_m) + (self._robot_radius_m + NEAR_M)
 
     def look_for_passers_by(self, at: NDArray[np.complex128]) -> None:
-        """Have those of them there who are near the robot, and the others out of the way."""
+        """Activate the bodies of passers-by near the robot, and remove the others."""
         near = (np.abs(at - complex(*self.pose.xy)) < self._near_m).nonzero()[0].tolist()
         if near != self._present:
             for i in sorted({*self._present} - {*near}):
@@ -131,14 +132,14 @@ class Physics:
             self._present = near
 
     def place_passers_by(self, at: NDArray[np.complex128]) -> None:
-        """Put those of them who are near the robot where they are."""
+        """Move the active passers-by to their positions [m], x + iy."""
         for i in self._present:
             body, place = self._passing[i][0], complex(at[i])
             body.position = (place.real, place.imag)
             self._space.reindex_shapes_for_body(body)
 
     def set_door(self, door: Door) -> None:
-        """Shut or open a door: shut, it is a wall."""
+        """Shut or open a door; a shut door is a wall."""
         shut = self._shut.pop(door.name, None)
         if shut is not None:
             self._names.pop(shut)
@@ -191,14 +192,14 @@ class Physics:
         pivot = PivotJoint(control, robot, (0.0, 0.0), (0.0, 0.0))
         gear = GearJoint(control, robot, 0.0, 1.0)
         for joint, most in ((pivot, DRIVE_N), (gear, DRIVE_N_M)):
-            joint.max_bias = 0.0  # velocities are held: the control body's own place means nothing
+            joint.max_bias = 0.0  # velocities are held: the control body's own position has no meaning
             joint.max_force = most
         self._space.add(control, pivot, gear)
         return control
 
 
 def foresee(pose: Pose, twist: Twist, step_s: float) -> Pose:
-    """Where a body will be when a command takes effect: pymunk moves it once more with the old velocity."""
+    """Pose of a body when a command takes effect: pymunk moves it once more at the old velocity."""
     return Pose(
         pose.x_m + twist.x_m_s * step_s,
         pose.y_m + twist.y_m_s * step_s,

@@ -1,8 +1,8 @@
-"""The jerk limit: a base takes up commands as their moving average over a few ticks.
+"""The jerk limit: a base executes the moving average of its last few commands.
 
-Averaging keeps the limits of speed and acceleration, and the way: what was commanded is driven to the last
-millimetre, half a window later. So a law that stops exactly at its goal still does, if it computes from where
-the base will be when it has done what it has been told already.
+Averaging preserves the limits of speed and acceleration, and the path: it is driven exactly as commanded,
+half a window later. So a control law that stops exactly at its goal still does, provided that it starts from
+the state the base reaches after all commands so far.
 """
 
 from __future__ import annotations
@@ -14,21 +14,22 @@ from collections.abc import Iterable
 from comity_sim2d.pose import Twist
 
 LONGEST_S = 2.0
-"""No window is longer: a base would go on for too long as it was told before it saw a person (our choice)."""
+"""Maximum length of the window [s]: with a longer one the base would respond too late to a person (our
+choice)."""
 
 
 def acceleration_within(acceleration: float, jerk: float) -> float:
-    """The acceleration that a base makes use of: less than it may, where it takes long to build up.
+    """The acceleration that a base uses [m/s^2]: less than its limit if that takes long to build up.
 
     Args:
         acceleration: The limit [m/s^2].
-        jerk: How fast it may change [m/s^3].
+        jerk: The jerk limit [m/s^3].
     """
     return min(acceleration, jerk * LONGEST_S / 2.0)
 
 
 def window_ticks(acceleration: float, jerk: float, step_s: float) -> int:
-    """The shortest window that keeps the jerk: acceleration changes by at most 2 a / n from tick to tick."""
+    """The shortest window that keeps the jerk limit: acceleration changes by at most 2 a / n per tick."""
     return max(1, math.ceil(2.0 * acceleration / (jerk * step_s) - 1e-9))
 
 
@@ -36,7 +37,7 @@ class Smoothing:
     """The commands of the last few ticks.
 
     Args:
-        ticks: How many are averaged; 1 takes every command up at once.
+        ticks: Number of commands averaged; 1 applies every command at once.
     """
 
     def __init__(self, ticks: int) -> None:
@@ -44,7 +45,7 @@ class Smoothing:
 
     @property
     def ticks(self) -> int:
-        """The length of the window."""
+        """Length of the window."""
         return len(self._commands)
 
     @property
@@ -53,12 +54,12 @@ class Smoothing:
         return self._commands[-1]
 
     def take(self, command: Twist) -> Twist:
-        """What the base does in the coming tick."""
+        """Add a command; return the velocity for the coming tick."""
         self._commands.append(command)
         return _mean(self._commands, self.ticks)
 
     def brake_straight(self, slower_m_s: float) -> Twist:
-        """Slow its way down by so much, and forget what it was told of it; turning goes on as told."""
+        """Reduce the linear velocity, and drop earlier linear commands; turning continues as commanded."""
         now = _mean(self._commands, self.ticks)
         speed = math.hypot(*now.xy)
         kept = max(0.0, 1.0 - slower_m_s / speed) if speed else 0.0
@@ -67,7 +68,7 @@ class Smoothing:
         return _mean(self._commands, self.ticks)
 
     def brake(self, slower_m_s: float, slower_rad_s: float) -> Twist:
-        """Slow what the base does now down by so much, and forget what it was told before."""
+        """Reduce the current velocities, and drop all earlier commands."""
         now = _mean(self._commands, self.ticks)
         speed, rate = math.hypot(*now.xy), abs(now.turn_rad_s)
         kept = max(0.0, 1.0 - slower_m_s / speed) if speed else 0.0
@@ -77,7 +78,7 @@ class Smoothing:
         return braked
 
     def to_come(self) -> list[Twist]:
-        """What the base would still do, tick by tick, if it were told to rest from now on."""
+        """The velocities of the next ticks if all commands from now on were zero."""
         commands = list(self._commands)
         return [_mean(commands[k:], self.ticks) for k in range(1, self.ticks)]
 
@@ -90,7 +91,7 @@ class Smoothing:
         return Twist(x / ticks, y / ticks, turn / ticks)
 
     def cut(self) -> None:
-        """Forget all commands: the base stands still at once."""
+        """Drop all commands: the base stops at once."""
         self._commands.extend([Twist()] * self.ticks)
 
 

@@ -1,4 +1,4 @@
-"""From what a map file says to a map that can be, with the file's line in every complaint."""
+"""Builds a map from its file, and reports the file's line in every error."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from comity_sim2d.pose import XY
 
 KEPT = 16
-"""Maps that were built already: many scenarios are in one place, and each asks for its map more than once."""
+"""Number of maps cached: many scenarios share one place, and each requests its map more than once."""
 
 
 class FileLines(Protocol):
-    """Where in a file something is written."""
+    """Finds the file position of a value."""
 
     def __call__(self, *location: str | int) -> Where:
-        """The place of a value."""
+        """Position of a value."""
         ...
 
 
@@ -38,10 +38,10 @@ def build_map(written: MapFile, where: FileLines) -> PlaceMap:
 
     Args:
         written: The file's content.
-        where: The place of a value in it.
+        where: Finds the position of a value in it.
 
     Raises:
-        SceneError: for the first thing that cannot be, naming its line.
+        SceneError: For the first invalid value, naming its line.
     """
     try:
         return _map_of(written.model_dump_json(exclude_none=True))
@@ -51,7 +51,7 @@ def build_map(written: MapFile, where: FileLines) -> PlaceMap:
 
 @lru_cache(maxsize=KEPT)
 def _map_of(content: str) -> PlaceMap:
-    """Of a map's JSON: nobody can change a map, so that the same text gives the same map."""
+    """The map for a map's JSON; maps are immutable, so the same text gives the same object."""
     from comity_sim2d.maps.file import MapFile
 
     return _built(MapFile.model_validate_json(content))
@@ -71,7 +71,7 @@ def _built(written: MapFile) -> PlaceMap:
         for name, door in written.doors.items()
     ]
     walls, doors = cut_doors((*inner, *walls_between(areas, room)), wanted, room)
-    check_count(len(walls) + len(doors) + len(furniture))  # with the walls between rooms, in pieces
+    check_count(len(walls) + len(doors) + len(furniture))  # including the pieces of walls between rooms
     place = PlaceMap(
         name=written.name,
         room=room,
@@ -99,17 +99,17 @@ def corners_of(outline: Outline) -> tuple[XY, ...]:
 
 
 def furniture_of(piece: FurniturePiece) -> Furniture:
-    """A piece of furniture in the shape that was written.
+    """A piece of furniture in the shape given in the file.
 
     Raises:
-        SceneError: Where that reaches too far out.
+        SceneError: If it reaches too far out.
     """
     if piece.circle_m is not None:
         x, y, radius = piece.circle_m
         return Furniture.circle(piece.name, x, y, radius_m=radius)
     if not piece.angle_deg:
         return Furniture(piece.name, corners_of(piece))
-    assert piece.box_m is not None  # the model turns nothing but boxes
+    assert piece.box_m is not None  # the model allows only boxes to be rotated
     x, y, width, height = piece.box_m
     return Furniture.box(
         piece.name,
@@ -122,7 +122,7 @@ def furniture_of(piece: FurniturePiece) -> Furniture:
 
 
 def _location(entity: str, written: MapFile) -> Sequence[str | int]:
-    """Where in the file that stands which a complaint is about."""
+    """File location of the entity that an error is about."""
     known: dict[str, tuple[str | int, ...]] = {"scene": ("furniture",) if written.furniture else ("rooms",)}
     known |= {f"room {name}": ("rooms", name) for name in written.rooms}
     known |= {f"door {name}": ("doors", name) for name in written.doors}

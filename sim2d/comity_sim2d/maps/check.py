@@ -1,6 +1,6 @@
-"""Whether a map can be, with all its doors open: every room and every location within reach of a robot.
+"""Validity of a map with all doors open: a robot can reach every room and every location.
 
-The robot is one of the default radius: who gets where in a scenario is for its planner to say.
+The robot has the default radius; what a scenario's own robot can reach is up to the planner.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 
 LEAST_PART_M2 = 1e-6
 MOST_NAMED = 3
-"""Things in doors: more are counted (our choice)."""
+"""Maximum number of objects in doors that are named; more are counted (our choice)."""
 WAY_M = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
-"""What a way of a robot of the default radius needs between things that stand still."""
+"""Width that a robot of the default radius needs between static obstacles [m]."""
 ROUNDING_M = 1e-6
-"""Of coordinates: a gap that is written as wide enough is."""
+"""Tolerance of coordinates [m], so that a gap drawn exactly wide enough counts."""
 
 
 def check_parts(
@@ -39,7 +39,7 @@ def check_parts(
     holes: Sequence[Sequence[XY]],
     walls_and_doors: int,
 ) -> None:
-    """Refuse too much of anything, names that are not one thing's own, and outlines that are none.
+    """Reject too many parts, duplicate names, and invalid outlines.
 
     Raises:
         SceneError: For the first thing that is wrong.
@@ -67,7 +67,7 @@ def check_parts(
 
 
 def check_map(place: PlaceMap) -> None:
-    """Refuse a map whose rooms or locations a robot cannot get to although all doors are open.
+    """Reject a map with a room or location that a robot cannot reach although all doors are open.
 
     Raises:
         SceneError: For the first thing that is wrong.
@@ -82,13 +82,13 @@ def check_map(place: PlaceMap) -> None:
 
 
 def _largest_part(plan: FloorPlan) -> Polygon | None:
-    """The largest connected part of the floor on which the middle of a robot can be.
+    """The largest connected region of the floor where the robot's centre can be.
 
-    Of equals it is the one that begins farthest left, and not the first one of a version of GEOS.
+    Of equally large ones it is the leftmost, independently of the GEOS version.
     """
     from shapely import Polygon, get_parts, prepare
 
-    # Rounded corners are not to take what the gap has: routes leave 5 mm, and lead through.
+    # Rounded corners must not close the gap: routes leave 5 mm and pass through.
     clear = plan.clear_space(WAY_M / 2 - ROUNDING_M, at_least=False)
     parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > LEAST_PART_M2]
     largest = max(
@@ -118,7 +118,7 @@ def _check_room(area: Area, place: PlaceMap, reach: Polygon | None) -> None:
 
 
 def _in_its_doors(area: Area, place: PlaceMap) -> str:
-    """What stands in the doors of a room, as the end of a sentence; nothing where they are clear."""
+    """What stands in the doors of a room, as the end of a sentence; empty if they are clear."""
     from shapely import LineString, Polygon
 
     room = Polygon(area.corners).boundary

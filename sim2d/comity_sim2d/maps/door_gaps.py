@@ -1,4 +1,4 @@
-"""Doors in walls: each is a gap that it cuts out of the wall which it stands in."""
+"""Doors in walls: each door cuts a gap out of its wall."""
 
 from __future__ import annotations
 
@@ -17,19 +17,20 @@ from comity_sim2d.scene.room import Room, Wall
 from comity_sim2d.scene_error import SceneError
 
 OFF_M = 0.05
-"""A door's middle may be so far from the middle line of its wall (our choice: a slip, not another wall)."""
+"""Maximum distance of a door's centre from the centre line of its wall [m] (our choice: a typo, not another
+wall)."""
 
 ASIDE_M = 0.2
-"""So far from the middle of a door is the room beside it."""
+"""Distance from a door's centre at which the room next to it is looked up [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class WantedDoor:
-    """A door before its wall is known."""
+    """A door whose wall is not yet known."""
 
     name: str
     at: XY
-    """Its middle."""
+    """Its centre [m]."""
     width_m: float
     is_open: bool = True
     kind: str = "hinged"
@@ -37,7 +38,7 @@ class WantedDoor:
 
 @dataclass(frozen=True, slots=True)
 class _Gap:
-    """A door in its wall: where it begins and ends along it, from the wall's start [m]."""
+    """A door's gap: start and end along the wall, from the wall's start [m]."""
 
     wanted: WantedDoor
     wall: Wall
@@ -48,10 +49,10 @@ class _Gap:
 def cut_doors(
     walls: Sequence[Wall], wanted: Sequence[WantedDoor], room: Room
 ) -> tuple[tuple[Wall, ...], tuple[Door, ...]]:
-    """The walls without the gaps, and the doors in them, in the given orders.
+    """The walls without the gaps, and the doors in them, in the input order.
 
     Raises:
-        SceneError: about a door that stands in no inner wall, does not fit into it, or overlaps another.
+        SceneError: For a door that is in no inner wall, does not fit into it, or overlaps another.
     """
     gaps = [_gap(door, walls, room) for door in wanted]
     cut: list[Wall] = []
@@ -65,7 +66,7 @@ def cut_doors(
 
 
 def swinging_inwards(doors: Sequence[Door], areas: Sequence[Area]) -> tuple[Door, ...]:
-    """The doors hung so that each swings, to its left, into the smaller of the two rooms beside it."""
+    """The doors, hung so that each swings, to its left, into the smaller of the two adjacent rooms."""
     from shapely import Polygon
 
     rooms = np.array([Polygon(area.corners) for area in areas])
@@ -81,7 +82,7 @@ def _swinging_inwards(door: Door, rooms: NDArray[np.object_]) -> Door:
 
 
 def _floor_m2(at: XY, rooms: NDArray[np.object_]) -> float:
-    """The area of the smallest room around a point; infinite outside all."""
+    """Area of the smallest room that contains a point [m^2]; infinite outside all rooms."""
     from shapely import area, contains_xy
 
     return float(area(rooms[contains_xy(rooms, *at)]).min(initial=math.inf))
@@ -99,7 +100,7 @@ def _gap(door: WantedDoor, walls: Sequence[Wall], room: Room) -> _Gap:
 
 
 def _pieces(wall: Wall, gaps: Sequence[_Gap]) -> list[Wall]:
-    """What is left of a wall: its ends are round, so that it stops half its thickness before every gap."""
+    """The rest of a wall: its ends are round, so each piece stops half its thickness before a gap."""
     length, half = math.dist(wall.start, wall.end), wall.thickness_m / 2
     ends = [0.0, *(mark for gap in gaps for mark in (gap.low_m - half, gap.high_m + half)), length]
     spans = zip(ends[::2], ends[1::2], strict=True)
@@ -182,6 +183,6 @@ def _overlap(one: _Gap, other: _Gap) -> SceneError:
 
 
 def called(wall: Wall) -> str:
-    """What a message calls a wall."""
+    """The name of a wall in messages."""
     (ax, ay), (bx, by) = wall.start, wall.end
     return f"{wall.name or 'the wall'} from ({ax:g}, {ay:g}) to ({bx:g}, {by:g})"

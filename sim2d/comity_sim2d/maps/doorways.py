@@ -1,4 +1,4 @@
-"""The doors of a world as they are now: which are shut, when that changed, and who stands in one."""
+"""The current state of a world's doors: open or shut, when that changed, and who stands in one."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 Disc = tuple[str, "XY", float]
-"""Whose body it is, its centre and its radius [m]."""
+"""Name of a body, its centre and its radius [m]."""
 AS_THEY_ARE: Mapping[str, bool] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
 class DoorTurn:
-    """A door that was opened or shut."""
+    """The opening or shutting of a door."""
 
     t: float
-    """When [s]."""
+    """Time [s]."""
     door: str
     is_open: bool
-    """From then on."""
+    """State from then on."""
 
     def __post_init__(self) -> None:
         require_text("door turn", "door", self.door)
@@ -51,27 +51,27 @@ class Doorways:
 
     @property
     def doors(self) -> tuple[Door, ...]:
-        """All of them as they are now."""
+        """All doors in their current state."""
         return tuple(self._doors.values())
 
     @property
     def plan(self) -> FloorPlan:
-        """The floor plan as it is now."""
+        """The current floor plan."""
         return floor_plan(self._scene, self.doors)
 
     def turn(self, name: str, *, is_open: bool, bodies: Iterable[Disc]) -> Door | None:
         """Open or shut a door.
 
         Args:
-            name: Of the door.
-            is_open: What it is to be.
-            bodies: What must not be in the way of its leaf when it shuts.
+            name: Name of the door.
+            is_open: The new state.
+            bodies: Bodies that must not be in the way of its leaf when it shuts.
 
         Returns:
-            The door as it is now; None where it was so already.
+            The door in its new state; None if nothing changed.
 
         Raises:
-            ValueError: Where there is no such door, it has no leaf, or a person or something stands in it.
+            ValueError: If there is no such door, it has no leaf, or a person or object stands in it.
         """
         (door,) = turned((self._find(name),), {name: is_open})
         if door == self._doors[name]:
@@ -91,20 +91,20 @@ class Doorways:
 
 
 def turned(doors: Iterable[Door], states: Mapping[str, bool] = AS_THEY_ARE) -> tuple[Door, ...]:
-    """The doors with other states.
+    """The doors in other states.
 
     Args:
         doors: All of them.
-        states: Whether a door is open, by name; those that are not named stay as they are.
+        states: Whether a door is open, by name; doors that are not named keep their state.
 
     Raises:
-        ValueError: For a shut opening, which has no leaf.
+        ValueError: If an opening, which has no leaf, is to be shut.
     """
     return tuple(replace(door, is_open=states.get(door.name, door.is_open)) for door in doors)
 
 
 def furniture_in(door: Door, furniture: Iterable[Furniture]) -> str | None:
-    """What a sentence calls a piece of furniture that a door's leaf would go through; None: it can shut."""
+    """The name, in messages, of furniture that a door's leaf would hit; None if it can shut."""
     from shapely import LineString, Polygon
 
     leaf = LineString([door.start, door.end])

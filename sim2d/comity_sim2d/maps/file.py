@@ -1,4 +1,4 @@
-"""What a map file may hold; `comity schema map` prints this as a JSON schema."""
+"""The model of a map file; `comity schema map` prints its JSON schema."""
 
 from __future__ import annotations
 
@@ -16,14 +16,15 @@ from comity_sim2d.scene_error import FARTHEST_M
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 MAX_ROOMS, MAX_DOORS, MAX_LOCATIONS = 200, 400, 1000
-"""Our choice: a hospital floor has fewer of each."""
+"""Maximum numbers (our choice: a hospital floor has fewer of each)."""
 MAX_CORNERS = 25_000
-"""Of rooms, holes and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
+"""Maximum number of corners of rooms, holes and furniture together: a thousand circles (our choice; routes
+then take seconds)."""
 MAX_HOLES = MAX_CORNERS // 3
 
 
 Number = Annotated[float, Field(strict=True)]
-"""No text that looks like one, and neither true nor false."""
+"""A number; strings and booleans are rejected."""
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(one_line)]
 Metres = Annotated[Number, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]

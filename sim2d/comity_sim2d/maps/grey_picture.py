@@ -1,4 +1,4 @@
-"""A PGM or PNG as shades of grey."""
+"""Reads a PGM or PNG as shades of grey."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ if TYPE_CHECKING:
     from PIL import Image
 
 MAX_CELLS = 16_000_000
-"""Of a picture (our choice: 200 m x 200 m in cells of 5 cm)."""
+"""Maximum number of cells of a picture (our choice: 200 m x 200 m in cells of 5 cm)."""
 FORMATS = ("PPM", "PNG")
-"""As Pillow calls them; its PPM reads PGM, too."""
+"""Pillow's names of the formats; its PPM includes PGM."""
 DEEP = 65535.0
-"""White in a picture of 16 bits."""
+"""Value of white in a 16-bit picture."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GreyPicture:
-    """What a picture shows, the highest row first."""
+    """The pixels of a picture, the top row first."""
 
     grey: NDArray[np.float64]
-    """The mean of the colours, shape (rows, columns), from 0 for black to 1 for white."""
+    """Mean of the colour channels, shape (rows, columns), from 0 for black to 1 for white."""
     opaque: NDArray[np.float64]
-    """From 0 where one looks through it to 1, of the same shape."""
+    """Opacity, from 0 for transparent to 1, of the same shape."""
     colours: int
-    """Channels that `grey` is the mean of: 1 or 3."""
+    """Number of channels averaged in `grey`: 1 or 3."""
     has_alpha: bool
 
 
@@ -41,10 +41,10 @@ def read_grey(path: Path, name: str) -> GreyPicture:
 
     Args:
         path: The file.
-        name: How messages call it.
+        name: Its name in messages.
 
     Raises:
-        InputError: Where there is no such file, it is neither, is broken or too large.
+        InputError: If the file does not exist, has another format, is broken or too large.
     """
     from PIL import Image, UnidentifiedImageError
 

@@ -1,4 +1,4 @@
-"""Maps by name: those that ship, and those in files."""
+"""Maps by name: the shipped ones, and those in files."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def load_map(name: str | Path) -> PlaceMap:
     """A shipped map by name, or one from a file.
 
     Raises:
-        InputError: if there is none, or the file does not hold a map that can be.
+        InputError: If there is none, or the file holds no valid map.
     """
     from comity_sim2d.maps.building import build_map
     from comity_sim2d.maps.file import MapFile
@@ -37,14 +37,14 @@ def load_map(name: str | Path) -> PlaceMap:
 
 
 def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
-    """The YAML of a map, not yet checked; a ROS map as one of ours.
+    """The YAML of a map, not yet checked; a ROS map is converted to our format.
 
     Args:
         name: A shipped name, or a path.
-        beside: The folder that a relative path starts from; the current one when None.
+        beside: Folder that relative paths start from; None: the current one.
 
     Raises:
-        InputError: if there is none, the file holds no YAML, or a ROS map cannot be used.
+        InputError: If there is none, the file holds no YAML, or a ROS map cannot be used.
     """
     from comity_fis.validation.yaml_file import read_yaml
 

@@ -1,4 +1,4 @@
-"""From a grid of free cells to one floor with few corners, which lies in the free cells."""
+"""Turns a grid of free cells into one floor outline with few corners, inside the free cells."""
 
 from __future__ import annotations
 
@@ -17,31 +17,31 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 ROUNDING = 1e-9
-"""A corner so near a line is on it [cells]."""
+"""Tolerance for a corner to be on a line [cells]."""
 
 
 @dataclass(frozen=True, slots=True)
 class FloorOutline:
-    """The largest connected part of what is free, as outlines in cells from the lower left corner."""
+    """The largest connected free region, as outlines [cells] from the lower left corner."""
 
     outline: tuple[XY, ...]
     holes: tuple[tuple[XY, ...], ...]
     share: float
-    """Of all free cells, the part that it covers, from 0 to 1."""
+    """Share of all free cells that it covers, in [0, 1]."""
 
 
 def floor_of_cells(free: NDArray[np.bool_], tolerance: float) -> FloorOutline | None:
-    """The floor that free cells are.
+    """The floor outline of free cells.
 
-    Every point of the floor lies in a free cell, its edge included. Every point that is connected to it and
-    farther than the tolerance from all cells that are not free is in it.
+    Every point of the floor, its edge included, lies in a free cell. It contains every point connected to it
+    that is farther than the tolerance from all cells that are not free.
 
     Args:
-        free: Shape (rows, columns), the lowest row first.
-        tolerance: Distance by which the outline may cut corners off what is free [cells].
+        free: Shape (rows, columns), the bottom row first.
+        tolerance: Maximum distance by which the outline cuts corners off the free region [cells].
 
     Returns:
-        None where nothing is left.
+        None if nothing is left.
     """
     from shapely import difference, get_parts, union_all
 
@@ -59,12 +59,12 @@ def floor_of_cells(free: NDArray[np.bool_], tolerance: float) -> FloorOutline | 
 
 
 def corners_of_cells(free: NDArray[np.bool_]) -> int:
-    """How many corners the outlines of free cells have: a noisy picture has hundreds of thousands."""
+    """Number of corners of the free cells' outlines; a noisy picture has hundreds of thousands."""
     around = np.pad(free, 1)
     low, high = around[:-1], around[1:]
     four = np.stack([low[:, :-1], low[:, 1:], high[:, :-1], high[:, 1:]]).astype(np.int8)
     count = four.sum(axis=0)
-    crossing = (count == 2) & (four[0] == four[3])  # two cells that touch at a corner only
+    crossing = (count == 2) & (four[0] == four[3])  # two cells touch at a corner only
     return int((count % 2).sum() + 2 * crossing.sum())
 
 
@@ -73,7 +73,7 @@ def _corners(ring: NDArray[np.float64]) -> tuple[XY, ...]:
 
 
 def _largest_patch(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The most cells that hang together by their edges; of equals the ones that begin lowest."""
+    """The largest region of cells connected by their edges; of equally large ones the lowest."""
     from scipy.ndimage import label
 
     numbers, found = label(free)
@@ -84,7 +84,7 @@ def _largest_patch(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _joined(free: NDArray[np.bool_]) -> BaseGeometry:
-    """Cells as one shape: runs along the rows, those of the same width above each other taken together."""
+    """The union of the cells: runs along rows, merged with equal runs above."""
     from shapely import box, union_all
 
     padded = np.zeros((free.shape[0], free.shape[1] + 2), dtype=np.int8)
@@ -92,7 +92,7 @@ def _joined(free: NDArray[np.bool_]) -> BaseGeometry:
     step = np.diff(padded, axis=1)
     rows, starts = np.nonzero(step == 1)
     ends = np.nonzero(step == -1)[1]
-    # Sorted by columns and then by rows, a run that goes on in the next row is the next one.
+    # Sorted by columns and then by rows, a run that continues in the next row comes next.
     order = np.lexsort((rows, ends, starts))
     rows, starts, ends = rows[order], starts[order], ends[order]
     goes_on = (np.diff(rows) == 1) & (np.diff(starts) == 0) & (np.diff(ends) == 0)
@@ -102,7 +102,7 @@ def _joined(free: NDArray[np.bool_]) -> BaseGeometry:
 
 
 def _largest(*shapes: BaseGeometry) -> Polygon | None:
-    """The polygon of the largest area; of equals the one that begins farthest left."""
+    """The polygon with the largest area; of equally large ones the leftmost."""
     from shapely import Polygon
 
     polygons = [shape for shape in shapes if isinstance(shape, Polygon) and shape.area > 0.0]
@@ -110,7 +110,7 @@ def _largest(*shapes: BaseGeometry) -> Polygon | None:
 
 
 def _rings(shape: Polygon) -> Iterator[NDArray[np.float64]]:
-    """Its outlines, shape (n, 2) each, the first point repeated; what is free is on their left."""
+    """Its outlines, each of shape (n, 2), first point repeated, free side on the left."""
     from shapely.geometry.polygon import orient
 
     turned = orient(shape, 1.0)
@@ -119,11 +119,11 @@ def _rings(shape: Polygon) -> Iterator[NDArray[np.float64]]:
 
 
 def _pockets(ring: NDArray[np.float64], tolerance: float) -> Iterator[Polygon]:
-    """What straight lines cut off the free side of an outline.
+    """The polygons that straight lines cut off the free side of an outline.
 
     Args:
-        ring: Shape (n, 2), the first point repeated, what is free on its left.
-        tolerance: How far a corner may be from the line.
+        ring: Shape (n, 2), first point repeated, free side on the left.
+        tolerance: Maximum distance of a corner from the line.
     """
     from shapely import Polygon
 
@@ -139,7 +139,7 @@ def _pockets(ring: NDArray[np.float64], tolerance: float) -> Iterator[Polygon]:
 
 
 def _kept(corners: NDArray[np.float64], tolerance: float) -> list[int]:
-    """The corners that stay: divided as by Douglas and Peucker (1973), then those left out that can be."""
+    """Indices of the corners to keep: Douglas and Peucker (1973), then dropping those that can go."""
     count = len(corners)
     far = int(np.hypot(*(corners - corners[0]).T).argmax())
     kept, todo = {0, far}, [(0, far), (far, count)]
@@ -167,10 +167,11 @@ def _path(corners: NDArray[np.float64], start: int, end: int) -> NDArray[np.floa
 
 
 def _worst(path: NDArray[np.float64], tolerance: float) -> int | None:
-    """The corner for which the straight line between the ends of a path cannot take its place.
+    """The corner that prevents a path from being replaced by the straight line between its ends.
 
     Returns:
-        Its index; None where the line can: all corners are on its right, which is not free, and near it.
+        Its index; None if the line can replace it: all corners are near it and on its right, which is not
+        free.
     """
     if len(path) < 3:
         return None
@@ -180,7 +181,7 @@ def _worst(path: NDArray[np.float64], tolerance: float) -> int | None:
 
 
 def _off_chord(path: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How far the corners between the ends of a path are left of the line between these, and past it."""
+    """Distances of the inner corners of a path to the left of the chord, and past its ends."""
     chord, between = path[-1] - path[0], path[1:-1] - path[0]
     length = float(np.hypot(*chord))
     along = between @ chord / length

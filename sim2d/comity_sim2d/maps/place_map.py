@@ -1,4 +1,4 @@
-"""A map: a place without a robot and without people, to make scenes of."""
+"""A map: a place without robot and people, from which scenes are made."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ AS_DRAWN: Mapping[str, bool] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class PlaceMap:
-    """What stands still, and what parts of it are called."""
+    """The static obstacles of a place, and the names of its parts."""
 
     name: str
     room: Room
@@ -58,10 +58,10 @@ class PlaceMap:
         passers_by: PassersBy | None = None,
         keep_to: Side = "right",
     ) -> Scene:
-        """The place with a robot and people, some of whom may stand together, and with passers-by.
+        """The scene of this place with a robot, people, groups of people and passers-by.
 
         Raises:
-            SceneError: Where one of them cannot stand where it is put.
+            SceneError: If one of them cannot stand at the given place.
         """
         return Scene(
             room=self.room,
@@ -78,13 +78,13 @@ class PlaceMap:
         )
 
     def with_doors(self, states: Mapping[str, bool] = AS_DRAWN) -> PlaceMap:
-        """The map with other doors open or shut.
+        """The map with some doors opened or shut.
 
         Args:
             states: Whether a door is open, by its name.
 
         Raises:
-            SceneError: For a door that is not there, or an opening that is to be shut.
+            SceneError: For an unknown door, or an opening that is to be shut.
         """
         require_kinds(self.name, states=(states, Mapping))
         known = [door.name for door in self.doors]
@@ -102,7 +102,7 @@ class PlaceMap:
         """The location of that name.
 
         Raises:
-            SceneError: Where there is none.
+            SceneError: If there is none.
         """
         return _named(self.locations, name, f"a location of the map {self.name}")
 
@@ -110,7 +110,7 @@ class PlaceMap:
         """The room of that name.
 
         Raises:
-            SceneError: Where there is none.
+            SceneError: If there is none.
         """
         return _named(self.areas, name, f"a room of the map {self.name}")
 

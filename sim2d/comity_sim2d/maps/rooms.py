@@ -1,6 +1,6 @@
-"""From the rooms of a map to its floor, and to the walls between rooms that touch.
+"""Derives the floor of a map from its rooms, and the walls between rooms that touch.
 
-All of it is computed on a grid of one millimetre, so that corners that were meant to be the same are.
+Coordinates are rounded to a grid of one millimetre, so that corners meant to coincide do.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 GRID_M = 0.001
 THICKNESS_M = 0.10
-"""Of the walls between rooms (our choice: a light partition)."""
+"""Thickness of the walls between rooms [m] (our choice: a light partition)."""
 
 
 def floor_of(areas: Sequence[Area], holes: Sequence[Sequence[XY]] = ()) -> Room:
-    """The union of rooms without the holes in it.
+    """The union of the rooms, minus the holes.
 
     Raises:
-        SceneError: about the first room that does not touch the others.
+        SceneError: For the first room that does not touch the others.
     """
     from shapely import Point, Polygon, difference, get_parts, union_all
 
@@ -52,7 +52,7 @@ def floor_of(areas: Sequence[Area], holes: Sequence[Sequence[XY]] = ()) -> Room:
 
 
 def walls_between(areas: Sequence[Area], floor: Room) -> tuple[Wall, ...]:
-    """Straight walls where rooms touch, each named for the rooms on both sides; none where they overlap."""
+    """Straight walls where rooms touch, named after both rooms; none where rooms overlap."""
     from shapely import Polygon, difference, get_parts, line_merge, union_all
 
     shapes = [shape_of(area) for area in areas]
@@ -68,7 +68,7 @@ def walls_between(areas: Sequence[Area], floor: Room) -> tuple[Wall, ...]:
 
 
 def shape_of(area: Area) -> Polygon:
-    """A room as a shape, on the grid."""
+    """The polygon of a room, on the grid."""
     from shapely import Polygon, set_precision
 
     return set_precision(Polygon(area.corners), GRID_M)
@@ -84,7 +84,7 @@ def _corners(ring: LinearRing) -> tuple[XY, ...]:
 
 
 def _straight(line: BaseGeometry) -> list[LineString]:
-    """The straight pieces of a line; none of anything that is no line, such as a point of contact."""
+    """The straight pieces of a line; none of other geometries, such as a point of contact."""
     from shapely import LineString
 
     return [LineString(pair) for pair in pairwise(line.coords)] if line.length > 0.0 else []
@@ -96,7 +96,7 @@ def _ends(piece: LineString) -> tuple[XY, XY]:
 
 
 def _inside_any(piece: LineString, shapes: Sequence[Polygon]) -> bool:
-    """Whether a piece of one room's outline runs through another room: the two overlap there."""
+    """Whether a piece of one room's outline runs inside another room, where the two overlap."""
     middle = piece.interpolate(0.5, normalized=True)
     return any(shape.contains(middle) and shape.boundary.distance(middle) > GRID_M for shape in shapes)
 

@@ -1,4 +1,4 @@
-"""A place as a map of ROS: a picture of its cells, the `map.yaml` that names it, its places beside."""
+"""Exports a place as a ROS map: a picture of its cells, `map.yaml`, and a file of named places."""
 
 from __future__ import annotations
 
@@ -22,30 +22,29 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 CELL_M = 0.05
-"""What most maps of ROS have."""
+"""Cell size of most ROS maps [m]."""
 FREE, OCCUPIED, UNKNOWN = 254, 0, 205
-"""Shades that `map_saver` writes."""
+"""Grey values that `map_saver` writes."""
 PGM_MARK = b"# Comity"
 YAML_MARK = b"# Comity:"
-"""What files of ours have near their start."""
+"""Mark near the start of files written by Comity."""
 TOUCHING = 1e-6
-"""Cells that only touch something are free of it [cells]."""
+"""Cells that overlap an obstacle by less than this are free [cells]."""
 
 
 def ros_map_files(place: PlaceMap | Scene, name: str, cell_m: float = CELL_M) -> dict[str, bytes]:
     """The files of a place as a ROS map, by name; `ward.yaml` first.
 
-    A cell is free where all of it is floor without a wall or a piece of furniture, and unknown outside.
-    Doors are drawn open, for such a map has none: a shut one is for the robot's sensors to see. Names of
-    rooms have no place in it.
+    A cell is free if it is entirely floor without wall or furniture; outside it is unknown. Doors are drawn
+    open, since the format has none: the robot's sensors are to see a shut one. Names of rooms are lost.
 
     Args:
         place: A map or a scene.
-        name: Of the files.
+        name: Name of the files, without suffix.
         cell_m: Side of a cell [m].
 
     Raises:
-        InputError: For more cells than a map may have.
+        InputError: If there are more cells than a map may have.
     """
     plan = floor_plan_of(place.room, place.walls, place.furniture, doors=())
     room = plan.room
@@ -77,7 +76,7 @@ def ros_map_files(place: PlaceMap | Scene, name: str, cell_m: float = CELL_M) ->
 def _touched(
     shape: BaseGeometry, corner: tuple[float, float], cell_m: float, size: tuple[int, int], *, outside: bool
 ) -> NDArray[np.bool_]:
-    """The cells of which some part is in a shape, or outside of it; the lowest row first."""
+    """The cells that overlap a shape, or its outside; the bottom row first."""
     from shapely import bounds, box, difference, get_parts, intersection, is_empty, prepare
 
     rows, columns = size
@@ -88,7 +87,7 @@ def _touched(
     prepare(shape)
     parts, row = get_parts((difference if outside else intersection)(strips, shape), return_index=True)
     parts, row = parts[~is_empty(parts)], row[~is_empty(parts)]
-    # What hangs together within a strip is in all cells between its ends.
+    # A connected piece within a strip covers all cells between its ends.
     ends = (bounds(parts)[:, (0, 2)] - left) / cell_m
     first = np.floor(ends[:, 0] + TOUCHING).astype(int)
     behind = np.ceil(ends[:, 1] - TOUCHING).astype(int)
@@ -100,7 +99,7 @@ def _touched(
 
 
 def _and_around(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The cells and all that touch them."""
+    """The cells and all their neighbours."""
     from scipy.ndimage import binary_dilation
 
     return np.asarray(binary_dilation(cells, np.ones((3, 3), dtype=bool)))

@@ -1,7 +1,7 @@
-"""Maps of ROS: a `map.yaml` that names a picture of free, occupied and unknown cells.
+"""ROS maps: a `map.yaml` that names a picture of free, occupied and unknown cells.
 
-The thresholds and modes are those of `nav2_map_server`. Cells that are not free are no floor, unknown ones
-among them: nothing shows that a robot could stand there.
+The thresholds and modes are those of `nav2_map_server`. Only free cells become floor. Unknown cells do not:
+nothing shows that a robot could stand there.
 """
 
 from __future__ import annotations
@@ -26,23 +26,24 @@ from comity_sim2d.maps.occupancy import FloorOutline, corners_of_cells, floor_of
 from comity_sim2d.pose import XY
 
 PLACES_SUFFIX = ".places.yaml"
-"""Of the file of named places, after the name of the map: `map.places.yaml` is beside `map.yaml`."""
+"""Suffix of the file of named places: `map.places.yaml` is next to `map.yaml`."""
 FLOOR = "floor"
-"""What the only room of such a map is called."""
+"""Name of the only room of such a map."""
 MILLIMETRES = 3
-"""Decimals of coordinates, as those of every map."""
+"""Decimals of coordinates in metres, as in every map."""
 USUALLY_UNKNOWN = 205 / 255
-"""The shade that `map_saver` writes for an unknown cell."""
+"""The grey value that `map_saver` writes for an unknown cell."""
 MAX_CELL_CORNERS = 150_000
-"""Of the outlines of free cells: about 12 s of one core to make polygons of (our choice)."""
+"""Maximum number of corners of the free cells' outlines: polygons of these take about 12 s on one core (our
+choice)."""
 KEPT = 8
-"""Pictures whose floor is remembered: each case of a test asks for it again."""
+"""Number of pictures whose floor is cached: each test case requests it again."""
 
 Share = Annotated[Number, Field(ge=0, le=1)]
 
 
 class RosMapFile(BaseModel):
-    """What a `map.yaml` of ROS holds."""
+    """The model of a ROS `map.yaml`."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="ROS map")
 
@@ -71,7 +72,7 @@ ROS_KEYS = RosMapFile.model_fields.keys()
 
 
 class PlacesFile(BaseModel):
-    """What stands beside a ROS map: names for its places."""
+    """The model of the file that names the places of a ROS map."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Places of a ROS map")
 
@@ -85,27 +86,27 @@ class PlacesFile(BaseModel):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RosMap(YamlFile):
-    """A ROS map whose data are those of a map of ours; complaints name the lines of its own two files."""
+    """A ROS map converted to our format; errors name the lines of its own two files."""
 
     places: YamlFile | None = None
 
     def where(self, location: Location) -> Where:
-        """The place of a value, or of the nearest thing around it that stands in one of the files."""
+        """Position of a value, or of the nearest enclosing element that is in one of the files."""
         if location[:1] == ("locations",) and self.places is not None:
             return self.places.where(location)
         return YamlFile.where(self, location)
 
 
 def is_ros_map(data: object) -> bool:
-    """Whether YAML is of a ROS map, be it incomplete, and not of a map or a scenario of ours."""
+    """Whether YAML data are a ROS map, even an incomplete one, and not a map or scenario of ours."""
     return isinstance(data, Mapping) and "schema_version" not in data and bool(ROS_KEYS & data.keys())
 
 
 def converted(file: YamlFile) -> RosMap:
-    """A ROS map as a map of ours: one room, its holes, and the places that the file beside it names.
+    """A ROS map in our format: one room, its holes, and the places named in the file next to it.
 
     Raises:
-        InputError: Where one of the three files cannot be used.
+        InputError: If one of the three files cannot be used.
     """
     ros = file.check(RosMapFile)
     beside = places_beside(file.path)
@@ -151,12 +152,12 @@ def places_beside(path: Path) -> Path:
 
 
 def cells(picture: GreyPicture, ros: RosMapFile) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """The cells that are free, and those that are neither free nor occupied; the lowest row first.
+    """The free cells, and those that are neither free nor occupied; the bottom row first.
 
     Args:
         picture: The picture that the map names.
-        ros: Its thresholds and mode: `trinary` takes a translucent cell for a darker one, `scale` for
-            unknown; `raw` has the values of an occupancy grid, 0 to 100 in percent, and above unknown.
+        ros: Its thresholds and mode. `trinary` treats a translucent cell as darker, `scale` as unknown; `raw`
+            has the values of an occupancy grid, 0 to 100 %, above which cells are unknown.
     """
     grey, opaque = picture.grey, picture.opaque
     known = np.ones(grey.shape, dtype=bool)
@@ -194,7 +195,7 @@ def _notes(
     floor: FloorOutline,
     tolerance_m: float,
 ) -> Iterator[str]:
-    """What was understood: size, origin, how exact it is, how much was unknown or left out."""
+    """Notes on the conversion: size, origin, accuracy, and the shares that are unknown or dropped."""
     free, unknown = found
     rows, columns = free.shape
     x, y, yaw = ros.origin

@@ -1,4 +1,4 @@
-"""A place as a graph: rooms and named places, joined by doors and wherever rooms are open to each other."""
+"""A place as a graph: rooms and named places, connected by doors and by overlaps of rooms."""
 
 from __future__ import annotations
 
@@ -20,23 +20,24 @@ if TYPE_CHECKING:
     Topology = nx.MultiGraph[str]
 
 BESIDE_M = 0.15
-"""So far off the middle of a door one is in the room on that side: walls are thinner (our choice)."""
+"""Distance from a door's centre at which a point is in the adjacent room [m]: walls are thinner (our
+choice)."""
 MOST_WAYS = 8
-"""Ways through doors that are looked at, the fewest shut doors first (our choice)."""
+"""Maximum number of paths through doors that are examined, fewest shut doors first (our choice)."""
 
 
 def topology(place: PlaceMap | Scene, doors: Iterable[Door] | None = None) -> Topology:
-    """The rooms of a place and how one gets from one to another.
+    """The graph of the rooms of a place and their connections.
 
     Args:
         place: A map, or a scene.
-        doors: As they are now; those of the place without.
+        doors: The doors in their current state; None: those of the place.
 
     Returns:
         A graph whose nodes are rooms by name (`kind` is `room`, `at` a point inside [m]) and named places
-        (`kind` is `place`, `at` where they are; the node is `place NAME` where a room has that `name`). An
-        edge is a door, its name the key (`kind` is `door`, with `width_m`, `is_open` and `at`), rooms that
-        overlap (`kind` is `open`), or a place in its room (`kind` is `in`). It is empty for a place without
+        (`kind` is `place`, `at` their position [m]; the node is `place NAME` if a room has the same name).
+        Edges are doors, keyed by name (`kind` is `door`, with `width_m`, `is_open` and `at`), overlaps of
+        rooms (`kind` is `open`), and places in their room (`kind` is `in`). It is empty for a place without
         rooms.
     """
     import networkx as nx
@@ -65,15 +66,15 @@ def topology(place: PlaceMap | Scene, doors: Iterable[Door] | None = None) -> To
 
 
 def room_at(place: PlaceMap | Scene, xy: XY) -> str | None:
-    """The room that a point is in, the first of those that overlap there; None outside of all."""
+    """The room that contains a point, the first if rooms overlap; None outside all rooms."""
     return _room_in(_shapes(place), xy)
 
 
 def shut_doors_between(graph: Topology, here: str, there: str) -> Iterator[Sequence[str]]:
-    """The shut doors on ways from one room to another, the way with the fewest first; `MOST_WAYS` at most.
+    """The shut doors on paths between two rooms, fewest first; at most `MOST_WAYS` paths.
 
     Args:
-        graph: As `topology` makes it.
+        graph: As returned by `topology`.
         here: A room.
         there: Another room.
 
@@ -95,7 +96,7 @@ def shut_doors_between(graph: Topology, here: str, there: str) -> Iterator[Seque
 
 
 def _shut_on(graph: Topology, way: Sequence[str]) -> Sequence[str]:
-    """The doors to be opened on a way through these rooms; none between rooms with an open one."""
+    """The doors to open on a path through these rooms; none between rooms that have an open door."""
     shut = []
     for one, other in pairwise(way):
         between = graph.get_edge_data(one, other)
@@ -120,7 +121,7 @@ def _middle(door: Door) -> XY:
 
 
 def _beside(door: Door) -> tuple[XY, XY]:
-    """A point on either side of a door's middle."""
+    """A point on each side of a door's centre."""
     (x, y), dx, dy = _middle(door), door.end[0] - door.start[0], door.end[1] - door.start[1]
     far = BESIDE_M / (dx * dx + dy * dy) ** 0.5
     return (x - dy * far, y + dx * far), (x + dy * far, y - dx * far)

@@ -1,7 +1,7 @@
-"""Delay and deviation of people who walk because of the robot: their walk beside the same walk without it.
+"""Delay and deviation that the robot causes in people's walks, compared with the same walks without it.
 
-Both walks have the same seed, so what differs began with the robot. It need not have met each person itself:
-a person who gave way to it may have been in the way of another.
+Both walks have the same seed, so every difference began with the robot. It need not have met each person
+itself: a person who gave way to it may have blocked another.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from comity_sim2d.metrics.metric import defined
 Numbers = NDArray[np.float64]
 
 NEAR_M = 0.1
-"""Places on a path nearer to each other than this count as the same: people sway where they stand [m]."""
+"""Places on a path nearer to each other than this count as the same [m]: standing people sway."""
 AHEAD_M = 0.5
-"""Length of path ahead in which the next place is looked for, besides the way walked since [m]."""
+"""Path length ahead, beyond the distance walked since, in which the next place is searched [m]."""
 EVERY_S = 0.1
-"""People choose how to go on this often: between two choices nothing new is to be seen [s]."""
+"""Period of people's decisions [s]: between two of them nothing new happens."""
 
 
 @dataclass(frozen=True, slots=True)
 class DisturbedWalk:
-    """What the robot's presence did to one person's walk."""
+    """The effect of the robot's presence on one person's walk."""
 
     walk_delay_s: float = field(
         metadata=defined(
@@ -48,16 +48,16 @@ class DisturbedWalk:
 def disturbed_walk(time_s: Numbers, walked: Numbers, undisturbed: Numbers) -> DisturbedWalk:
     """Compare a walk with the same walk without the robot.
 
-    The person's progress along the path without the robot is the nearest place of that path that is not
-    behind the progress so far, nor farther ahead than the person can have come since: a path that crosses
-    itself, or is walked to and fro, is followed in its order. The delay is how long ago the person would have
-    been there without the robot; of a place where the person would have rested the moment nearest to now.
+    The person's progress along the undisturbed path is its nearest place that is neither behind the progress
+    so far nor farther ahead than the person can have come since. So a path that crosses itself, or is walked
+    to and fro, is followed in its order. The delay is the time since the person would have been there without
+    the robot; at a place where the person would have rested, the moment nearest to now counts.
 
     Args:
         time_s: Ascending times of the walk [s], shape (n,).
-        walked: Places with the robot [m], shape (n, 2).
-        undisturbed: Ascending times [s] and places [m] without it, shape (m, 3); somewhat longer than the
-            walk, for a person whom the robot made come sooner.
+        walked: Positions with the robot [m], shape (n, 2).
+        undisturbed: Ascending times [s] and positions [m] without it, shape (m, 3); somewhat longer than the
+            walk, in case the robot made the person arrive sooner.
     """
     here, path = _thinned(np.column_stack([time_s, walked])), _thinned(undisturbed)
     along_m, gone_m = _lengths_m(path[:, 1:]), _lengths_m(here[:, 1:])
@@ -75,7 +75,7 @@ def disturbed_walk(time_s: Numbers, walked: Numbers, undisturbed: Numbers) -> Di
 
 
 def _thinned(track: Numbers) -> Numbers:
-    """Rows of times and places about `EVERY_S` apart."""
+    """Rows of times and positions about `EVERY_S` apart."""
     return track[:: max(1, round(EVERY_S / float(track[1, 0] - track[0, 0])))] if len(track) > 1 else track
 
 

@@ -1,4 +1,4 @@
-"""All metrics of one episode, from its frames and what only the world and the tree know."""
+"""All metrics of one episode, from its frames and from what only the world and the behaviour tree know."""
 
 from __future__ import annotations
 
@@ -156,7 +156,7 @@ class Metrics:
         )
     )
     stopping: Mapping[str, Stopping]
-    """By person who was visited."""
+    """By visited person."""
     compliance_share: Mapping[str, float] = field(
         metadata=defined(
             "1",
@@ -185,7 +185,7 @@ class Metrics:
             name="p95_speed_within_1_5_m_m_s",
         )
     )
-    """Likewise, where the robot was ever within 1.5 m of the person."""
+    """Likewise, if the robot was ever within 1.5 m of the person."""
     walked_by_person_m: Mapping[str, float] = field(
         metadata=defined(
             "m",
@@ -203,13 +203,13 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     """Measure an episode.
 
     Args:
-        frames: Where everybody was; the robot is entity 0.
-        known: What frames do not tell; without it only what they do.
+        frames: Poses of all entities; the robot is entity 0.
+        known: What the frames do not contain; None: only the metrics that the frames give.
 
     Raises:
-        InputError: Of no frames at all, where `own_m`, `later_m`, `groups` or `undisturbed` names a person
-            who is not in them, and where it holds no distance or no walk.
-        ValueError: if a visit names a person who is not in the frames.
+        InputError: If there are no frames, if `own_m`, `later_m`, `groups` or `undisturbed` names a person
+            who is not in them, or holds an invalid distance or walk.
+        ValueError: If a visit names a person who is not in the frames.
     """
     known = checked(frames, known)
     touched, gaps = known.contacts, proximity.clearances_m(frames)
@@ -277,7 +277,7 @@ def _mean(values: Iterable[float]) -> float | None:
 
 
 def _speeds_near_m_s(frames: Frames, gaps: Numbers, people: Container[str]) -> dict[str, float]:
-    """95th percentile of the robot's speed near each of some people; without those it never came near."""
+    """95th percentile of the robot's speed near each person [m/s]; people it never came near are left out."""
     speeds = {
         name: speed_near_m_s(frames, gaps[:, i : i + 1])
         for i, name in enumerate(frames.entities[1:])
@@ -295,12 +295,12 @@ def _spl(length_m: float, known: Known) -> float | None:
 
 
 def intrusion_of(frames: Frames, known: Known, gaps: Numbers | None = None) -> Intrusion:
-    """In which frames the robot was within whose distance while it neither visited nor left that person.
+    """The frames in which the robot intruded on a person, that is, while neither visiting nor leaving them.
 
     Args:
-        frames: Where everybody was.
-        known: Each person's distance, and when each was visited.
-        gaps: Of `clearances_m`, where they are known.
+        frames: Poses of all entities.
+        known: Each person's own distance, and when each was visited.
+        gaps: Result of `clearances_m`, if already computed.
     """
     gaps = proximity.clearances_m(frames) if gaps is None else gaps
     engaged = _by_person(known.visits) if known.engaged is None else known.engaged
@@ -315,5 +315,5 @@ def _by_person(visits: Iterable[TargetStop]) -> dict[str, list[Span]]:
 
 
 def _reach_m(frames: Frames) -> Numbers:
-    """Centre distance minus gap, by person."""
+    """Centre distance minus gap, by person [m]."""
     return np.array(frames.radius_m[1:]) + frames.radius_m[0]

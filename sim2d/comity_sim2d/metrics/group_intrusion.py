@@ -14,13 +14,14 @@ from comity_sim2d.scene.person import Person
 
 
 def group_intrusions(frames: Frames, groups: Sequence[Sequence[str]], intrusion: Intrusion) -> int:
-    """How often the robot entered an o-space.
+    """Number of times the robot entered an o-space.
 
-    A group's o-space is that of the first frame, and is there while all members are within `LEFT_M` of where
-    they stood. A frame counts in which the robot neither visits nor leaves a member, as in `intrusion`.
+    A group's o-space is that of the first frame, and exists while all members are within `LEFT_M` of their
+    initial places. Only frames count in which the robot neither visits nor leaves a member, as in
+    `intrusion`.
 
     Args:
-        frames: Of the episode.
+        frames: Frames of the episode.
         groups: The names of each group's members.
         intrusion: Says when the robot visited or left each person.
     """
@@ -52,5 +53,5 @@ def _passes(group: Sequence[str], intrusion: Intrusion) -> NDArray[np.bool_]:
 
 
 def _entries(inside: NDArray[np.bool_]) -> int:
-    """How often a run of frames inside begins."""
+    """Number of runs of frames inside."""
     return int(inside[:1].sum() + (inside[1:] & ~inside[:-1]).sum())

@@ -1,12 +1,12 @@
 """Intrusion: the robot is within a person's distance while it neither visits nor leaves that person.
 
-This is the one definition; metrics, expectations and pages use it. A person of whom no distance is known,
-such as a passer-by, has the one that routes use: `COMFORT_M`. A person who asks for another distance on the
-way is judged by it from then on.
+This is the only definition; metrics, expectations and pages use it. A person whose distance is unknown, such
+as a passer-by, has the default one of routes, `COMFORT_M`. If a person asks for another distance during the
+episode, it applies from then on.
 
 Leaving is no intrusion: after a visit the robot is still within the person's distance and has to get out of
-it. It has left once it is `GONE_M` outside, and it no longer leaves when it comes nearer again by as much or
-stays where it is.
+it. It has left once it is `GONE_M` outside. It no longer counts as leaving when it comes nearer again by
+`GONE_M` or stays where it is.
 """
 
 from __future__ import annotations
@@ -23,27 +23,27 @@ from comity_sim2d.metrics.motion import Numbers, Span, within
 from comity_sim2d.metrics.proximity import weights_s
 
 SLACK_M = 0.01
-"""So much nearer than their own distance still counts as keeping it: the precision of docking."""
+"""Tolerance [m]: the precision of docking. A distance shorter by this still counts as kept."""
 GONE_M = 0.1
-"""Distance outside a person's own at which the robot has left; nearing by as much ends leaving, too [m]
-(our choice)."""
+"""Distance outside a person's own distance at which the robot has left; coming nearer by as much ends
+leaving, too [m] (our choice)."""
 STAYS_S, STAYS_M = 2.0, 0.01
-"""Time in which a leaving robot that has come no farther away by `STAYS_M` stays there [s] (our choice)."""
+"""A leaving robot that gains less than `STAYS_M` [m] in `STAYS_S` [s] counts as staying (our choice)."""
 TICK_S = 1e-3
-"""Times within it are one: a tick is at least as long."""
+"""Times closer together than this are equal [s]: a tick is at least as long."""
 
 
 Since = tuple[tuple[float, float], ...]
-"""Since when [s] which distance [m] holds, in order of time."""
+"""Pairs of a time [s] and the distance [m] that applies from then on, in order of time."""
 
 
 def own_distances_m(times: Numbers, own_m: float, later_m: Since) -> Numbers:
-    """How far one person likes the robot to stay at each time [m]; shape (n,).
+    """The own distance of one person at each time [m]; shape (n,).
 
     Args:
-        times: In order [s].
-        own_m: At the start.
-        later_m: What they asked for on the way.
+        times: Ascending times [s].
+        own_m: Own distance at the start [m].
+        later_m: Distances they asked for later.
     """
     distances = np.full(len(times), own_m)
     for since_s, distance_m in later_m:
@@ -53,21 +53,21 @@ def own_distances_m(times: Numbers, own_m: float, later_m: Since) -> Numbers:
 
 @dataclass(frozen=True, slots=True)
 class IntrusionSpan:
-    """The robot within the distance of a person with whom it had no business."""
+    """A stay of the robot within the distance of a person it neither visited nor left."""
 
     person: str
     start_s: float
     length_s: float
-    """From the first frame to the last."""
+    """Duration from the first frame to the last [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Intrusion:
-    """Frame by frame, for each person."""
+    """Intrusion by frame and person."""
 
     people: tuple[str, ...]
     own: frozenset[str]
-    """Whose distance is their own."""
+    """People whose own distance is known."""
     passing: NDArray[np.bool_]
     """Shape (n, people): the robot neither visits nor leaves this person."""
     intruded: NDArray[np.bool_]
@@ -85,11 +85,11 @@ class Intrusion:
         """Judge every frame.
 
         Args:
-            frames: What happened.
-            gaps: Of `clearances_m`.
-            own_m: The distance that each person likes, by name; `COMFORT_M` for people who are not in it.
-            visits: When the robot was on its way to each person or with them, by name.
-            later_m: What they asked for on the way, by name.
+            frames: Frames of the episode.
+            gaps: Result of `clearances_m`.
+            own_m: Each person's own distance [m], by name; `COMFORT_M` for all others.
+            visits: Spans in which the robot was on its way to each person or with them, by name.
+            later_m: Distances they asked for later, by name.
         """
         people = frames.entities[1:]
         shape = (len(frames), len(people))
@@ -103,7 +103,7 @@ class Intrusion:
         return cls(people, frozenset((*own_m, *later_m)), passing, passing & near)
 
     def compliance_by_person(self, frames: Frames) -> dict[str, float]:
-        """For each whose own distance is known, the share of the time without a visit that was outside it."""
+        """By person with a known own distance: share of the time without a visit spent outside it."""
         return {
             name: _share(~self.intruded[:, i], self.passing[:, i], frames)
             for i, name in enumerate(self.people)
@@ -111,21 +111,21 @@ class Intrusion:
         }
 
     def longest_by_person_s(self, frames: Frames) -> dict[str, float]:
-        """For each whose own distance is known, the longest stay within it [s]; 0 where there was none."""
+        """By person with a known own distance: longest intrusion [s]; 0 if there was none."""
         longest = {name: self.longest(frames, name) for name in self.people if name in self.own}
         return {name: stay.length_s if stay else 0.0 for name, stay in longest.items()}
 
     def compliance_share(self, frames: Frames) -> float:
-        """The share of all time in which nobody's distance was intruded on."""
+        """Share of all time without any intrusion."""
         nobody = np.logical_not(self.intruded.any(axis=1))
         return _share(nobody, np.ones(len(frames), dtype=np.bool_), frames)
 
     def stays(self, frames: Frames, person: str) -> Iterator[IntrusionSpan]:
-        """All stays within the distance of one person, by time."""
+        """All intrusions on one person, by time."""
         yield from _stays(person, frames.time_s, self.intruded[:, self.people.index(person)])
 
     def longest(self, frames: Frames, person: str | None = None) -> IntrusionSpan | None:
-        """The longest stay within the distance of a person, or of one; None where there was none."""
+        """The longest intrusion on one person, or on anyone; None if there was none."""
         stays = (stay for name in self.people if person in (None, name) for stay in self.stays(frames, name))
         return max(stays, key=lambda stay: stay.length_s, default=None)
 
@@ -142,14 +142,14 @@ def _leaving(times: Numbers, gaps: Numbers, own: Numbers, since_s: float) -> NDA
 
 
 def _share(held: NDArray[np.bool_], counted: NDArray[np.bool_], frames: Frames) -> float:
-    """The share in time of what held; 1 where no time counts."""
+    """Share of the counted time in which `held` is true; 1 if no time counts."""
     steps = weights_s(frames)
     whole = float(steps[counted].sum())
     return float(steps[counted & held].sum()) / whole if whole > 0.0 else 1.0
 
 
 def _stays(person: str, times: Numbers, held: NDArray[np.bool_]) -> Iterator[IntrusionSpan]:
-    """The runs of frames that held."""
+    """The runs of frames in which `held` is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], held, [False])).astype(np.int8)))
     for start_s, end_s in zip(times[edges[::2]].tolist(), times[edges[1::2] - 1].tolist(), strict=True):
         yield IntrusionSpan(person, start_s, end_s - start_s)

@@ -1,4 +1,4 @@
-"""What frames do not tell about an episode and its metrics need."""
+"""What metrics need to know about an episode beyond its frames."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from comity_sim2d.scene_error import is_number, require_tuple, require_whole, sh
 
 @dataclass(frozen=True, slots=True)
 class Contacts:
-    """How many contacts of the robot began, by what it touched; the world knows them."""
+    """Number of contacts of the robot that began, by what it touched; the world knows them."""
 
     people: int = 0
     walls: int = 0
@@ -33,27 +33,27 @@ class Contacts:
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What frames do not tell."""
+    """What metrics need to know about an episode beyond its frames."""
 
     contacts: Contacts | None = None
-    """None: those with people are counted from the frames, and of things nothing is known."""
+    """None: contacts with people are counted from the frames, those with objects are unknown."""
     own_m: Mapping[str, float] = field(default_factory=dict)
     """Each person's own distance [m], by name; `proxemics.COMFORT_M` for people who are not in it."""
     later_m: Mapping[str, Since] = field(default_factory=dict)
-    """Since when [s] a person likes another distance [m], by name and in order of time."""
+    """Changes of a person's own distance, by name: times [s] and distances [m], in order of time."""
     visits: tuple[TargetStop, ...] = ()
     """In the order of the visits."""
     engaged: Mapping[str, tuple[Span, ...]] | None = None
-    """When the robot was on its way to each person or with them, by name; None: as the visits say."""
+    """Spans in which the robot was on its way to each person or with them, by name; None: as in `visits`."""
     shortest_m: float | None = None
-    """The length of the shortest way that would have done."""
+    """Length of the shortest sufficient path [m]."""
     groups: tuple[tuple[str, ...], ...] = ()
     """The members of each group that stands together at the start."""
     success: bool = True
     plan_cost_m: float | None = None
-    """What the first plan costs, in metres of path."""
+    """Cost of the first plan [m of path]."""
     plan_gap: float | None = None
-    """The share of it that a better plan could at most save, in [0, 1]."""
+    """Relative optimality gap of that cost, in [0, 1]."""
     undisturbed: Mapping[str, Numbers] = field(default_factory=dict)
     """Walks without the robot, by person or passer-by: ascending times [s], x and y [m], shape (m, 3)."""
 
@@ -73,7 +73,7 @@ class Known:
 
 
 def checked(frames: Frames, known: Known | None) -> Known:
-    """What is known, if all of it is of people in the frames."""
+    """The known facts, checked to concern only people in the frames."""
     require_kinds("figures", frames=(frames, Frames), known=(known, Known | None))
     if len(frames) == 0:
         raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")

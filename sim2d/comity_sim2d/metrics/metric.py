@@ -1,4 +1,4 @@
-"""What a metric is: unit, definition, source and bounds, beside the field that holds its value."""
+"""Definition of a metric (unit, meaning, source, bounds), stored next to the field that holds its value."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _ENDS: Mapping[str, str] = {
     "deg": "_deg",
     "rad": "_rad",
 }
-"""By unit, the end of a metric's name."""
+"""Ending of a metric's name, by unit."""
 _KEY = "metric"
 
 Per = Literal["run", "visit", "person"]
@@ -33,9 +33,9 @@ class Metric:
     """One metric."""
 
     name: str
-    """As JSON and tables have it, with the unit at its end."""
+    """Name in JSON and tables, ending with the unit."""
     unit: str
-    """`1` for a share or a count."""
+    """Unit; `1` for a share or a count."""
     means: str
     source: str = OWN
     per: Per = "run"
@@ -47,7 +47,7 @@ class Metric:
 
     @property
     def short_name(self) -> str:
-        """The name without its unit, as sentences have it."""
+        """Name without the unit, as in sentences."""
         return without_unit(self.name, self.unit)
 
 
@@ -74,9 +74,9 @@ def defined(
     """The metadata of a dataclass field whose value is a metric, or one by person; see `Metric`.
 
     Args:
-        unit: As of `Metric`, like all others.
-        means: Its definition.
-        source: Where it comes from.
+        unit: Unit, as in `Metric`.
+        means: Definition.
+        source: Source of the definition.
         per: Per run, visit or person.
         name: The metric's name; empty for that of the field.
         least: Lower bound.
@@ -86,7 +86,7 @@ def defined(
 
 
 def definitions(record: type[Any]) -> Iterator[Metric]:
-    """The metrics that the fields of a dataclass define, in their order; those of its records included."""
+    """The metrics that a dataclass and its nested records define, in field order."""
     hints = get_type_hints(record)
     for field in fields(record):
         if metric := field.metadata.get(_KEY):
@@ -97,7 +97,7 @@ def definitions(record: type[Any]) -> Iterator[Metric]:
 
 
 def values(record: Any) -> Iterator[tuple[str, float | None]]:
-    """The numbers of a dataclass by the names of their metrics, in their order; without those by person."""
+    """The values of a dataclass by metric name, in field order; without those by person."""
     for field in fields(record):
         value = getattr(record, field.name)
         if is_dataclass(value):
@@ -107,7 +107,7 @@ def values(record: Any) -> Iterator[tuple[str, float | None]]:
 
 
 def values_of_person(record: Any, person: str) -> Iterator[tuple[str, float | None]]:
-    """The numbers of one person, likewise: of the mappings by person in the fields of a dataclass."""
+    """The values of one person by metric name, from the mappings by person of a dataclass."""
     for field in fields(record):
         by_person = getattr(record, field.name)
         if not isinstance(by_person, Mapping) or person not in by_person:

@@ -1,4 +1,4 @@
-"""How the robot moved: way, speed, acceleration, jerk, turning, standing still."""
+"""How the robot moved: path, speed, acceleration, jerk, turning, standing still."""
 
 from __future__ import annotations
 
@@ -15,13 +15,16 @@ from comity_sim2d.kinds import require_kinds, require_numbers
 Numbers = NDArray[np.float64]
 
 STANDING_M_S = 0.02
-"""Slower counts as standing."""
+"""Below this speed the robot stands [m/s]."""
 STANDING_RAD_S = 0.08
-"""Turning slower counts as standing: a rim of 0.25 m is then as fast as `STANDING_M_S` (our choice)."""
+"""Below this turning rate the robot stands [rad/s]: a rim of 0.25 m then moves at `STANDING_M_S` (our
+choice)."""
 STRETCH_M = 0.1
-"""Length of path over which it has a direction [m] (our choice: well above the noise of one frame)."""
+"""Path length over which the direction of travel is measured [m] (our choice: well above the noise of a
+frame)."""
 STUCK_M, STUCK_S = 0.1, 3.0
-"""Under way and not farther than this for so long: it failed to make progress (our choice of both)."""
+"""Under way and no farther than `STUCK_M` in `STUCK_S`: the robot failed to make progress (our choice of
+both)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,47 +51,47 @@ def path_lengths_m(frames: Frames) -> Numbers:
 
 
 def speeds_m_s(frames: Frames) -> Numbers:
-    """The robot's mean speed between frames, shape (n - 1,)."""
+    """The robot's mean speed between frames [m/s], shape (n - 1,)."""
     require_kinds("figures", frames=(frames, Frames))
     return _size(_velocities(frames, 0))
 
 
 def walks_m_s(frames: Frames, entity: int) -> Numbers:
-    """A person's mean speed between frames, shape (n - 1,)."""
+    """A person's mean speed between frames [m/s], shape (n - 1,)."""
     return _size(_velocities(frames, entity))
 
 
 def accelerations_m_s2(frames: Frames) -> Numbers:
-    """Size of the change of the robot's velocity over time, shape (n - 2,): turning counts as well."""
+    """Magnitude of the robot's acceleration [m/s^2], shape (n - 2,); turning counts as well."""
     return _size(_rate(_velocities(frames, 0), _middles(frames.time_s)))
 
 
 def jerks_m_s3(frames: Frames) -> Numbers:
-    """Size of the change of the robot's acceleration over time, shape (n - 3,) (Francis et al. 2023)."""
+    """Magnitude of the robot's jerk [m/s^3], shape (n - 3,) (Francis et al. 2023)."""
     times = _middles(frames.time_s)
     return _size(_rate(_rate(_velocities(frames, 0), times), _middles(times)))
 
 
 def mean(values: Numbers) -> float:
-    """The mean over the steps between frames; 0 of no step."""
+    """Mean over the steps between frames; 0 if there are none."""
     return float(values.mean()) if values.size else 0.0
 
 
 def heading_change_rad(frames: Frames) -> float:
-    """All turning of the robot, both ways added up (HuNavSim's cumulative heading changes)."""
+    """Total absolute turning of the robot [rad] (HuNavSim's cumulative heading changes)."""
     return float(turns_rad(frames).sum())
 
 
 def turns_rad(frames: Frames) -> Numbers:
-    """How far the robot turned from frame to frame, the short way, shape (n - 1,)."""
+    """Absolute turning of the robot between frames [rad], shape (n - 1,)."""
     return _turns(frames.poses[:, 0, 2])
 
 
 def path_irregularity_rad_m(frames: Frames) -> float:
-    """Turning of the direction of travel for each metre of path [rad/m]; 0 of a straight path or none.
+    """Turning of the direction of travel per metre of path [rad/m]; 0 for a straight path or none.
 
-    The direction is that from place to place at least `STRETCH_M` apart: between frames of a robot that
-    hardly moves it would be noise. Turns that walls and people demand are included.
+    The direction is taken between places at least `STRETCH_M` apart; between single frames of a slow robot it
+    would be noise. Turns forced by walls and people are included.
     """
     places = [frames.poses[0, 0, :2].tolist()]
     for place in frames.poses[:, 0, :2].tolist():
@@ -100,18 +103,18 @@ def path_irregularity_rad_m(frames: Frames) -> float:
 
 
 def _turns(angles: Numbers) -> Numbers:
-    """From each angle to the next one the short way, without a sign [rad]."""
+    """Absolute difference between consecutive angles, the short way [rad]."""
     return np.asarray(np.abs(np.remainder(np.diff(angles) + np.pi, 2 * np.pi) - np.pi))
 
 
 def stalled_s(frames: Frames, under_way: Sequence[Span]) -> float:
-    """How long the robot stood although it was under way; who is under way may be so in several stretches."""
+    """Time for which the robot stood although it was under way [s]."""
     standing = speeds_m_s(frames) < STANDING_M_S
     return float(np.diff(frames.time_s)[standing & within(_middles(frames.time_s), under_way)].sum())
 
 
 def failures_to_progress(frames: Frames, under_way: Sequence[Span]) -> int:
-    """How often the robot, under way, came no farther than `STUCK_M` in `STUCK_S` seconds."""
+    """Number of times the robot, under way, moved no farther than `STUCK_M` in `STUCK_S`."""
     return sum(_times_stuck(frames, span) for span in under_way)
 
 
@@ -133,12 +136,12 @@ def velocities_m_s(frames: Frames) -> Numbers:
 
 
 def _velocities(frames: Frames, entity: int) -> Numbers:
-    """Shape (n - 1, 2)."""
+    """Mean velocity of one entity between frames [m/s], shape (n - 1, 2)."""
     return _rate(frames.poses[:, entity, :2], frames.time_s)
 
 
 def _rate(values: Numbers, times: Numbers) -> Numbers:
-    """Change over time along the first axis."""
+    """Rate of change along the first axis."""
     steps = np.diff(times).reshape(-1, *[1] * (values.ndim - 1))
     return np.asarray(np.diff(values, axis=0) / steps)
 
@@ -152,7 +155,7 @@ def _size(vectors: Numbers) -> Numbers:
 
 
 def within(times: Numbers, spans: Sequence[Span]) -> NDArray[np.bool_]:
-    """Which times lie in one of the spans."""
+    """Whether each time lies in one of the spans."""
     inside = np.zeros(len(times), dtype=np.bool_)
     for span in spans:
         inside |= (times >= span.start_s) & (times <= span.end_s)
@@ -160,11 +163,11 @@ def within(times: Numbers, spans: Sequence[Span]) -> NDArray[np.bool_]:
 
 
 def without(span: Span, breaks: Sequence[Span]) -> tuple[Span, ...]:
-    """What is left of a stretch of time.
+    """The parts of a time span outside some breaks.
 
     Args:
-        span: The stretch.
-        breaks: In order of time. What begins with a break goes on with its end: that moment is no break's.
+        span: The time span.
+        breaks: Breaks in order of time. A span that begins with a break starts at the break's end.
     """
     left, start_s = [], span.start_s
     for each in breaks:

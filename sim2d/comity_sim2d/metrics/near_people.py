@@ -1,4 +1,4 @@
-"""How the robot moved near people: mean distance, shares of Hall's zones, speed, and the cause of contacts.
+"""Motion near people: mean distance, shares of Hall's zones, speed, and who caused contacts.
 
 All distances are between the nearest points of two bodies (`surface`).
 """
@@ -17,14 +17,14 @@ from comity_sim2d.metrics.motion import Numbers, speeds_m_s, velocities_m_s
 from comity_sim2d.metrics.proximity import seconds_in_zones, weights_s
 
 ROUNDING_M_S = 1e-9
-"""Speeds that differ by less are the same [m/s]."""
+"""Speeds that differ by less than this are equal [m/s]."""
 FAST_SHARE = 0.95
-"""The percentile of the speed: the largest one of an episode is that of a single frame."""
+"""Percentile of the speed that counts: the maximum of an episode is that of a single frame."""
 
 
 @dataclass(frozen=True, slots=True)
 class NearPeople:
-    """Metrics of one episode; None without people, or never so near."""
+    """Metrics of one episode; None if there are no people, or the robot was never so near."""
 
     contacts_by_robot: int = field(
         metadata=defined(
@@ -72,9 +72,9 @@ def near_people(frames: Frames, gaps: Numbers, collision_s: Numbers) -> NearPeop
     """Measure one episode.
 
     Args:
-        frames: Of the episode.
-        gaps: Of `clearances_m`, shape (n, people).
-        collision_s: Of `seconds_to_collision`, shape (n - 1, people).
+        frames: Frames of the episode.
+        gaps: Result of `clearances_m` [m], shape (n, people).
+        collision_s: Result of `seconds_to_collision` [s], shape (n - 1, people).
     """
     began = _contacts_begun(frames, collision_s)
     by_robot = int((began & _robot_closes_faster(frames)).sum())
@@ -98,16 +98,16 @@ def _mean_nearest_m(frames: Frames, gaps: Numbers) -> float:
 
 
 def speed_near_m_s(frames: Frames, gaps: Numbers) -> float | None:
-    """95th percentile of the speed within `NEAR_PEOPLE_M` of the people in the columns [m/s]; None: never.
+    """95th percentile of the speed within `NEAR_PEOPLE_M` of the given people [m/s]; None if never there.
 
-    A step between two frames is within it where the mean of the gaps at its ends is.
+    A step between two frames counts if the mean of the gaps at its ends is within that distance.
     """
     near = ((gaps[:-1] + gaps[1:]) / 2 < NEAR_PEOPLE_M).any(axis=1)
     return float(np.quantile(speeds_m_s(frames)[near], FAST_SHARE)) if near.any() else None
 
 
 def _contacts_begun(frames: Frames, collision_s: Numbers) -> NDArray[np.bool_]:
-    """Steps between frames in which bodies begin to touch, both moving straight, shape (n - 1, people)."""
+    """Steps in which bodies begin to touch, moving straight between frames, shape (n - 1, people)."""
     touching = collision_s <= np.diff(frames.time_s)[:, None]
     began = touching.copy()
     began[1:] &= ~touching[:-1]

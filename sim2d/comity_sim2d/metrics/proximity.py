@@ -1,4 +1,4 @@
-"""How near the robot came to people: gaps, zones of space, time to collision.
+"""Proximity to people: gaps, Hall's zones, time to collision.
 
 All distances are between the nearest points of two bodies (`surface`).
 """
@@ -15,12 +15,12 @@ from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics.motion import Numbers, velocities_m_s
 
 INTIMATE_M, PERSONAL_M = 0.45, 1.2
-"""Where Hall's intimate and personal spaces end, as HuNavSim counts them (Hall 1966 has 4 feet for the
+"""Outer limits of Hall's intimate and personal space [m], as in HuNavSim (Hall 1966 has 4 feet for the
 latter: 1.22 m)."""
 
 
 def clearances_m(frames: Frames) -> Numbers:
-    """The gaps between the robot and every person, shape (n, people)."""
+    """Gaps between the robot and every person [m], shape (n, people)."""
     require_kinds("figures", frames=(frames, Frames))
     apart = frames.poses[:, 1:, :2] - frames.poses[:, :1, :2]
     radii = np.array(frames.radius_m)
@@ -28,7 +28,7 @@ def clearances_m(frames: Frames) -> Numbers:
 
 
 def seconds_in_zones(frames: Frames, gaps: Numbers) -> tuple[float, float, float, float]:
-    """Time with the nearest person in intimate, personal, social and public distance [s]; 0 without any."""
+    """Time with the nearest person in intimate, personal, social and public distance [s]; 0 if alone."""
     if gaps.shape[1] == 0:
         return (0.0, 0.0, 0.0, 0.0)
     zones = np.searchsorted((INTIMATE_M, PERSONAL_M, SOCIAL_M), gaps.min(axis=1), side="right")
@@ -42,19 +42,19 @@ def seconds_in_zones(frames: Frames, gaps: Numbers) -> tuple[float, float, float
 
 
 def contacts(gaps: Numbers) -> int:
-    """How often bodies began to overlap in the frames, those that do so in the first one included.
+    """Number of contacts that began in the frames, including those in the first frame.
 
     Args:
-        gaps: Of `clearances_m`.
+        gaps: Result of `clearances_m`.
     """
     overlaps = gaps < 0.0
     return int(overlaps[0].sum() + (overlaps[1:] & ~overlaps[:-1]).sum())
 
 
 def seconds_to_collision(frames: Frames) -> Numbers:
-    """Time after which robot and a person would touch if both went on as they go [s].
+    """Time to collision of the robot and each person at constant velocities [s].
 
-    From each frame but the last, shape (n - 1, people); 0 where bodies overlap, infinite where they miss.
+    Shape (n - 1, people), for each frame but the last; 0 if bodies overlap, infinite if they miss each other.
     """
     require_kinds("figures", frames=(frames, Frames))
     places = frames.poses[..., :2]
@@ -73,5 +73,5 @@ def seconds_to_collision(frames: Frames) -> Numbers:
 
 
 def weights_s(frames: Frames) -> Numbers:
-    """How long each frame stands for: until the next one."""
+    """Duration that each frame represents, until the next one [s]."""
     return np.append(np.diff(frames.time_s), 0.0)

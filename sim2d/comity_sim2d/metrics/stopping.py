@@ -1,4 +1,4 @@
-"""How the robot came to one person: where it stopped against what was wanted, how fast, and how visibly.
+"""Approach to one person: stopping pose against its target, speed, and legibility.
 
 The definitions are this project's own; distances are between the nearest points of the two bodies.
 """
@@ -34,38 +34,38 @@ from comity_sim2d.pose import wrap_angle
 from comity_sim2d.scene_error import require_finite, require_text, require_tuple, unknown
 
 REST_S = 0.3
-"""Standing for so long, without turning, is rest."""
+"""Time of standing without turning that counts as rest [s]."""
 HOLD_S = 5.0
 HALF_TURN_DEG = 180.0
 
 
 @dataclass(frozen=True, slots=True)
 class TargetStop:
-    """One visit: to whom, when, and where the robot was to stop."""
+    """One visit: the person, the time, and the target stopping pose."""
 
     person: str
     span: Span
-    """From setting out to the end of the visit."""
+    """From departure to the end of the visit."""
     way: Span
-    """From setting out to where the robot first docked, or gave up."""
+    """From departure until the robot first docked, or gave up."""
     distance_m: float
-    """At the stop."""
+    """Target distance at the stop [m]."""
     bearing_deg: float
-    """Signed, positive to the person's left."""
+    """Target bearing, positive to the person's left [deg]."""
     distances_m: tuple[tuple[float, float], ...] = ()
-    """Since when [s] which distance was wanted, in order of time; empty where it was one throughout."""
+    """Times [s] and the target distance [m] from then on, in order; empty if it never changed."""
     arrives: bool = True
-    """Whether the robot came to stand there: else it stopped nowhere, wherever it rested on its way."""
+    """Whether the robot reached its target; if not, it stopped nowhere, wherever it rested on its way."""
     breaks: tuple[Span, ...] = ()
-    """When, in between, it was about another person, in order of time: that is no part of the visit."""
+    """Times at which it dealt with another person, in order; they are no part of the visit."""
     docked_s: float | None = None
-    """When it docked last; None where it never did."""
+    """Time of the last docking [s]; None if it never docked."""
     own_m: float | None = None
-    """The person's own distance then."""
+    """The person's own distance at that time [m]."""
     chosen_distance_m: float | None = None
-    """Of the docking pose that was chosen last, or in which the person left the robot as they moved."""
+    """Distance of the last chosen docking pose, or of the pose left after the person moved [m]."""
     chosen_bearing_deg: float | None = None
-    """Likewise, positive to the person's left."""
+    """Bearing of the same pose, positive to the person's left [deg]."""
 
     def __post_init__(self) -> None:
         require_text("visit", "person", self.person)
@@ -88,13 +88,13 @@ class TargetStop:
 
     @property
     def ways(self) -> tuple[Span, ...]:
-        """The way without its breaks."""
+        """The way to the person without its breaks."""
         return without(self.way, self.breaks)
 
 
 @dataclass(frozen=True, slots=True)
 class Stopping:
-    """One approach; None where the robot never docked."""
+    """Metrics of one approach; None if the robot never docked."""
 
     docking_error_m: float | None = field(
         metadata=defined(
@@ -133,7 +133,7 @@ class Stopping:
             least=None,
         )
     )
-    """As it docked, where it never rested."""
+    """Taken at docking if the robot never rested."""
     overshoot_m: float = field(
         metadata=defined(
             "m",
@@ -159,7 +159,7 @@ class Stopping:
             most=HALF_TURN_DEG,
         )
     )
-    """A robot on a side that was wanted is where it should be."""
+    """A robot on any accepted side has no error."""
     speed_within_1_5_m_m_s: float | None = field(
         metadata=defined(
             "m/s",
@@ -204,10 +204,10 @@ def stopping(frames: Frames, wanted: TargetStop) -> Stopping:
 
     Args:
         frames: The episode.
-        wanted: The visit; its person is an entity of the frames.
+        wanted: The visit; its person must be an entity of the frames.
 
     Raises:
-        ValueError: Where there is no such person.
+        ValueError: If there is no such person.
     """
     require_kinds("figures", frames=(frames, Frames), wanted=(wanted, TargetStop))
     approach = _Approach.of(frames, wanted)
@@ -241,7 +241,7 @@ def stopping(frames: Frames, wanted: TargetStop) -> Stopping:
 
 
 def _docking_error_m(frames: Frames, wanted: TargetStop) -> float | None:
-    """Between the gap in the frame of the last docking and the person's own distance then."""
+    """Difference of the gap at the last docking and the person's own distance at that time [m]."""
     if wanted.docked_s is None or wanted.own_m is None:
         return None
     frame = int(np.argmin(np.abs(frames.time_s - wanted.docked_s)))
@@ -250,20 +250,20 @@ def _docking_error_m(frames: Frames, wanted: TargetStop) -> float | None:
 
 @dataclass(frozen=True, slots=True)
 class _Approach:
-    """One visit's frames, from the person's and the robot's points of view."""
+    """One visit's frames, from the points of view of the person and the robot."""
 
     times: Numbers
     gaps: Numbers
     speeds: Numbers
-    """Of the robot, since the frame before."""
+    """Speed of the robot since the previous frame [m/s]."""
     walks: Numbers
-    """Of the person, likewise."""
+    """Speed of the person since the previous frame [m/s]."""
     stands: NDArray[np.bool_]
-    """Whether it neither went nor turned since the frame before."""
+    """Whether the robot neither moved nor turned since the previous frame."""
     bearings: Numbers
-    """Where the robot stands as the person sees it [rad]."""
+    """Bearing of the robot as seen by the person [rad]."""
     facings: Numbers
-    """Where the person stands as the robot sees it [rad]."""
+    """Bearing of the person as seen by the robot [rad]."""
 
     @classmethod
     def of(cls, frames: Frames, wanted: TargetStop) -> _Approach:
@@ -290,10 +290,10 @@ class _Approach:
         )
 
     def rest(self, docked_s: float) -> int | None:
-        """The frame of the stop: where the rest begins in which it docked, or the next one.
+        """Index of the stop: the start of the rest in which the robot docked, or of the next rest.
 
-        A pause on the way is none, however near: a person may have blocked the path. A robot that never
-        rests, because it follows a noisy reading, stopped where it docked; None: the visit ended before.
+        A pause on the way is no stop, however near: a person may have blocked the path. A robot that never
+        rests, because it follows a noisy reading, stopped where it docked. None: the visit ended before.
         """
         docked = int(np.searchsorted(self.times, docked_s - 1e-9))
         moved = np.flatnonzero(~self.stands[: docked + 1])
@@ -302,26 +302,26 @@ class _Approach:
         return next((k for k in range(begins, len(self.times)) if self._rests_at(k)), at_docking)
 
     def _rests_at(self, k: int) -> bool:
-        """Whether the robot stands from a frame on, for `REST_S` of the visit, and does not turn."""
+        """Whether the robot stands without turning for `REST_S` of the visit from a frame on."""
         if not self.stands[k]:
             return False
         until = np.searchsorted(self.times, self.times[k] + REST_S - 1e-9)
         return bool(self.stands[k : until + 1].all()) and until < len(self.times)
 
     def overshoot_m(self, wanted: Sequence[tuple[float, float]]) -> float:
-        """How much nearer it came than was wanted then: who wants more room later gets it from there on."""
+        """Largest distance by which the robot came nearer than the target at that time [m]."""
         worst, allowed_m = 0.0, math.inf
         begins = np.searchsorted(self.times, [since_s for since_s, _ in wanted])
         for (first, end), (_, wanted_m) in zip(pairwise((*begins, len(self.times))), wanted, strict=True):
             gaps = self.gaps[first:end]
             if gaps.size:
-                # Nearer than was allowed before, and than it has gone back to since.
+                # Closer than allowed before, and than where it has retreated to since.
                 allowed = np.minimum(wanted_m, np.maximum(allowed_m, np.maximum.accumulate(gaps)))
                 worst, allowed_m = max(worst, float((allowed - gaps).max())), float(allowed[-1])
         return worst
 
     def hold_error(self, rest: int | None, wanted: TargetStop) -> float | None:
-        """Until another distance is wanted, which the robot then has to go to."""
+        """Error while holding the pose, until the target distance changes and the robot has to move."""
         if rest is None:
             return None
         since_s = self.times[rest]
@@ -337,13 +337,13 @@ def _wrapped(angles: Numbers) -> Numbers:
 
 
 def _fastest_near(gaps: Numbers, speeds: Numbers) -> float | None:
-    """The fastest between frames that are both within `NEAR_PEOPLE_M` of the body; None where none are."""
+    """Maximum speed between frames that are both within `NEAR_PEOPLE_M` [m/s]; None if none are."""
     near = np.maximum(gaps[:-1], gaps[1:]) <= NEAR_PEOPLE_M
     return float(speeds[1:][near].max(initial=0.0)) if near.any() else None
 
 
 def _speed_at(distance_m: float, gaps: Numbers, speeds: Numbers) -> float | None:
-    """The speed when the distance was first crossed on the way in; None where it never was."""
+    """Speed when the distance was first crossed inwards [m/s]; None if it never was."""
     crossed = np.flatnonzero((gaps[:-1] > distance_m) & (gaps[1:] <= distance_m))
     return float(speeds[crossed[0] + 1]) if crossed.size else None
 

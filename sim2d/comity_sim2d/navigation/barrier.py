@@ -13,12 +13,12 @@ MOST_TRIED = 8
 """Maximum number of people of one barrier that are tested, the nearest ones (our choice)."""
 
 Bars = Callable[[Collection[str]], bool]
-"""Whether these people would leave no way, were they alone there."""
+"""Whether these people, if alone there, would leave no path."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Disc:
-    """A region closed to the robot's centre, and the person who causes it."""
+    """A region closed to the robot's centre, and the person who closes it."""
 
     xy: XY
     radius_m: float
@@ -29,14 +29,14 @@ class _Disc:
 
 
 def barrier(place: Surroundings, first: Collection[str], visited: str) -> tuple[str, ...]:
-    """All people that the robot cannot pass between, starting from those met first.
+    """All people between whom the robot cannot pass, starting from those met first.
 
-    Overlapping discs block a path from wall to wall, so that the blocking people are among them.
+    Overlapping discs block a path from wall to wall, so the blocking people are among them.
 
     Args:
         place: The place with all people.
         first: The people met first.
-        visited: The visited person: not obstructing.
+        visited: The visited person, who never counts as obstructing.
     """
     discs = list(_discs(place, visited))
     found, last = set[str](), set(first)
@@ -59,7 +59,7 @@ def _discs(place: Surroundings, visited: str) -> Iterator[_Disc]:
 
 
 def who_bars(people: Sequence[str], bars: Bars) -> tuple[str, ...]:
-    """Each who bars it alone, in that it would be free without them; else fewest who have to go together."""
+    """Each person without whom the path would be free; else the fewest who have to move together."""
     alone = tuple(name for name in people if not bars([other for other in people if other != name]))
     if alone:
         return alone

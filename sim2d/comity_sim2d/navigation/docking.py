@@ -1,4 +1,4 @@
-"""Places next to a person: where a distance and a bearing put the robot, and what obstructs it there."""
+"""Docking poses: the place that a distance and a bearing define, and what obstructs the robot there."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ BEARING_STEP_DEG = 5.0
 
 @runtime_checkable
 class PoseBeside(Protocol):
-    """A pose relative to a person: all that a robot needs to know to go there."""
+    """A pose relative to a person: all that a robot needs to go there."""
 
     @property
     def distance_m(self) -> float:
-        """Between the nearest points of the two bodies."""
+        """Gap between the nearest points of the two bodies [m]."""
         ...
 
     @property
     def bearing_deg(self) -> float:
-        """From where the person faces to where the robot stands; positive to the left."""
+        """Angle from the person's facing to the robot, positive to the left, in (-180, 180] [deg]."""
         ...
 
 
@@ -37,15 +37,15 @@ class DockingPose:
     """A pose chosen next to a person, relative to the person."""
 
     distance_m: float
-    """Between the nearest points of the two bodies."""
+    """Gap between the nearest points of the two bodies [m]."""
     bearing_deg: float
-    """From where the person faces to where the robot stands; positive to the left, in (-180, 180]."""
+    """Angle from the person's facing to the robot, positive to the left, in (-180, 180] [deg]."""
     pose_free: bool = True
     """Whether it is the target pose."""
     deviation_reason: str | None = None
-    """Why not, where it is not."""
+    """Why it is not the target pose; None if it is."""
     unverified: str | None = None
-    """Why the robot would not surely see the person from there; None where it would."""
+    """Why the robot might not see the person from there; None if it would."""
 
     def __post_init__(self) -> None:
         _require_beside(self.distance_m, self.bearing_deg)
@@ -65,14 +65,14 @@ def _require_beside(distance_m: float, bearing_deg: float) -> None:
 
 
 class Docked(NamedTuple):
-    """How a robot stands to a person."""
+    """Pose of a robot relative to a person."""
 
     distance_m: float
-    """Between the nearest points of the two bodies; negative where they overlap."""
+    """Gap between the nearest points of the two bodies [m]; negative if they overlap."""
     centre_distance_m: float
     bearing_deg: float
     facing_error_deg: float
-    """Between the robot's heading and the direction to the person, in [0, 180]."""
+    """Angle between the robot's heading and the direction to the person, in [0, 180] [deg]."""
 
 
 def pose_beside(person: Pose, reach_m: float, bearing_deg: float) -> Pose:
@@ -82,13 +82,13 @@ def pose_beside(person: Pose, reach_m: float, bearing_deg: float) -> Pose:
 
 
 def spot_beside(person: Person, robot_radius_m: float, pose: PoseBeside) -> XY:
-    """The place of a robot's centre at a pose next to a person."""
+    """Position of the robot's centre at a pose next to a person [m]."""
     reach_m = person.radius_m + pose.distance_m + robot_radius_m
     return person.pose.ahead(reach_m, math.radians(pose.bearing_deg))
 
 
 def spots_beside(person: Person, robot_radius_m: float, beside: Iterable[tuple[float, float]]) -> list[XY]:
-    """The places of a robot's centre at given surface distances and bearings from a person."""
+    """Positions of the robot's centre at given surface distances [m] and bearings [deg] from a person."""
     pose = person.pose
     return [
         pose.ahead(person.radius_m + distance_m + robot_radius_m, math.radians(bearing_deg))
@@ -97,11 +97,11 @@ def spots_beside(person: Person, robot_radius_m: float, beside: Iterable[tuple[f
 
 
 def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float) -> Pose:
-    """The robot's pose that a surface distance and a bearing mean, facing the person; free or not.
+    """The robot's pose for a surface distance and a bearing, facing the person; free or not.
 
     Raises:
-        SceneError: For a distance or a bearing that no `DockingPose` has.
-        ValueError: Where there is no such person.
+        SceneError: For a distance or bearing that is invalid for a `DockingPose`.
+        ValueError: If there is no such person.
     """
     _require_beside(distance_m, bearing_deg)
     place = _surroundings(scene)
@@ -120,7 +120,7 @@ def docked(robot: Pose, robot_radius_m: float, person: Person) -> Docked:
             bearing_deg=math.degrees(wrap_angle(direction_to(there, here) - person.heading_rad)),
             facing_error_deg=abs(math.degrees(wrap_angle(direction_to(here, there) - robot.heading_rad))),
         )
-    except (AttributeError, TypeError, ArithmeticError):  # asked at every tick: looked into where it fails
+    except (AttributeError, TypeError, ArithmeticError):  # called at every tick, so checked only on failure
         require_kinds("docked", robot=(robot, Pose), person=(person, Person))
         require_finite("docked", robot_radius_m=robot_radius_m)
         raise
@@ -129,10 +129,10 @@ def docked(robot: Pose, robot_radius_m: float, person: Person) -> Docked:
 def pose_blocker(
     scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float
 ) -> str | None:
-    """What keeps the robot from a pose beside a person, as a sentence would say it; None: it is free.
+    """What blocks a docking pose, in words; None if it is free.
 
-    Free means: the robot's disc inside the room, clear of walls, furniture and other people by their margins,
-    with no wall between it and the person.
+    A pose is free if the robot's disc is inside the room, clear of walls, furniture and other people by their
+    margins, and no wall is between it and the person.
     """
     place = _surroundings(scene)
     xy = spot_pose(place, person, distance_m, bearing_deg).xy

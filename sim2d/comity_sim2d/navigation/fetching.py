@@ -1,4 +1,4 @@
-"""Where the robot stands to take something up: at a piece of furniture, or at a named location."""
+"""Where the robot stands to pick something up: at a piece of furniture, or at a named location."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 BESIDE_M = 0.05
-"""Distance from a piece of furniture in addition to the robot's margin [m] (our choice)."""
+"""Distance from a piece of furniture, in addition to the robot's margin [m] (our choice)."""
 STEP_M = 0.25
-"""Places around a piece of furniture are looked at this far apart."""
+"""Spacing of the candidate places around a piece of furniture [m]."""
 
 
 def places(scene: Scene) -> tuple[str, ...]:
-    """Where something can be fetched: the names of the furniture and of the locations."""
+    """Where something can be picked up: names of the furniture and of the locations."""
     _require_scene(scene)
     furniture = (piece.name for piece in scene.furniture)
     return (*furniture, *(point.name for point in scene.locations))
 
 
 def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
-    """Where the robot stands at a place, facing it: of all free places the one with the shortest way.
+    """The robot's pose at a place, facing it: the free one with the shortest path.
 
     Args:
         scene: The place, with the robot at its start.
@@ -40,7 +40,7 @@ def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
         name: One of `places`.
 
     Returns:
-        None where no free place is there that a route leads to.
+        None if no free pose is reachable.
     """
     _require_scene(scene)
     require_kinds("place", route_map=(route_map, RouteMap))
@@ -52,7 +52,7 @@ def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
     nearest: tuple[float, int] | None = None
     for least_m, i in sorted((round(least_m, 6), i) for least_m, i in bounds if least_m is not None):
         if nearest is not None and least_m > nearest[0]:
-            break  # nor is any way shorter to those that are left
+            break  # no remaining pose has a shorter path
         if route_map.reaches(start, poses[i].xy):
             length_m = route_map.length(start, poses[i].xy)
             way = (math.inf if length_m is None else round(length_m, 6), i)

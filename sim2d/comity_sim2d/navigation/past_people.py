@@ -1,4 +1,4 @@
-"""Routes that count on people to make way: the robot can ask those who block the only path."""
+"""Routes that rely on people making way: the robot can ask those who block the only path."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from comity_sim2d.scene.surroundings import Surroundings
 
 
 def without_people(surroundings: Surroundings, but: Collection[str] = ()) -> RouteMap:
-    """The routes that there would be if all people made way.
+    """The routes that would exist if all people made way.
 
     Args:
         surroundings: The place.
-        but: People who stay where they are, and the space between those of them who stand together.
+        but: People who stay, together with the o-space of those who stand together.
     """
     staying = tuple(person for person in surroundings.people if person.name in but)
     return RouteMap(surroundings.with_people(staying))
 
 
 class PastPeople(RouteMap):
-    """Routes around people where there are any, else the routes that there would be if all people made way.
+    """Routes around people if there are any; else the routes that would exist if all people made way.
 
     Args:
         scene: The place.
-        but: People who stay where they are: the visited person, and people asked in vain.
+        but: People who stay: the visited person, and people who were asked in vain.
         walkers: People who leave anyway.
     """
 
@@ -43,17 +43,17 @@ class PastPeople(RouteMap):
         self._bare = without_people(self.surroundings, but)
 
     def to(self, person: str) -> RouteMap:
-        """The routes of a visit to a person: they stay where they are, unless they walk."""
+        """The routes for a visit to a person, who stays unless they walk."""
         if person in self._walkers or person in self._but:
             return self
         return PastPeople(self.surroundings, (*self._but, person), walkers=self._walkers)
 
     def with_people(self, people: tuple[Person, ...]) -> PastPeople:
-        """Routes of the same kind with other positions or preferences of people."""
+        """The same kind of routes for changed positions or preferences of people."""
         return PastPeople(self.surroundings.with_people(people), self._but, walkers=self._walkers)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
-        """The route around people, or past them; None where walls or furniture leave none."""
+        """The route around people, or past them; None if walls or furniture leave none."""
         return super().route(start, goal, keep=keep) or self._bare.route(start, goal)
 
     def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:

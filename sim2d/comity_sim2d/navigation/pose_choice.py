@@ -24,19 +24,19 @@ from comity_sim2d.scene_error import is_near, require_finite, require_points, re
 
 DISTANCE_STEP_M = 0.05
 WISHES_KEPT = 64
-"""Number of wishes whose candidates are cached: the same ones come again in every search for a pose."""
+"""Number of wishes whose candidates are cached: they recur in every search for a pose."""
 
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """The target pose, and how desirable others are."""
+    """The target pose, and the desirability of others."""
 
     person: str
     distance_m: float
     bearing_deg: float
     distance_desirability: Curve
     direction_desirability: Curve
-    """Over unsigned degrees from the person's front; the limits of a `MovedCurve` are those of the pose."""
+    """Curve over the unsigned bearing [deg]; a `MovedCurve` carries the limits of the pose."""
 
     def __post_init__(self) -> None:
         require_text("wish", "person", self.person)
@@ -54,7 +54,7 @@ class Wish:
             raise WrongValueError(expected=f"distance_m of {PERSON_MARGIN_M} or more", got=got, remedy=remedy)
 
     def score(self, distance_m: float, bearing_deg: float) -> float:
-        """The desirability of a pose: the smaller of its distance's and its direction's."""
+        """The desirability of a pose: the minimum of those of its distance and its direction, in [0, 1]."""
         return min(self._towards(bearing_deg), self._apart(distance_m))
 
     def _towards(self, bearing_deg: float) -> float:
@@ -65,32 +65,31 @@ class Wish:
 
     @property
     def widest_deg(self) -> float:
-        """No other pose farther round from the person's front is taken, whatever else is free."""
+        """Maximum unsigned bearing of alternative poses [deg]."""
         return upper_limit(self.direction_desirability, WIDEST_DEG)
 
     @property
     def keeps_distance(self) -> bool:
-        """Whether the distance was asked for outright: the curve does not know it, so it is not traded."""
+        """Whether the person asked for this distance: the curve does not know it, so it is not traded off."""
         return self.distance_desirability(self.distance_m) <= 0.0
 
     @lru_cache(maxsize=WISHES_KEPT)  # noqa: B019 - it keeps so many small values
     def candidates(self) -> tuple[tuple[float, float], ...]:
-        """Distances and bearings to try: the most desirable first, among equals the nearest to the target.
+        """Candidate distances and bearings: most desirable first, among equals nearest to the target.
 
-        Distances that do not suit at all come last, the nearest to the target first.
+        Unsuitable distances come last, nearest to the target first.
 
-        The less desirable of the two decides, and among equals the other one, so that no place is taken while
-        a free one is better in one and no worse in the other (leximin: Dubois, Fargier, Prade,
-        "Refinements of the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and
-        Systems 81, 1996).
+        The smaller desirability decides, and among equals the larger one. So no pose is chosen if a free one
+        is better in one respect and no worse in the other (leximin: Dubois, Fargier, Prade, "Refinements of
+        the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and Systems 81, 1996).
         """
         steps = int(self.widest_deg / BEARING_STEP_DEG)
         bearings = {self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))}
-        # Each curve is asked once for each place on it, not for each of hundreds of pairs.
+        # Each curve is evaluated once per value, not once per pair.
         towards = {b: self._towards(b) for b in bearings}
         apart = {d: self._apart(d) for d in self._distances()}
         pairs = [(d, b) for d in apart for b in bearings if (d, b) != (self.distance_m, self.bearing_deg)]
-        # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
+        # Rounded, so that values that differ only by rounding errors count as equal; left before right.
         aside = {b: round(abs(b - self.bearing_deg), 9) for b in bearings}
         away = {d: round(abs(d - self.distance_m), 9) for d in apart}
         unsuited = {d: d != self.distance_m and round(apart[d], 9) <= 0.0 for d in apart}
@@ -111,17 +110,17 @@ class Wish:
         first = math.ceil(low / DISTANCE_STEP_M - 1e-9)
         last = math.floor(high / DISTANCE_STEP_M + 1e-9)
         steps = [round(k * DISTANCE_STEP_M, 9) for k in range(first, last + 1)]
-        # A distance that does not suit stays in, last: which people the robot can serve must not depend on
+        # An unsuitable distance is kept as the last resort: whom the robot can serve must not depend on
         # taste.
         return [self.distance_m, low, *steps]
 
 
 def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | None:
-    """The target pose if it is free and reachable, else the free and reachable one of highest desirability.
+    """The target pose if it is free and reachable, else the most desirable pose that is.
 
     Returns:
-        None where no pose within 90 degrees of the person's front, or within the limits of the wish, is free
-        and reachable.
+        None if no pose within 90 degrees of the person's front, or within the limits of the wish, is free and
+        reachable.
     """
     require_kinds("choice of a pose", route_map=(route_map, RouteMap), wish=(wish, Wish))
     require_points("choice of a pose", "start", (start,))
@@ -150,7 +149,7 @@ def side_name(bearing_deg: float) -> str:
 
 
 def _obstacle(route_map: RouteMap, start: XY, wish: Wish) -> str | None:
-    """Why the target pose is not available, as the rest of a sentence."""
+    """Why the target pose is not available, as the end of a sentence."""
     place = route_map.surroundings
     blocker = pose_blocker(place, wish.person, wish.distance_m, wish.bearing_deg)
     if blocker is not None:
@@ -160,7 +159,7 @@ def _obstacle(route_map: RouteMap, start: XY, wish: Wish) -> str | None:
 
 
 def _deviation(wish: Wish, obstacle: str, distance_m: float, bearing_deg: float) -> str:
-    """What blocked the target pose, and how the chosen one differs from it."""
+    """What blocked the target pose, and how the chosen one differs from it, in words."""
     wanted = f"{side_name(wish.bearing_deg)} ({_angle(wish.bearing_deg)}) at {wish.distance_m:.3f} m"
     turned = round(bearing_deg - wish.bearing_deg, 6)
     side = "left" if turned > 0.0 else "right"
@@ -170,6 +169,6 @@ def _deviation(wish: Wish, obstacle: str, distance_m: float, bearing_deg: float)
 
 
 def _angle(angle_deg: float) -> str:
-    """Its size, in whole degrees where it has any."""
+    """The unsigned angle in words, in whole degrees unless it is smaller."""
     size = abs(angle_deg)
     return f"{size:.0f} deg" if size >= 1.0 or not size else f"{size:.1f} deg"

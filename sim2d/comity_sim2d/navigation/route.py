@@ -1,4 +1,4 @@
-"""A route as the robot drives it: straight lines joined by arcs, with the speed that its bends allow."""
+"""A route as driven: straight lines joined by arcs, with the speed limit of its bends."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from comity_sim2d.pose import XY
 
 ARC_RADII_M = (1.6, 0.8, 0.4, 0.3, 0.2, 0.1)
-"""Tried from the widest: the wider a bend, the faster it can be driven."""
+"""Candidate radii of arcs [m], widest first: the wider a bend, the faster it can be driven."""
 ARC_STEP_RAD = math.radians(3.0)
 ARC_STEP_M = 0.02
 SAME_M = 1e-6
@@ -23,10 +23,10 @@ SAME_M = 1e-6
 
 @dataclass(frozen=True)
 class Route:
-    """A way from its first point to its last. Not empty, but start and goal may be the same point."""
+    """A path from its first point to its last. It is not empty, but start and goal may coincide."""
 
     points: tuple[XY, ...]
-    """Corner points; bends are so many short pieces."""
+    """Corner points [m]; arcs are made of short straight pieces."""
 
     @cached_property
     def _legs(self) -> NDArray[np.float64]:
@@ -34,7 +34,7 @@ class Route:
 
     @cached_property
     def _marks(self) -> list[float]:
-        """The way gone at every point [m]."""
+        """Path length up to every point [m]."""
         return [0.0, *np.cumsum(np.hypot(self._legs[:, 0], self._legs[:, 1])).tolist()]
 
     @cached_property
@@ -44,35 +44,35 @@ class Route:
 
     @property
     def goal(self) -> XY:
-        """Where it leads."""
+        """Last point."""
         return self.points[-1]
 
     @cached_property
     def length_m(self) -> float:
-        """All of the way."""
+        """Total length [m]."""
         return sum(math.dist(one, other) for one, other in pairwise(self.points))
 
     @cached_property
     def last_leg_m(self) -> float:
-        """The way gone where its last straight line begins."""
+        """Path length at the start of the last straight line [m]."""
         return self._marks[-2]
 
     def at(self, way_m: float) -> XY:
-        """The point after so much of the way."""
+        """The point at a path length."""
         i, rest = self._leg(way_m)
         (x, y), (dx, dy) = self.points[i], self._directions[i]
         return (x + rest * dx, y + rest * dy)
 
     def rest(self, way_m: float) -> tuple[XY, ...]:
-        """The points from there on."""
+        """The points from a path length on."""
         return (self.at(way_m), *self.points[self._leg(way_m)[0] + 1 :])
 
     def direction(self, way_m: float) -> XY:
-        """The unit vector along the way there."""
+        """Unit vector along the path at a path length."""
         return self._directions[self._leg(way_m)[0]]
 
     def nearest(self, xy: XY, low_m: float, high_m: float) -> float:
-        """The way gone at the point of the route nearest to a place, searched between two marks."""
+        """Path length of the point nearest to `xy`, searched between two path lengths [m]."""
         marks, best, best_m = self._marks, math.inf, low_m
         for i in range(self._leg(low_m)[0], len(marks) - 1):
             if marks[i] > high_m:
@@ -87,10 +87,10 @@ class Route:
         return best_m
 
     def bend_limit(self, way_m: float, turning: float, braking: float) -> float:
-        """The speed from which every bend ahead can still be taken.
+        """The speed from which every bend ahead can still be taken [m/s].
 
         Args:
-            way_m: The way gone.
+            way_m: Current path length [m].
             turning: The acceleration for changing direction [m/s^2]: v = sqrt(turning * radius) in a bend.
             braking: The deceleration before it [m/s^2].
         """
@@ -119,13 +119,14 @@ class Route:
 
 
 AreClear = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.bool_]]
-"""Of lines through points close together, each of shape (n, 2): whether nothing is in their way."""
+"""For polylines of closely spaced points, each of shape (n, 2): whether each is clear of obstacles."""
 
 
 def round_corners(points: Sequence[XY], are_clear: AreClear) -> Route:
-    """Replace the corners of a way by the widest arcs that are clear and fit between their neighbours.
+    """Replace the corners of a path by the widest clear arcs that fit between the neighbouring corners.
 
-    The corners of offset obstacles lie outside the true, round offset: an arc with the offset's radius fits.
+    The corners of obstacles grown by an offset lie outside the true, round offset: an arc with the offset's
+    radius fits.
     """
     corners = [_Corner.of(*three) for three in zip(points, points[1:], points[2:], strict=False)]
     arcs = _arcs(corners, are_clear)
@@ -138,14 +139,14 @@ def round_corners(points: Sequence[XY], are_clear: AreClear) -> Route:
 
 @dataclass(frozen=True, slots=True)
 class _Corner:
-    """Where a way bends."""
+    """A corner of a path."""
 
     at: XY
     arrive: XY
-    """The unit vector along the line to it."""
+    """Unit vector along the line to it."""
     turn_rad: float
     widest_m: float
-    """The radius of the widest arc between the middles of both lines."""
+    """Radius of the widest arc between the midpoints of both lines [m]."""
 
     @classmethod
     def of(cls, before: XY, at: XY, after: XY) -> _Corner:
@@ -157,7 +158,7 @@ class _Corner:
         return cls(at, arrive, turn, longest / tangent if tangent >= 1e-6 else 0.0)
 
     def arc(self, radius: float) -> list[XY]:
-        """Points of the arc of that radius that touches both lines."""
+        """Points of the arc of this radius that is tangent to both lines."""
         side = math.copysign(1.0, self.turn_rad)
         back = radius * math.tan(abs(self.turn_rad) / 2)
         first = (self.at[0] - back * self.arrive[0], self.at[1] - back * self.arrive[1])

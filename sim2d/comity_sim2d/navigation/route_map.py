@@ -1,9 +1,9 @@
-"""Routes in a scene: the shortest that leaves all people the space they like, or else the cheapest.
+"""Routes in a scene: the shortest one that respects all personal space, or else the cheapest.
 
-Obstacles grow by the robot's radius and a margin, and the robot becomes a point. A route keeps out of all
-personal space if that takes no long detour: it is the shortest of these, found over a visibility graph.
-Otherwise the loss of each person is weighed against the path length (`cost_grid`). No route leads through the
-space that a group keeps open between its members, or within the minimum gap of a person.
+Obstacles are grown by the robot's radius and a margin, so that the robot becomes a point. A route avoids all
+personal space if that takes no long detour: it is then the shortest such route, found over a visibility
+graph. Otherwise each person's loss of space is weighed against the path length (`cost_grid`). No route leads
+through the o-space of a group, or within the minimum gap to a person.
 """
 
 from __future__ import annotations
@@ -30,36 +30,36 @@ from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene.surroundings import Surroundings
 
 DETOUR, DETOUR_M = 1.25, 1.0
-"""A path around all people is taken without weighing if it is no longer than `DETOUR` times the shortest and
-`DETOUR_M` (our choice)."""
+"""A path around all people is taken without weighing if it is no longer than `DETOUR` times the shortest one
+plus `DETOUR_M` [m] (our choice)."""
 SLACK_M = 0.005
-"""Routes may be nearer to walls than places to stand by this much, so that all free places are on the map;
-they stay away from people by the same distance more."""
+"""Routes may be nearer to walls than docking poses by this much [m], so that all free poses are reachable;
+they keep as much more distance from people."""
 CHORD_M = 0.001
-"""Arcs are made of short straight pieces, which run inside by this distance at most [m]."""
+"""Arcs are made of short straight pieces, which deviate inwards by at most this [m]."""
 
 MOST_SEARCHES = 8
-"""Number of searches around the people that the last path crossed; then one around all people: in a crowd of
-hundreds each path would cross others, for minutes (our choice)."""
+"""Number of searches around the people whom the last path crossed; after that, one around all people. In a
+crowd of hundreds each path would cross others, for minutes (our choice)."""
 
 AHEAD_M, AHEAD_STEP_M = 4.0, 0.1
-"""Length ahead on a route that is checked against people who moved [m], and the step [m]."""
+"""Length ahead on a route that is checked against people who moved, and the step [m]."""
 WORTH_M = 0.5
-"""A route is kept if it has become more expensive by less than this, or another one is cheaper by less [m]:
-between two routes of about the same cost the robot does not go to and fro (our choice)."""
+"""A route is kept unless its cost has risen, or another one is cheaper, by more than this [m]: the robot does
+not switch to and fro between two routes of similar cost (our choice)."""
 
 Kept = PersonalSpace | OSpace
 
 
 class RouteMap:
-    """Routes in one scene; what was computed once is kept."""
+    """Routes in one scene, with caches."""
 
     def __init__(self, scene: Scene | Surroundings) -> None:
         require_kinds("route map", scene=(scene, Scene | Surroundings))
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
 
     def __getstate__(self) -> dict[str, object]:
-        """All but the caches, which cannot be pickled and fill again."""
+        """The state without the caches, which cannot be pickled and refill."""
         return {name: value for name, value in vars(self).items() if name not in ("_routes", "_reached")}
 
     @cached_property
@@ -76,9 +76,9 @@ class RouteMap:
         return None if route is None else route.length_m
 
     def least_length(self, start: XY, goal: XY) -> float | None:
-        """A length [m] that no route undercuts, quicker to find; None where there is no route.
+        """A lower bound of the route length [m], quicker to find; None if there is no route.
 
-        It leads around what stands still alone, and cuts corners as far as rounded ones may.
+        It considers only static obstacles, and cuts corners as far as rounded ones may.
         """
         free = _space_at_most(self.surroundings.plan, self._clearance_m - CHORD_M)
         if not free.holds(start):
@@ -87,12 +87,12 @@ class RouteMap:
         return None if least_m is None else max(0.0, least_m - 1e-6)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
-        """The route between two places of the robot's centre [m]; None where there is none.
+        """The route between two positions of the robot's centre [m]; None if there is none.
 
         Args:
-            start: A place free of contact; inside a margin it is led out first.
-            goal: A place with all margins (`Surroundings.blocker`).
-            keep: How far to stay from people, by name, in place of their own distance; between surfaces [m].
+            start: A position without contact; one inside a margin is first led out of it.
+            goal: A position that keeps all margins (`Surroundings.blocker`).
+            keep: Distances to keep from people, by name, instead of their own; between surfaces [m].
         """
         return self._routes(start, goal, tuple((keep or {}).items()))
 
@@ -118,20 +118,20 @@ class RouteMap:
         return self._shortest(start, goal, self.spaces(start, goal), self.groups(start, goal))
 
     def to(self, person: str) -> RouteMap:
-        """The routes of a visit to a person."""
+        """The routes for a visit to a person."""
         return self
 
     def with_people(self, people: tuple[Person, ...]) -> RouteMap:
-        """Routes of the same kind with other positions or preferences of people."""
+        """The same kind of routes for changed positions or preferences of people."""
         return RouteMap(self.surroundings.with_people(people))
 
     def without(self, names: Collection[str]) -> RouteMap:
-        """The routes that there would be without some of the people."""
+        """The routes that would exist without some of the people."""
         people = tuple(person for person in self.surroundings.people if person.name not in names)
         return RouteMap(replace(self.surroundings, people=people))
 
     def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
-        """Whether there is a route at all; quicker than to find it."""
+        """Whether there is a route at all; quicker than finding it."""
         return self._reached(start, goal)
 
     def _reaches(self, start: XY, goal: XY) -> bool:
@@ -139,7 +139,7 @@ class RouteMap:
         return self._around((*floors, *self.groups(start, goal))).joins(start, goal)
 
     def may_reach(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
-        """Whether there would be routes without people, to many goals at once; shape (n,)."""
+        """Whether there would be routes to many goals without people; shape (n,)."""
         return self._around(()).joins_any(start, goals)
 
     def is_worse(
@@ -151,14 +151,14 @@ class RouteMap:
         keep: Mapping[str, float] | None = None,
         by_m: float = WORTH_M,
     ) -> bool:
-        """Whether people moved so that the rest of a route is blocked now, or costs much more than before.
+        """Whether people moved so that the rest of a route is now blocked, or costs much more than before.
 
         Args:
-            route: One that the robot follows.
-            way_m: How far along it the robot is.
-            cost_m: What passing people on it cost when it was made.
+            route: The route that the robot follows.
+            way_m: Path length of the robot along it [m].
+            cost_m: Cost of passing people on it when it was planned [m].
             keep: As for `route`.
-            by_m: What counts as much.
+            by_m: Increase in cost that counts as much [m].
         """
         points = _ahead(route, way_m)
         spaces = self.spaces((points[0][0], points[0][1]), route.goal, keep=keep)
@@ -169,13 +169,13 @@ class RouteMap:
     def has_better(
         self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None, by_m: float = WORTH_M
     ) -> bool:
-        """Whether people made room so that another way costs less than the rest of a route, by a good deal.
+        """Whether people made room so that another route costs much less than the rest of this one.
 
         Args:
-            route: One that the robot follows.
-            way_m: How far along it the robot is.
+            route: The route that the robot follows.
+            way_m: Path length of the robot along it [m].
             keep: As for `route`.
-            by_m: What counts as a good deal.
+            by_m: Saving that counts as much [m].
         """
         here, goal, left_m = route.at(way_m), route.goal, route.length_m - way_m
         if left_m - math.dist(here, goal) < by_m:
@@ -192,14 +192,14 @@ class RouteMap:
     def discomfort_ahead(
         self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None
     ) -> float:
-        """What passing people costs on the next metres of a route, in metres of detour."""
+        """Cost of passing people on the next metres of a route, in metres of detour."""
         points = _ahead(route, way_m)
         return _discomfort_m(self.spaces((points[0][0], points[0][1]), route.goal, keep=keep), points)
 
     def spaces(
         self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None
     ) -> tuple[PersonalSpace, ...]:
-        """All personal spaces, which give way where the route has to start or end inside them."""
+        """All personal spaces, shrunk where the route has to start or end inside them."""
         people = zip(self.surroundings.people, self._spaces, strict=True)
         spaces = (
             self._space(person, keep[person.name]) if keep and person.name in keep else space
@@ -229,7 +229,7 @@ class RouteMap:
         )
 
     def groups(self, start: XY, goal: XY) -> tuple[OSpace, ...]:
-        """The o-spaces to keep out of, which give way as far as the robot is in one, or has to be."""
+        """The o-spaces to avoid, shrunk where the route has to start or end inside them."""
         grown = (group.grown(self.surroundings.robot_radius_m) for group in self.surroundings.o_spaces)
         shrunk = (group.leaving_out(goal, SLACK_M).leaving_out(start, SLACK_M) for group in grown)
         return tuple(group for group in shrunk if group.radius_m > 0.0)
@@ -237,9 +237,9 @@ class RouteMap:
     def _shortest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], groups: tuple[OSpace, ...]
     ) -> Route | None:
-        """The shortest path, with only those people on the map that a shorter one would disturb.
+        """The shortest path, considering only those people whom a shorter one would disturb.
 
-        More obstacles never make a shortest way shorter: one that keeps out of all spaces, found around some
+        More obstacles never make a shortest path shorter. So a path that avoids all spaces, found around some
         of them, is the shortest around all of them.
         """
         everybody: tuple[Kept, ...] = (*spaces, *groups)
@@ -267,7 +267,7 @@ class RouteMap:
         if grid is None:
             return None
         way = grid.cheapest_way(start, goal, spaces)
-        if way is None:  # no row of cells leads through a gap as narrow as a cell
+        if way is None:  # no row of cells fits through a gap as narrow as a cell
             shortest = around.way(start, goal)
             way = None if shortest is None else grid.polished(shortest, spaces)
         return None if way is None else round_corners(way, partial(self._are_clear, floors))
@@ -287,7 +287,7 @@ class RouteMap:
         return points is None or all(_depth_m(each, points) < CHORD_M for each in near)
 
     def _are_clear(self, kept: Sequence[Kept], lines: Sequence[Points]) -> NDArray[np.bool_]:
-        """Whether lines through points close together keep off walls and out of spaces."""
+        """Whether polylines of closely spaced points keep clear of walls and spaces."""
         clear = self.surroundings.plan.leave_clear(lines, self._clearance_m - CHORD_M)
         if kept and clear.any():
             points = np.concatenate(lines)
@@ -298,27 +298,27 @@ class RouteMap:
 
 
 def _giving_way(spaces: Iterable[PersonalSpace], start: XY, goal: XY) -> tuple[PersonalSpace, ...]:
-    """Spaces that leave out where a way has to start and end."""
-    # A goal may be inside a person's own distance, never inside the margin; a start is where it is.
+    """Spaces shrunk so that a path can start and end."""
+    # A goal may be inside a person's own distance, but never inside the margin; a start may be anywhere.
     to_goal = (each.leaving_out(goal, SLACK_M / 2, least_m=each.floor_m - 2 * SLACK_M) for each in spaces)
     return tuple(each.leaving_out(start, SLACK_M / 2, least_m=each.contact_m) for each in to_goal)
 
 
 @lru_cache(maxsize=128)
 def _free_space(plan: FloorPlan, clearance_m: float, kept: tuple[Kept, ...]) -> FreeSpace:
-    """Shared by all maps of a floor plan: where people move, what stands still is the same."""
+    """Free space, shared by all maps of a floor plan: static obstacles stay the same while people move."""
     return FreeSpace(plan.clear_space(clearance_m), kept)
 
 
 @lru_cache(maxsize=16)
 def _space_at_most(plan: FloorPlan, clearance_m: float) -> FreeSpace:
-    """No route leaves it."""
+    """The largest free space, which contains all routes."""
     return FreeSpace(plan.clear_space(clearance_m, at_least=False), ())
 
 
 @lru_cache(maxsize=256)
 def _leaves_clear(plan: FloorPlan, start: XY, goal: XY, clearance_m: float) -> bool:
-    """Whether a straight line keeps a distance from what stands still: asked again whenever people move."""
+    """Whether a straight line keeps a clearance from static obstacles; cached, as people move often."""
     return bool(plan.leave_clear([np.array([start, goal])], clearance_m).all())
 
 
@@ -328,7 +328,7 @@ def _ahead(route: Route, way_m: float) -> Points:
 
 
 def _discomfort_m(spaces: Iterable[PersonalSpace], points: Points) -> float:
-    """What passing people costs at points `AHEAD_STEP_M` apart, in metres of detour."""
+    """Cost of passing people at points `AHEAD_STEP_M` apart, in metres of detour."""
     return float(sum(space.discomfort(points).sum() for space in spaces)) * WEIGHT * AHEAD_STEP_M
 
 
@@ -342,7 +342,7 @@ def _bearable(shortest: Route) -> float:
 
 @lru_cache(maxsize=16)
 def _between(corners: tuple[XY, ...]) -> Points:
-    """Points along a way through corner points, at most 5 cm apart: read only, for they are kept."""
+    """Points along a polyline, at most 5 cm apart; read-only, since they are cached."""
     way = np.array(corners)
     points = _divided(way)
     points.flags.writeable = False

@@ -1,4 +1,4 @@
-"""Giving way: how far the robot may go on before a walking person crosses its path or comes towards it."""
+"""Giving way: how far the robot may go before a walking person crosses its path or comes towards it."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.person import Person
 
 WALKS_M_S = 0.15
-"""Slower is standing, and a noisy sensor."""
+"""Below this speed a person stands, and the rest is sensor noise [m/s]."""
 HORIZON_S = 4.0
 MOMENTS = np.linspace(0.0, HORIZON_S, 17)
-"""Horizon for which people are assumed to walk straight on [s]."""
+"""Prediction times [s], over which people are assumed to walk straight on."""
 SLOWEST_M_S = 0.3
-"""A robot that waits is taken to set out again at this speed."""
+"""Speed at which a waiting robot is assumed to set out again [m/s]."""
 MARGIN_M = PERSON_MARGIN_M + 0.05
 STEP_M = 0.10
 
@@ -41,7 +41,7 @@ def is_walking(velocity: XY) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class GivingWay:
-    """The person that goes first, and how far the robot may go until then."""
+    """The person who goes first, and how far the robot may go until then."""
 
     person: str
     free_m: float
@@ -50,11 +50,11 @@ class GivingWay:
 def giving_way(
     route: Route, way_m: float, speed_m_s: float, walkers: Sequence[Walker], robot_radius_m: float
 ) -> GivingWay | None:
-    """The nearest conflict ahead; None where no person crosses the path.
+    """The nearest conflict ahead; None if no person crosses the path.
 
     Args:
-        route: The robot's.
-        way_m: How far along it the robot is.
+        route: The robot's route.
+        way_m: Path length of the robot along it [m].
         speed_m_s: Its speed.
         walkers: People who move, or stand where the route does not expect them; not the visited person.
         robot_radius_m: Its radius.
@@ -68,7 +68,7 @@ def giving_way(
     reach_m = np.array([walker.person.radius_m for walker in near]) + robot_radius_m + MARGIN_M
     apart_m = np.hypot(*np.moveaxis(robot - paths, 2, 0))
     close = apart_m < reach_m[:, None]
-    # Those who only go away are not given way to.
+    # The robot does not give way to people who only move away.
     comes = close.any(axis=1) & (apart_m[:, 0] > apart_m.min(axis=1) + 1e-9)
     found = []
     for i in np.flatnonzero(comes).tolist():
@@ -78,13 +78,13 @@ def giving_way(
 
 
 def _may_meet(robot: XY, speed_m_s: float, walker: Walker) -> bool:
-    """Whether the two can come near one another within the horizon: most of a crowd cannot."""
+    """Whether the two can come near each other within the horizon: most people of a crowd cannot."""
     reach_m = 1.0 + (speed_m_s + math.hypot(*walker.velocity)) * HORIZON_S
     return math.dist(robot, walker.person.xy) < reach_m + walker.person.radius_m
 
 
 def _free_m(route: Route, way_m: float, ahead_m: float, path: Points, reach_m: float) -> float:
-    """How far the robot can go and still be off the walker's path [m]."""
+    """Distance that the robot can go and still keep off the walker's path [m]."""
     steps = np.arange(0.0, ahead_m + STEP_M, STEP_M)
     apart = _points(route, way_m + steps)[:, None] - path[None]
     blocked = np.flatnonzero(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) < reach_m)
@@ -92,7 +92,7 @@ def _free_m(route: Route, way_m: float, ahead_m: float, path: Points, reach_m: f
 
 
 def _paths(walkers: Sequence[Walker]) -> NDArray[np.float64]:
-    """Where each walker is at each moment; shape (walkers, moments, 2)."""
+    """Predicted positions of the walkers [m]; shape (walkers, moments, 2)."""
     at = np.array([walker.person.xy for walker in walkers])
     velocity = np.array([walker.velocity for walker in walkers])
     return np.asarray(at[:, None] + MOMENTS[:, None] * velocity[:, None])

@@ -1,1 +1,1 @@
-"""Shortest and cheapest paths over a floor, from shapes alone."""
+"""Shortest and cheapest paths over a floor, on plain geometry."""

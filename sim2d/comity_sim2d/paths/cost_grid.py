@@ -1,7 +1,7 @@
-"""The cheapest path where not all people can keep the space they like: a search over a grid of costs.
+"""The cheapest path if not everyone's personal space can be kept: a search over a cost grid.
 
-A metre costs a metre, and in addition `WEIGHT` times the cost to each person (`personal_space`). So people
-lose about the same share of their own distances, and the robot comes nearer to a person with a smaller one.
+A metre of path costs a metre plus `WEIGHT` times the cost to each person (`personal_space`). So people lose
+about the same share of their own distances, and the robot passes nearer to a person with a smaller one.
 """
 
 from __future__ import annotations
@@ -22,34 +22,35 @@ if TYPE_CHECKING:
     from shapely import Polygon
 
 WEIGHT = 25.0
-"""Metres of detour that a metre of a person's own distance is worth, if all of it is taken (our choice). A
-person who likes 0.8 m is worth 5 m of detour where a straight path takes half of that."""
+"""Metres of detour that one metre of a person's own distance is worth, if all of it is taken (our choice). A
+straight path that takes half of a distance of 0.8 m is worth 5 m of detour."""
 CELL_M = 0.10
 MOST_CELLS = 1_000_000
-"""A hectare at that size; larger places have larger cells (our choice)."""
+"""Maximum number of cells: one hectare at the default cell size; larger places have larger cells (our
+choice)."""
 NEIGHBOURS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
-"""Half of the sixteen directions of a step; lines have no direction."""
+"""Half of the sixteen step directions; edges are undirected."""
 PULL_CELLS = 3
-"""The way is pulled taut between every third of its cells,"""
+"""The path is pulled taut between every `PULL_CELLS`-th of its cells."""
 LONGEST_PULL = 40
-"""Maximum number of those at a time."""
+"""Maximum number of such cells handled at a time."""
 CORNER_M = 0.02
-"""What a corner costs, so that a way has as few as its cost allows."""
+"""Cost of a corner [m], so that a path has as few as its cost allows."""
 SAMPLES = np.linspace(0.02, 0.98, 25)
-"""Where along a line its cost is taken."""
+"""Positions along a line at which its cost is sampled, in (0, 1)."""
 POLISH_M, POLISH_ROUNDS = (0.04, 0.02, 0.01), 3
 """Steps by which corners move off the grid while the path gets cheaper [m], and the maximum rounds of
 each."""
 APART_M = 0.4
-"""Corners that are added for this are no nearer to others."""
+"""Minimum distance of corners added for this from other corners [m]."""
 POLISH_STEP_M = 0.08
 """Spacing of the cost samples meanwhile [m]."""
 AROUND = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]])
-"""Where a corner may go: nowhere, or a step in one of eight directions."""
+"""Moves of a corner: none, or a step in one of eight directions."""
 
 
 def line_costs(starts: Points, ends: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
-    """What straight lines cost [m], shape (n,)."""
+    """Cost of straight lines [m], shape (n,)."""
     lines = ends - starts
     length = np.hypot(lines[:, 0], lines[:, 1])
     points = (starts[:, None] + SAMPLES[:, None] * lines[:, None]).reshape(-1, 2)
@@ -58,16 +59,16 @@ def line_costs(starts: Points, ends: Points, spaces: Sequence[PersonalSpace]) ->
 
 
 def way_cost(points: Sequence[XY], spaces: Sequence[PersonalSpace]) -> float:
-    """What a way through corner points costs [m]."""
+    """Cost of a path through corner points [m]."""
     at = np.array(points)
     return float(line_costs(at[:-1], at[1:], spaces).sum())
 
 
 class CostGrid:
-    """The grid over a free polygon: its cells and steps are the same for all people.
+    """The grid over a free polygon; its cells and steps do not depend on people.
 
     Args:
-        free: Where the robot's centre may be.
+        free: Region in which the robot's centre may be.
     """
 
     def __init__(self, free: Polygon) -> None:
@@ -89,27 +90,27 @@ class CostGrid:
         self._one, self._other, self._steps = one[clear], other[clear], steps[clear]
 
     def cheapest_way(self, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
-        """The corner points of the cheapest way; None where the grid finds none.
+        """Corner points of the cheapest path; None if the grid has none.
 
         Args:
-            start: Where the robot's centre is.
-            goal: Where it is to be.
-            spaces: Personal spaces of the people that it passes.
+            start: Start of the robot's centre [m].
+            goal: Goal of the robot's centre [m].
+            spaces: Personal spaces of the people near the path.
         """
         cells = self._search(start, goal, spaces)
         return None if cells is None else self.polished(_pulled(self._free, cells, spaces), spaces)
 
     def polished(self, corners: Sequence[XY], spaces: Sequence[PersonalSpace]) -> list[XY]:
-        """A way with its corners moved off the grid to where it is cheapest: to a centimetre or two.
+        """A path with its corners moved off the grid to lower its cost, to within a centimetre or two.
 
         Args:
-            corners: The corner points of a way.
-            spaces: Personal spaces of the people that it passes.
+            corners: Corner points of the path.
+            spaces: Personal spaces of the people near the path.
         """
         return _polished(self._free, corners, spaces)
 
     def _search(self, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
-        """The cells of the cheapest way over the grid (Dijkstra), with both ends."""
+        """The cells of the cheapest path over the grid (Dijkstra), including both ends."""
         from scipy.sparse.csgraph import dijkstra
 
         first, last = (_nearest_cell(self._free, self._cells, xy, self._cell_m) for xy in (start, goal))
@@ -125,7 +126,7 @@ class CostGrid:
         return [start, *((float(x), float(y)) for x, y in self._cells[back[::-1]]), goal]
 
     def _graph(self, spaces: Sequence[PersonalSpace]) -> csr_matrix[np.float64]:
-        """What it costs from cell to cell."""
+        """Costs between adjacent cells."""
         from scipy.sparse import csr_matrix
 
         price = self._cell_m * (1.0 + WEIGHT * _pain(self._cells, spaces))
@@ -138,13 +139,13 @@ def _pain(points: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64
 
 
 def _marks(low: float, high: float, cell_m: float) -> NDArray[np.float64]:
-    """Places a cell apart, as far from the one end as from the other: a mirrored room has a mirrored grid."""
+    """Coordinates one cell apart, centred in the interval: a mirrored room has a mirrored grid."""
     count = math.ceil((high - low) / cell_m)
     return np.asarray((low + high) / 2.0 + cell_m * (np.arange(count) - (count - 1) / 2.0), dtype=float)
 
 
 def _is_deep_inside(is_free: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether a cell has free cells only around it, as far as a step leads."""
+    """Whether all cells within one step of a cell are free."""
     inside = np.pad(is_free, 2)
     for _ in range(2):  # along one axis, then along the other; scipy.ndimage takes longer to import than this
         inside = inside[:-4] & inside[1:-3] & inside[2:-2] & inside[3:-1] & inside[4:]
@@ -159,9 +160,9 @@ def _are_clear(
     other: NDArray[np.int64],
     at_edge: NDArray[np.bool_],
 ) -> NDArray[np.bool_]:
-    """Whether steps cut no corner: asked of those with both ends at the edge of the free space only.
+    """Whether steps are clear of obstacles; tested only if both ends are at the edge of the free space.
 
-    A step with an end deep inside leads over free cells only, and obstacles are wider than a cell.
+    A step with an end deep inside crosses only free cells, and obstacles are wider than a cell.
     """
     from shapely import covers, linestrings
 
@@ -172,7 +173,7 @@ def _are_clear(
 
 
 def _neighbours(number: NDArray[np.int64], dx: int, dy: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The numbers of all pairs of free cells that lie apart by a step."""
+    """Indices of all pairs of free cells that are one step apart."""
     wide, high = number.shape
     here = number[: wide - dx, max(0, -dy) : high - max(0, dy)]
     there = number[dx:, max(0, dy) : high + min(0, dy)]
@@ -181,7 +182,7 @@ def _neighbours(number: NDArray[np.int64], dx: int, dy: int) -> tuple[NDArray[np
 
 
 def _nearest_cell(free: Polygon, cells: Points, xy: XY, cell_m: float) -> int | None:
-    """The nearest cell that a straight line leads to."""
+    """Index of the nearest cell that can be reached in a straight line."""
     from shapely import LineString
 
     apart = np.hypot(*(cells - np.array(xy)).T)
@@ -193,7 +194,7 @@ def _nearest_cell(free: Polygon, cells: Points, xy: XY, cell_m: float) -> int | 
 
 
 def _pulled(free: Polygon, cells: list[XY], spaces: Sequence[PersonalSpace]) -> list[XY]:
-    """The cheapest way along straight lines between some of the cells of a way (dynamic programming)."""
+    """The cheapest path of straight lines between some of the cells (dynamic programming)."""
     from shapely import covers, linestrings
 
     at = np.array(_corner_candidates(free, cells))
@@ -214,7 +215,7 @@ def _pulled(free: Polygon, cells: list[XY], spaces: Sequence[PersonalSpace]) -> 
 
 
 def _corner_candidates(free: Polygon, cells: list[XY]) -> list[XY]:
-    """Every third cell, and those between them where a straight line would cut a corner; both ends."""
+    """Every third cell, those between them where a straight line would cut a corner, and both ends."""
     from shapely import LineString
 
     marks = [0, *range(1, len(cells) - 1, PULL_CELLS), len(cells) - 1]
@@ -227,7 +228,7 @@ def _corner_candidates(free: Polygon, cells: list[XY]) -> list[XY]:
 
 
 def _polished(free: Polygon, corners: Sequence[XY], spaces: Sequence[PersonalSpace]) -> list[XY]:
-    """The same corners moved off the grid, to where the way is cheapest; odd and even ones by turns."""
+    """The corners moved off the grid to lower the cost, odd and even ones in turn."""
     farthest = POLISH_ROUNDS * sum(POLISH_M)
     box = bounding_box(np.concatenate([np.array(corners) - farthest, np.array(corners) + farthest]))
     near = [space for space in spaces if not space.is_beyond(box)]
@@ -241,7 +242,7 @@ def _polished(free: Polygon, corners: Sequence[XY], spaces: Sequence[PersonalSpa
 
 
 def _with_corners_beside(at: Points, spaces: Sequence[PersonalSpace]) -> Points:
-    """A path with a corner, to make room, next to each person whose space a long line of it crosses."""
+    """The path with a corner added next to each person whose space a long segment crosses."""
     found = [at[0]]
     for start, end in itertools.pairwise(at):
         length = math.dist(start, end)
@@ -258,7 +259,7 @@ def _with_corners_beside(at: Points, spaces: Sequence[PersonalSpace]) -> Points:
 def _move_corners(
     free: Polygon, at: Points, which: NDArray[np.int64], step_m: float, spaces: Sequence[PersonalSpace]
 ) -> bool:
-    """Move corners, no two of them neighbours, each to the cheapest clear place near; whether any did."""
+    """Move corners, no two of them adjacent, to the cheapest clear place nearby; whether any moved."""
     from shapely import covers, linestrings
 
     if not len(which):
@@ -268,7 +269,7 @@ def _move_corners(
     lines = np.stack([ways[:, :, :2], ways[:, :, 1:]]).reshape(-1, 2, 2)
     cost = _fine_costs(lines, spaces).reshape(2, len(which), -1).sum(axis=0)
     is_clear = np.array(covers(free, linestrings(ways)))
-    is_clear[:, 0] = True  # as it is already
+    is_clear[:, 0] = True  # the current place is clear
     cost[~is_clear] = np.inf
     best = cost.argmin(axis=1)
     at[which] = tried[np.arange(len(which)), best]
@@ -276,7 +277,7 @@ def _move_corners(
 
 
 def _fine_costs(lines: NDArray[np.float64], spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
-    """What straight lines cost [m], taken at places equally far apart on all of them; shape (n,)."""
+    """Cost of straight lines [m], sampled at equal spacing on all of them; shape (n,)."""
     length = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
     count = np.maximum(np.ceil(length / POLISH_STEP_M).astype(int), 1)
     first = np.cumsum(count) - count

@@ -1,4 +1,4 @@
-"""Free space of a robot's centre, and the shortest paths there: connected polygons with their graphs."""
+"""Free space of the robot's centre and shortest paths in it: connected polygons with their graphs."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 SNAP_M = 0.3
-"""A start inside a margin is led out of it, if this is enough."""
+"""Maximum distance by which a start inside a margin is moved out of it [m]."""
 
 KEPT = 256
-"""Places of which it is remembered in which part they are: many ways start or end where others do."""
+"""Number of points whose connected part is cached: many paths share a start or an end."""
 KEPT_WAYS = 16
-"""The last ways that were found: around some people and around more, a search begins with the same."""
+"""Number of paths cached: searches around different people begin with the same one."""
 
 
 class Outlined(Protocol):
-    """Something to keep out of."""
+    """A shape to keep out of."""
 
     def outline(self) -> Points:
         """Its corners in order."""
@@ -35,11 +35,11 @@ class Outlined(Protocol):
 
 
 class FreeSpace:
-    """What is left of a floor plan's clear space around people and groups.
+    """The clear space of a floor plan, minus people and groups.
 
     Args:
-        clear: The points far enough from all that stands still.
-        kept_out: What else to keep out of.
+        clear: Points far enough from all static obstacles.
+        kept_out: Further shapes to keep out of.
     """
 
     def __init__(self, clear: BaseGeometry, kept_out: Sequence[Outlined]) -> None:
@@ -54,7 +54,7 @@ class FreeSpace:
         self._ways = [Ways(part) for part in parts]
         self._part_with = lru_cache(maxsize=KEPT)(self._find_part)
         self.way = lru_cache(maxsize=KEPT_WAYS)(self._find_way)
-        """The corner points of the shortest way, or one near it (`Ways`); None where there is none."""
+        """Corner points of the shortest path, or of one close to it (`Ways`); None if there is none."""
 
     def _find_way(self, start: XY, goal: XY) -> tuple[XY, ...] | None:
         entry = self._entry(start)
@@ -67,23 +67,23 @@ class FreeSpace:
         return tuple(way) if first == start else (start, *way)
 
     def least_m(self, start: XY, goal: XY) -> float | None:
-        """A length [m] that no way from a free place undercuts; None where there is no way."""
+        """A lower bound of the path length from a free place [m]; None if there is no path."""
         part = self._part_with(start)
         if part is None or self._part_with(goal) != part:
             return None
         return self._ways[part].least_m(start, goal)
 
     def holds(self, xy: XY) -> bool:
-        """Whether a place is in it."""
+        """Whether a point is in it."""
         return self._part_with(xy) is not None
 
     def joins(self, start: XY, goal: XY) -> bool:
-        """Whether there is a way at all; quicker than to find it."""
+        """Whether there is a path at all; quicker than finding it."""
         entry = self._entry(start)
         return entry is not None and self._part_with(goal) == entry[0]
 
     def joins_any(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
-        """To which of many goals there is a way, or one that touches the edge; shape (n,)."""
+        """Whether each of many goals has a path, or one that touches the edge; shape (n,)."""
         from shapely import intersects_xy
 
         entry = self._entry(start)
@@ -92,12 +92,12 @@ class FreeSpace:
         return np.asarray(intersects_xy(self._parts[entry[0]], np.array(goals)))
 
     def cost_grid(self, start: XY) -> CostGrid | None:
-        """The grid over the connected part that a start belongs to, or is led to."""
+        """The grid over the connected part of a start, moved out of margins if necessary."""
         entry = self._entry(start)
         return None if entry is None else self._ways[entry[0]].grid
 
     def _entry(self, start: XY) -> tuple[int, XY] | None:
-        """The part where a way starts and its first free point: the start, or the nearest to it."""
+        """The connected part and the first free point of a path: the start, or the nearest to it."""
         part = self._part_with(start)
         if part is not None:
             return part, start

@@ -1,14 +1,14 @@
-"""Personal space: the space that a passing robot leaves to a person, and the cost of taking some of it.
+"""Personal space: the space that a passing robot leaves to a person, and the cost of entering it.
 
-The space ends at the person's own distance at the sides and behind, and half as far again before them: an
-ellipse to the front and a circle to the rear, longer ahead as in Kirby's personal space ("Social Robot
-Navigation", PhD thesis, Carnegie Mellon University, 2010, CMU-RI-TR-10-13). As every distance here it is
-measured between the nearest points of the two bodies.
+The space reaches the person's own distance to the sides and the rear, and 1.5 times as far to the front: half
+an ellipse in front and half a circle behind, as in Kirby's personal space ("Social Robot Navigation", PhD
+thesis, Carnegie Mellon University, 2010, CMU-RI-TR-10-13). Like every distance here it is measured between
+the nearest points of the two bodies.
 
-The cost is our own. A person who is passed at a gap loses the share 1 - gap / own of their own distance, and
-a straight path past them costs own * share ** 2. Between two people the sum is least where both lose the same
-share, so that the person with the larger own distance keeps more. A bell-shaped cost does the opposite in
-narrow passages: deep inside a large space it is flat, and the path gives in to the smaller one.
+The cost function is our own. A person who is passed at a gap loses the share 1 - gap / own of their own
+distance, and a straight path past them costs own * share ** 2. Between two people the sum is smallest if both
+lose the same share, so the person with the larger own distance keeps more. A bell-shaped cost does the
+opposite in narrow passages: deep inside a large space it is flat, and the path yields to the smaller one.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ Points = NDArray[np.float64]
 Box = tuple[float, float, float, float]
 """The lowest x and y and the highest x and y [m]."""
 FRONT = 1.5
-"""How far the space reaches to the front, in own distances; to the sides and the rear it is one."""
+"""Reach of the space to the front, in own distances; to the sides and the rear it is 1."""
 OUTLINE_POINTS = 96
 
 
 def bounding_box(points: Points) -> Box:
-    """The box around some points, along the axes."""
+    """The axis-aligned bounding box of some points."""
     (x, y), (far_x, far_y) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     return x, y, far_x, far_y
 
 
 def is_beyond(box: Box, centre: XY, radius_m: float) -> bool:
-    """Whether a box is farther than a radius from a centre, along either axis."""
+    """Whether a box is farther than a radius from a centre, along an axis."""
     x, y, far_x, far_y = box
     return not (
         x - radius_m <= centre[0] <= far_x + radius_m and y - radius_m <= centre[1] <= far_y + radius_m
@@ -56,30 +56,30 @@ def is_beyond_line(start: XY, end: XY, centre: XY, radius_m: float) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class PersonalSpace:
-    """One person's space, as the centre of a robot meets it."""
+    """One person's space, as it applies to the centre of a robot."""
 
     x_m: float
     y_m: float
     heading_rad: float
     contact_m: float
-    """Between the centres when the bodies touch."""
+    """Distance between the centres when the bodies touch [m]."""
     own_m: float
-    """The person's own distance, between the surfaces."""
+    """The person's own distance, between the surfaces [m]."""
     floor_m: float
-    """Between the centres: nearer than this the robot never comes, whatever the cost."""
+    """Minimum distance between the centres, which the robot keeps at any cost [m]."""
     front: float = FRONT
 
     @property
     def xy(self) -> XY:
-        """Where the person stands."""
+        """Position of the person [m]."""
         return (self.x_m, self.y_m)
 
     def discomfort(self, points: Points) -> NDArray[np.float64]:
-        """What a metre costs there, 0 at the edge and beyond; shape (n,).
+        """Cost per metre of path at each point, 0 at the edge and beyond; shape (n,).
 
-        With centres r apart, in a space that reaches R all around, it is the cost that adds up to
-        own * (1 - gap / own) ** 2 along every straight line at that gap (Abel's integral, inverted):
-        2 / (pi * own) * (R * acosh(R / r) - sqrt(R ** 2 - r ** 2)). To the front R is the longer reach.
+        At a centre distance r, in a circular space of radius R, the cost is such that it adds up to own * (1
+        - gap / own) ** 2 along every straight line at that gap (inverse Abel transform): 2 / (pi * own) * (R
+        * acosh(R / r) - sqrt(R ** 2 - r ** 2)). To the front, R is the longer reach.
         """
         cost = np.zeros(len(points))
         dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
@@ -95,7 +95,7 @@ class PersonalSpace:
         return cost
 
     def depth_m(self, points: Points) -> NDArray[np.float64]:
-        """How far each point is inside the edge, towards the person; negative outside; shape (n,)."""
+        """Depth of each point inside the edge [m], negative outside; shape (n,)."""
         distance, own = self._polar(points)
         return np.asarray(np.maximum(self.contact_m + own, self.floor_m) - distance)
 
@@ -115,7 +115,7 @@ class PersonalSpace:
         return np.asarray(np.array(self.xy) + unit * edge[:, None])
 
     def leaving_out(self, xy: XY, slack_m: float, *, least_m: float) -> PersonalSpace:
-        """The same space, shrunk until a place is outside of it by the slack, but to no lower floor."""
+        """The space shrunk until a point is outside it by the slack, but not below a minimum floor."""
         distance = math.dist(self.xy, xy)
         if distance - slack_m >= self._reach_m:
             return self  # as nearly all people are
@@ -127,32 +127,32 @@ class PersonalSpace:
         return replace(self, own_m=self.own_m * min(share, 1.0), floor_m=floor)
 
     def without_comfort(self) -> PersonalSpace:
-        """Only the floor of it, which is the same all around: turning alters nothing."""
+        """The minimum distance alone, equal in all directions: the person's heading has no effect."""
         return replace(self, own_m=0.0, heading_rad=0.0, front=1.0)
 
     @property
     def _reach_m(self) -> float:
-        """Beyond it from the centre nothing is inside, in any direction."""
+        """Radius around the centre that contains the space [m]."""
         return max(self.contact_m + self._longest_m, self.floor_m)
 
     @property
     def _longest_m(self) -> float:
-        """The own distance where it is longest."""
+        """The own distance in its longest direction [m]."""
         return self.own_m * max(1.0, self.front)
 
     def _polar(self, points: Points) -> tuple[NDArray[np.float64], NDArray[np.float64] | float]:
-        """The distance of each point from the person's centre, and the person's own distance that way."""
+        """Distance of each point from the person's centre, and their own distance in that direction [m]."""
         dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
         if self.front == 1.0:
             return np.hypot(dx, dy), self.own_m  # the same all around
         return np.hypot(dx, dy), self._own(np.cos(np.arctan2(dy, dx) - self.heading_rad))
 
     def _own_towards(self, xy: XY) -> float:
-        """The own distance towards one place: `_own`, of a single point and a tenth as long."""
+        """The own distance towards one point: `_own` for a single point, ten times faster."""
         along = max(math.cos(math.atan2(xy[1] - self.y_m, xy[0] - self.x_m) - self.heading_rad), 0.0)
         return self.own_m / math.sqrt(1.0 - (1.0 - self.front**-2) * along**2)
 
     def _own(self, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The own distance where the angle off the heading has that cosine: to the front as of an ellipse."""
+        """The own distance at an angle off the heading with this cosine: elliptical to the front."""
         along = np.maximum(cosine, 0.0)
         return np.asarray(self.own_m / np.sqrt(1.0 - (1.0 - self.front**-2) * along**2))

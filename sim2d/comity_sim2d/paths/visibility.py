@@ -1,9 +1,9 @@
 """Shortest paths in a free polygon: A* over its visibility graph, which is a networkx graph.
 
-A shortest path bends at corners of obstacles only, and is taut there, as a string pulled tight around them
-(Lozano-Perez and Wesley, 1979). Of all lines between two obstacles few are taut at both ends: the graph has
-these only (arithmetic on arrays). Whether a line is free of obstacles is tested when a search reaches it:
-geometry takes most of the time, and a search reaches a small part of the lines.
+A shortest path bends only at corners of obstacles, and is taut there, like a string pulled tight around them
+(Lozano-Perez and Wesley, 1979). Few of all lines between two obstacles are taut at both ends; the graph has
+only these (array arithmetic). Whether a line is free of obstacles is tested when a search reaches it:
+geometry takes most of the time, and a search reaches few of the lines.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ if TYPE_CHECKING:
 Points = NDArray[np.float64]
 """Points in rows, shape (n, 2) [m]."""
 TOUCH_M = 1e-6
-"""A line may graze an obstacle's outline by this much: it runs along outlines all the time."""
+"""Tolerance for a line that touches an obstacle's outline [m]: shortest paths run along outlines."""
 DRAWN = 256
-"""Number of corners from which lines are drawn at once: all from all would take memory by the square."""
+"""Number of corners processed at once: all at once would take quadratic memory."""
 
 
 class VisibilityGraph:
     """One connected free polygon, with holes where the obstacles are.
 
     Args:
-        free: Where the centre of a body may be.
+        free: Region in which the centre of a body may be.
     """
 
     def __init__(self, free: Polygon) -> None:
@@ -50,11 +50,11 @@ class VisibilityGraph:
 
     @property
     def corners(self) -> int:
-        """How many there are at which a way may bend."""
+        """Number of corners at which a path may bend."""
         return len(self._at)
 
     def shortest(self, start: XY, goal: XY) -> list[XY] | None:
-        """The corner points of the shortest way, both ends included; None where there is none."""
+        """Corner points of the shortest path, including both ends; None if there is none."""
         import networkx as nx
 
         if self._is_clear(start, goal):
@@ -62,7 +62,7 @@ class VisibilityGraph:
         graph = self._graph
         new = [end for end in (start, goal) if end not in graph]
         graph.add_nodes_from(new)
-        for end in (start, goal):  # an end may be a corner, and what is not taut there may end there
+        for end in (start, goal):  # an end may be a corner, and lines need not be taut there
             graph.add_weighted_edges_from(self._lines_from(end), weight="length_m")
         try:
             return list(nx.astar_path(graph, start, goal, math.dist, self._free_length_m))
@@ -73,7 +73,7 @@ class VisibilityGraph:
 
     @cached_property
     def _graph(self) -> nx.Graph[XY]:
-        """The taut lines between corners: `length_m`, and `is_free` as soon as a search has come by."""
+        """The taut lines between corners, with `length_m`, and `is_free` once a search has tested it."""
         import networkx as nx
 
         graph: nx.Graph[XY] = nx.Graph()
@@ -97,7 +97,7 @@ class VisibilityGraph:
                 yield corners[first + i], corners[j], length_m
 
     def _lines_from(self, end: XY) -> list[tuple[XY, XY, float]]:
-        """The lines from an end of a way that are taut at the corners that they lead to."""
+        """The lines from an end of a path that are taut at their other end."""
         lines = self._at - np.array(end)
         taut = _taut(lines, self._before, self._after)
         corners = [(x, y) for x, y in self._at[taut].tolist()]
@@ -105,7 +105,7 @@ class VisibilityGraph:
         return [(end, corner, length_m) for corner, length_m in zip(corners, lengths, strict=True)]
 
     def _free_length_m(self, one: XY, other: XY, line: dict[str, Any]) -> float | None:
-        """How long a line is; None where an obstacle is in its way: networkx takes such an edge as none."""
+        """Length of a line [m]; None if an obstacle blocks it, so that networkx ignores the edge."""
         if "is_free" not in line:
             line["is_free"] = self._is_clear(one, other)
         return line["length_m"] if line["is_free"] else None
@@ -117,7 +117,7 @@ class VisibilityGraph:
 
 
 def _bends(ring: LinearRing) -> tuple[Points, Points, Points]:
-    """The corners of a ring around which a way may bend, with their neighbours on the ring."""
+    """The corners of a ring around which a path may bend, with their neighbours on the ring."""
     closed = np.asarray(ring.coords)[:, :2]
     at, before, after = closed[:-1], np.concatenate([closed[-2:-1], closed[:-2]]), closed[1:]
     right_turn = _cross(at - before, after - at) < 0.0
@@ -125,7 +125,7 @@ def _bends(ring: LinearRing) -> tuple[Points, Points, Points]:
 
 
 def _taut(lines: Points, before: Points, after: Points) -> NDArray[np.bool_]:
-    """Whether a line leaves the obstacle at a corner on one side: both neighbours on it, or on the line."""
+    """Whether a line has the obstacle on one side at a corner: both neighbours on that side or on it."""
     return _cross(lines, before) * _cross(lines, after) >= -1e-12
 
 

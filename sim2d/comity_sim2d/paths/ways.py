@@ -1,4 +1,4 @@
-"""Paths over one connected polygon in bounded time: the shortest, or among many obstacles one near it."""
+"""Paths over one connected polygon in bounded time: the shortest, or near it among many obstacles."""
 
 from __future__ import annotations
 
@@ -15,31 +15,32 @@ if TYPE_CHECKING:
     from shapely import Polygon
 
 MOST_CORNERS = 2_000
-"""Of a graph that is searched: lines between them grow by the square (our choice: a second of one core)."""
+"""Maximum number of corners of a graph that is searched: its lines grow quadratically (our choice: one second
+on one core)."""
 
 
 class Ways:
-    """The ways over a polygon with holes where the obstacles are; what was computed once is kept.
+    """The paths over a polygon with obstacles as holes, with caches.
 
     Args:
-        free: Where the centre of a body may be.
+        free: Region in which the centre of a body may be.
     """
 
     def __init__(self, free: Polygon) -> None:
         self.free = free
 
     def way(self, start: XY, goal: XY) -> list[XY] | None:
-        """The corner points of a way, both ends included; None where there is none.
+        """Corner points of a path, including both ends; None if there is none.
 
-        It is the shortest, unless there are more than `MOST_CORNERS`: then it is the cheapest over the grid,
-        pulled taut, which is up to a tenth longer. Where the grid has no way through a gap that is narrower
-        than its cells, the graph is searched all the same.
+        It is the shortest path if there are at most `MOST_CORNERS` corners. Otherwise it is the cheapest over
+        the grid, pulled taut, which is up to a tenth longer. If the grid has no path through a gap narrower
+        than its cells, the graph is searched after all.
         """
         found = self.grid.cheapest_way(start, goal, ()) if self._are_many else None
         return found or self._graph.shortest(start, goal)
 
     def least_m(self, start: XY, goal: XY) -> float | None:
-        """A length [m] that no way undercuts, the shortest's where that is found; None: there is no way."""
+        """A lower bound of the path length [m], exact if the shortest is found; None if there is no path."""
         if self._are_many:
             return math.dist(start, goal)
         way = self._graph.shortest(start, goal)
@@ -47,7 +48,7 @@ class Ways:
 
     @cached_property
     def grid(self) -> CostGrid:
-        """For ways past people."""
+        """The grid for paths past people."""
         return CostGrid(self.free)
 
     @cached_property

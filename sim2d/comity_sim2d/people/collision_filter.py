@@ -1,4 +1,4 @@
-"""Collision filter: a person steps nowhere near another body, now or until it chooses again."""
+"""Collision filter: no step of a person comes near another body before the next decision."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from comity_sim2d.pose import XY
 
 
 class Stride(NamedTuple):
-    """A body's straight line from one choice to the next; a standing person stays at one place."""
+    """A body's straight line between two decisions; of a standing person, a single point."""
 
     start: XY
     end: XY
     radius_m: float
 
     def distance_m(self, xy: XY) -> float:
-        """From a place to the nearest that its centre gets."""
+        """Smallest distance from a point to the body's centre on this line [m]."""
         if self.start == self.end:
             return math.dist(xy, self.start)
         (x, y), (dx, dy) = self.start, (self.end[0] - self.start[0], self.end[1] - self.start[1])
@@ -27,14 +27,14 @@ class Stride(NamedTuple):
 
 
 def is_taken(xy: XY, here: XY, radius_m: float, others: Iterable[Stride], gap_m: float = 0.0) -> bool:
-    """Whether a step would bring a person too near to another body; a person who is too near may go away.
+    """Whether a step brings a person too near to another body; a person already too near may move away.
 
     Args:
-        xy: Where the step leads.
-        here: From where.
-        radius_m: Of who makes it.
-        others: All bodies that count.
-        gap_m: What is too near, between surfaces.
+        xy: End of the step [m].
+        here: Start of the step [m].
+        radius_m: Radius of the person [m].
+        others: All other bodies.
+        gap_m: Minimum gap between surfaces [m].
     """
     for other in others:
         there_m = other.distance_m(xy)

@@ -1,7 +1,7 @@
-"""Bodies that do not pass through one another: velocities cut so that no body enters another.
+"""Contact avoidance: velocities are limited so that no body enters another.
 
-Each pair of bodies shares the gap between them: a mover may take up half of it, or all of it where the other
-does not move. A body within all its shares overlaps no other at the end of the step, nor on the way.
+The gap between each pair of bodies is shared: a moving body may use half of it, or all of it if the other
+does not move. A body that keeps all its shares overlaps no other during the step.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from comity_sim2d.people.neighbours import Indices
 from comity_sim2d.people.social_force import Numbers, Vectors
 
 ROUNDING_M_S = 1e-7
-"""An excess speed below this is rounding, and no reason to stop."""
+"""An excess speed below this is a rounding error and no reason to stop [m/s]."""
 
 
 def within_shares(velocity: Vectors, who: Indices, towards: Vectors, share_m_s: Numbers) -> Vectors:
-    """The velocities, first turned along what is in the way, then shortened as far as needed.
+    """The velocities, first turned along obstacles, then shortened as far as needed.
 
     Args:
-        velocity: Of all bodies, shape (n,).
-        who: The body of each share, shape (k,).
-        towards: Unit vectors to what is in the way, shape (k,).
-        share_m_s: How fast they may come nearer to it, at least 0; shape (k,).
+        velocity: Velocities of all bodies [m/s], shape (n,).
+        who: Index of the body of each share, shape (k,).
+        towards: Unit vectors towards the obstacles, shape (k,).
+        share_m_s: Maximum approach speed [m/s], at least 0; shape (k,).
     """
     excess = _along(velocity[who], towards) - share_m_s
     tight = excess > 0.0
@@ -33,7 +33,7 @@ def within_shares(velocity: Vectors, who: Indices, towards: Vectors, share_m_s: 
 
 
 def _turned(velocity: Vectors, who: Indices, towards: Vectors, excess: Numbers) -> Vectors:
-    """Without what is too much towards each thing; towards two things at once, their mean counts."""
+    """The velocities without the excess towards each obstacle; for several obstacles the mean counts."""
     count = len(velocity)
     push = excess**2 * towards
     total = np.bincount(who, excess, count)

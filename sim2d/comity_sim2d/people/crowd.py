@@ -1,7 +1,7 @@
-"""All people who may move, in arrays: forces, velocities without contact, steps.
+"""All people who may move, in arrays: forces, collision-free velocities, steps.
 
-Places and velocities are complex numbers, x + iy. The robot is the last body; people take it into account,
-and it is not moved here.
+Positions and velocities are complex numbers, x + iy. The robot is the last body; people take it into account,
+but it is not moved here.
 """
 
 from __future__ import annotations
@@ -22,35 +22,37 @@ from comity_sim2d.people.yielding import Yielding
 from comity_sim2d.scene.robot_reaction import RobotSeen
 
 PEOPLE_M, PEOPLE_SKIN_M = 5.0, 1.0
-"""Distance beyond which people are ignored [m], and the skin of the list [m]: a tenth of the force is left
-there, head on at full speed."""
+"""Distance beyond which people are ignored [m], and skin of the neighbour list [m]. At that distance a tenth
+of the force remains, head on at full speed."""
 WALLS_M, WALLS_SKIN_M = 1.0, 1.0
-"""Things farther away push with less than a thousandth of what they do at contact."""
+"""The same for walls and furniture: farther away they push with less than a thousandth of the force at
+contact."""
 TIGHT_M = 0.3
-"""Additional distance that is examined beyond what two people who go towards one another cover [m]."""
+"""Additional search distance beyond what two people who walk towards each other cover [m]."""
 ROBOT_GAP_M = 0.05
-"""People keep this far from the robot's body, which moves on between two decisions (our choice)."""
+"""Gap that people keep from the robot's body, which moves on between two decisions [m] (our choice)."""
 AROUND_RAD = 0.2
-"""Sideways push of a robot that a person takes for a thing, else they would stop [rad] (our choice)."""
+"""Angle of the push by a robot that a person takes for an object [rad]: otherwise they would stop (our
+choice)."""
 TURN = 2 * np.pi
 TURN_RAD_S = np.pi
-"""How fast people turn, as in HuNavSim's `agent_manager.cpp`."""
+"""Turning rate of people [rad/s], as in HuNavSim's `agent_manager.cpp`."""
 STILL_M_S = 0.1
 """Below this speed people keep their facing [m/s]."""
 SIDEWAYS_M_S = (0.3, 0.6)
-"""A person who is pushed aside more slowly than the lower speed steps sideways and faces where they want to
+"""A person pushed aside more slowly than the lower speed [m/s] steps sideways and faces where they want to
 go, as in the headed social force model (Farina et al. 2017, PLoS ONE 12(1): e0169734). Above the higher speed
-people face where they go. The speeds are our choice."""
+people face their direction of motion. The speeds are our choice."""
 SLACK_M = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """Discs with a face, each array of shape (n,)."""
+    """Discs with a heading; each array has shape (n,)."""
 
     at: Vectors
     heading: Numbers
-    """[rad]"""
+    """Heading [rad]."""
     radius_m: Numbers
 
 
@@ -59,13 +61,13 @@ class Crowd:
 
     Args:
         bodies: All bodies at the start, the robot last.
-        strollers: Those of them who may move.
-        strolling: Where they go.
-        outlines: What stands still.
-        step_s: A tick; a person who is led is moved once in each.
-        decision_s: From one decision to the next.
+        strollers: The people who may move.
+        strolling: Their goals.
+        outlines: The static obstacles.
+        step_s: A tick [s]; a led person is moved once in each.
+        decision_s: Period of decisions [s].
         side: 1 where people keep to the right, -1 to the left.
-        seed: Decides who goes first where two people block each other.
+        seed: Seed of who goes first if two people block each other.
     """
 
     def __init__(
@@ -82,11 +84,11 @@ class Crowd:
     ) -> None:
         count = len(bodies.at)
         self.at, self.heading, self.radius_m = bodies.at, bodies.heading.copy(), bodies.radius_m
-        """Headings may leave (-pi, pi] between two decisions."""
+        """Headings may leave (-pi, pi] between two decisions [rad]."""
         self.velocity = np.zeros(count, dtype=complex)
-        """Own velocities of all people and the robot."""
+        """Velocities of all people and the robot [m/s]."""
         self._led: dict[int, complex] = {}
-        """People who are led, and their displacement in this tick [m]."""
+        """Displacement of each led person in this tick [m]."""
         self._turn = np.zeros(count)
         self._strolling, self._side = strolling, side
         self._step_s, self._decision_s = step_s, decision_s
@@ -100,10 +102,10 @@ class Crowd:
         self._yielding = Yielding(count, seed, decision_s)
         self._neighbours = NeighbourList(PEOPLE_M, PEOPLE_SKIN_M, self._moves)
         self._width = np.empty(0)
-        """Both radii of every pair of neighbours together."""
+        """Sum of the radii of every pair of neighbours [m]."""
         self.use_outlines(outlines)
         self.o_spaces: tuple[Vectors, Numbers] = (np.empty(0, dtype=complex), np.empty(0))
-        """Middles and radii of what groups keep open; people walk around it."""
+        """Centres and radii of the o-spaces of groups, which people walk around [m]."""
 
     @property
     def movers(self) -> Indices:
@@ -115,19 +117,19 @@ class Crowd:
         return bool(self._strolling.walks[index])
 
     def put(self, index: int, at: complex, heading_rad: float) -> None:
-        """Put a body somewhere."""
+        """Move a body to a pose."""
         if index in self._led:
             self._led[index] += at - complex(self.at[index])
         self.at[index], self.heading[index] = at, heading_rad
 
     def hold(self, index: int) -> None:
-        """Let a body stand wherever it is put, and do nothing by itself; others see how it is moved."""
+        """Suspend a body's own behaviour: it stands where it is put, while others see how it is moved."""
         self._led.setdefault(index, 0j)
         self.velocity[index], self._turn[index] = 0.0, 0.0
         self._strolling.hold(index)
 
     def let_go(self, index: int, *, stays: bool) -> None:
-        """Let a body stay there, or go on by itself."""
+        """Let a body stay there, or resume its own behaviour."""
         self._led.pop(index, None)
         self._strolling.let_go(index, self.at, stays=stays)
 
@@ -140,18 +142,18 @@ class Crowd:
         self._strolling.make_way(index, out)
 
     def use_outlines(self, outlines: Outlines) -> None:
-        """Meet other things from now on."""
+        """Replace the static obstacles."""
         self._walls = WallList(outlines, self._movers, self.radius_m, WALLS_M, WALLS_SKIN_M)
 
     def advance(self) -> None:
-        """Let all people go on with their velocities, for one tick."""
+        """Move all people at their velocities for one tick."""
         self.at[:-1] += self.velocity[:-1] * self._step_s
         self.heading += self._turn * self._step_s
         for index in self._led:
             self._led[index] = 0j
 
     def decide(self, robot: RobotSeen) -> None:
-        """Let all people choose their velocities again."""
+        """Update the velocities of all people."""
         self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
         wanted = self._strolling.decide(self.at, self.heading, robot, self.o_spaces)
         walks = self._strolling.walks
@@ -166,7 +168,7 @@ class Crowd:
         self._turn = self._turning(robot, wanted)
 
     def _near(self) -> Near:
-        """The people and things near each person now."""
+        """The people and obstacles near each person now."""
         pairs, walls = self._neighbours, self._walls
         if pairs.update(self.at):
             self._width = self.radius_m[pairs.one] + self.radius_m[pairs.other]
@@ -180,7 +182,7 @@ class Crowd:
 
     @property
     def _seen(self) -> Vectors:
-        """The velocities that others see; of led people, as they are moved."""
+        """The velocities that others see; led people as they are moved."""
         if not self._led:
             return self.velocity
         seen = self.velocity.copy()
@@ -189,12 +191,12 @@ class Crowd:
 
     @property
     def _facing(self) -> Vectors:
-        """Facing of the people who walk or are led; 0 of those who stand."""
+        """Unit vectors of the facing of people who walk or are led; 0 for those who stand."""
         on_their_way = self._strolling.walks | (self._seen != 0.0) if self._led else self._strolling.walks
         return np.asarray(np.exp(1j * self.heading) * on_their_way)
 
     def _from_all(self, near: Near, seen: Vectors) -> Vectors:
-        """What people do about one another, about things and about the middles of groups."""
+        """Accelerations due to other people, obstacles and o-spaces [m/s^2]."""
         closing = seen[near.one] - seen[near.other]
         push = between(near.towards, near.gap_m, closing, self._side)
         if self._has_impassive:
@@ -236,7 +238,7 @@ class Crowd:
         )
 
     def _shares(self, one: Indices, other: Indices, towards: Vectors, gap_m: Numbers) -> Numbers:
-        """How much nearer each of a pair may come [m]."""
+        """Distance by which each of a pair may approach the other [m]."""
         walks, robot = self._strolling.walks, other == len(self.at) - 1
         if self._led:
             walks = walks | (self._seen != 0.0)
@@ -247,7 +249,7 @@ class Crowd:
         return np.asarray(np.maximum(share, 0.0))
 
     def _turning(self, robot: RobotSeen, wanted: Vectors) -> Numbers:
-        """Turning rates, to where people go or to the robot that they look at [rad/s]."""
+        """Turning rates towards the direction of motion, or towards the robot that they look at [rad/s]."""
         looks, speed = self._strolling.looks, np.abs(self.velocity)
         ahead: Vectors = _ahead(self.velocity, speed, wanted)
         turns = (speed >= STILL_M_S) & (ahead != 0.0)
@@ -263,7 +265,7 @@ class Crowd:
 
 
 def _ahead(velocity: Vectors, speed: Numbers, wanted: Vectors) -> Vectors:
-    """Where people face who go like this and want to go like that: a vector that way, 0 for as they do."""
+    """Direction that people face for a current and a target velocity, as a vector; 0 to keep the facing."""
     low, high = SIDEWAYS_M_S
     along = np.minimum(np.maximum((speed - low) * (1.0 / (high - low)), 0.0), 1.0)
     pace = np.maximum(np.abs(wanted), 1e-9)

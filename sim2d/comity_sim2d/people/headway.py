@@ -1,8 +1,8 @@
-"""Headway: in a stream, people go no faster than the gap to the person ahead allows.
+"""Headway: in a stream, people walk no faster than the gap to the person ahead allows.
 
 The time gap is that of the collision-free speed model (Tordeux, Chraibi and Seyfried 2016, "Collision-free
-speed model for pedestrian dynamics", Traffic and Granular Flow '15, 225-232). The social force alone lets a
-stream of people go at full speed at densities at which real people walk more slowly (Weidmann 1993,
+speed model for pedestrian dynamics", Traffic and Granular Flow '15, 225-232). With the social force alone,
+people in a stream walk at full speed at densities at which real people slow down (Weidmann 1993,
 "Transporttechnik der Fussgaenger").
 """
 
@@ -14,19 +14,19 @@ from comity_sim2d.people.near import Near
 from comity_sim2d.people.social_force import Vectors
 
 TIME_GAP_S = 0.6
-"""The gap ahead is covered in no less time. Fitted to Weidmann's diagram with bodies of 0.4 m, by
+"""Minimum time to cover the gap ahead [s]. Fitted to Weidmann's diagram with bodies of 0.4 m, by
 `tests/crowd_study.py`; Tordeux et al. take 1 s for bodies of 0.3 m, which no other force pushes."""
 
 
 def within_headway(wanted: Vectors, facing: Vectors, near: Near) -> Vectors:
-    """The velocities that people want, slowed down behind those who go the same way.
+    """The target velocities, reduced behind people who walk in the same direction [m/s].
 
-    A person is ahead whose body reaches into the strip that one's own body is about to cover. People who come
-    the other way or stand do not count: people evade them.
+    A person is ahead if their body reaches into the strip that one's own body is about to cover. People who
+    come the other way or stand do not count: others evade them.
 
     Args:
-        wanted: Of all bodies, shape (n,); 0 of those who do not walk.
-        facing: Unit vectors of the facings, shape (n,); 0 of those who stand.
+        wanted: Target velocities of all bodies [m/s], shape (n,); 0 for those who do not walk.
+        facing: Unit vectors of the facing, shape (n,); 0 for those who stand.
         near: The pairs of near bodies.
     """
     pace = np.abs(wanted)

@@ -1,4 +1,4 @@
-"""Where a person goes next: the points of a walk with the bends between them, and the pauses."""
+"""Itinerary of a person: the points of a walk, the bends between them, and the pauses."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from comity_sim2d.scene.footpath import Disc, Footpaths
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """A straight piece of a walk, by its end."""
+    """A straight piece of a walk, given by its end."""
 
     goal: complex
     pause_s: float = 0.0
-    """How long to stand there."""
+    """Time to stand there [s]."""
     is_stop: bool = True
-    """Whether it is a point of the walk and not a mere bend on the way."""
+    """Whether it is a point of the walk and not only a bend on the way."""
 
 
 class Itinerary:
@@ -26,8 +26,8 @@ class Itinerary:
 
     Args:
         stops: The points to go to, with the pause at each.
-        loop: Whether the first follows the last.
-        paths: How to get from one to the next.
+        loop: Whether the walk repeats.
+        paths: Finds the path from one point to the next.
     """
 
     def __init__(self, stops: Sequence[tuple[XY, float]], *, loop: bool, paths: Footpaths) -> None:
@@ -37,22 +37,22 @@ class Itinerary:
         self._from_stop = lru_cache(maxsize=None)(self._way)
 
     def set_out(self, at: XY, past: Disc | None = None) -> Leg:
-        """The way from here to the next point, from now on; past a thing in the way, if there is one."""
+        """The first leg from `at` to the next point, around a blocking object if given."""
         around = None if past is None else self._paths.past(past, at, self._stops[self._next][0])
         self._legs = list(self._way(at, self._next) if around is None else self._over(around, self._next))
         return self._legs[0]
 
     def forget(self) -> None:
-        """Look for new ways from now on: the place has changed."""
+        """Drop the known paths: the place has changed."""
         self._from_stop.cache_clear()
 
     def stay(self, at: XY) -> None:
-        """Let the walk end here: a person who leaves comes back to this place."""
+        """End the walk here: a person who leaves returns to this place."""
         self._stops, self._loop, self._next = [(at, 0.0)], False, 0
         self.forget()
 
     def arrive(self) -> Leg | None:
-        """What comes after the present leg; None: this was the end of the walk."""
+        """The leg after the current one; None at the end of the walk."""
         done = self._legs.pop(0)
         if not done.is_stop:
             return self._legs[0]

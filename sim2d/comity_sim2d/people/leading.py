@@ -1,7 +1,6 @@
-"""People who are led by changes or faults: of several that lead one person, the latest one counts.
+"""People led by changes or faults: if several lead one person, the latest counts.
 
-People who are led neither walk nor step back by themselves: two that move one person at once would push them
-to and fro.
+A led person neither walks nor steps back on their own: two movements at once would push them to and fro.
 """
 
 from __future__ import annotations
@@ -17,22 +16,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lead:
-    """A person is led: two leads are never the same one."""
+    """A lead of one person; compared by identity."""
 
     person: str
     to_m: XY
-    """Where they belong when it is over."""
+    """Their place afterwards [m]."""
     heading_rad: float | None
-    """How they stand there; None: as they came."""
+    """Their heading there [rad]; None: as they arrived."""
     stays: bool = True
-    """Whether they stay where it ends; else they go on with a walk of their own, where they have one."""
+    """Whether they stay where it ends; otherwise they resume their own walk, if they have one."""
 
 
 class Leads:
-    """The people who are led now.
+    """The people who are currently led.
 
     Args:
-        traffic: People who walk by themselves while nothing leads them.
+        traffic: The pedestrians, who walk by themselves while not led.
     """
 
     def __init__(self, traffic: Pedestrians | None) -> None:
@@ -40,15 +39,15 @@ class Leads:
         self._leads: dict[str, Lead] = {}
 
     def of(self, name: str) -> Lead | None:
-        """What leads a person just now."""
+        """The current lead of a person; None if not led."""
         return self._leads.get(name)
 
     def holds(self, lead: Lead) -> bool:
-        """Whether it leads its person still."""
+        """Whether a lead is still in force."""
         return self._leads.get(lead.person) is lead
 
     def begin(self, lead: Lead) -> bool:
-        """Lead a person from now on; says whether something else did until now, which is over with that."""
+        """Start a lead; returns whether it replaces another one."""
         was_led = lead.person in self._leads
         self._leads[lead.person] = lead
         if self._traffic:
@@ -56,7 +55,7 @@ class Leads:
         return was_led
 
     def end(self, lead: Lead) -> None:
-        """Let its person go; nothing happens where something else leads them by now."""
+        """End a lead; no effect if another one has replaced it."""
         if self.holds(lead):
             del self._leads[lead.person]
             if self._traffic:

@@ -1,4 +1,4 @@
-"""People of the scene who are asked to let the robot pass: they step aside and look at it, or say yes.
+"""Responses of people whom the robot asks to make way: they step aside and look at it, or agree.
 
 All times and lengths are our own choice. A person who stepped aside stays there.
 """
@@ -24,32 +24,32 @@ STEP_M_S = 0.6
 
 
 class MakingWay:
-    """Answers of the people who have one.
+    """The pending answers of people, and their steps aside.
 
     Args:
-        robot_radius_m: Of the robot's disc.
-        plan: What a person who steps must not walk into.
-        clock: The ticks.
-        said: What people say; answers are added to it.
+        robot_radius_m: Radius of the robot's disc [m].
+        plan: The static obstacles, which a person must not walk into.
+        clock: Simulated time.
+        said: What people say; answers are appended to it.
     """
 
     def __init__(self, robot_radius_m: float, plan: FloorPlan, clock: Clock, said: list[Said]) -> None:
         self._robot_radius_m, self._plan, self._clock, self._said = robot_radius_m, plan, clock, said
         self._answers_s: dict[str, float] = {}
-        """When each person who was asked answers [s]."""
+        """When each person who was asked will answer [s]."""
         self._left: dict[str, list[Pose]] = {}
-        """Poses still to be taken, one a tick, the next one last."""
+        """Remaining poses, one per tick, the next one last."""
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Walk into nothing of another floor plan from now on."""
+        """Replace the static obstacles."""
         self._plan = plan
 
     def break_off(self, name: str) -> None:
-        """Let a person who is moved by something else stop stepping aside."""
+        """Cancel the step aside of a person who is moved by something else."""
         self._left.pop(name, None)
 
     def ask(self, person: Person, robot: XY) -> None:
-        """Ask a person to let the robot pass: a person near enough to hear it answers after a moment."""
+        """Ask a person to make way; if near enough to hear it, they answer after a moment."""
         if (person.steps_aside or person.lets_pass) and math.dist(person.xy, robot) <= HEARD_M:
             self._answers_s[person.name] = self._clock.now_s + HESITATION_S
 
@@ -61,14 +61,14 @@ class MakingWay:
         others: Callable[[str], Iterable[Disc]],
         move: Callable[[Person], bool],
     ) -> None:
-        """Let a tick pass.
+        """Advance by one tick.
 
         Args:
-            people: Of the scene, where they stand.
-            robot: Where the robot stands.
-            find_way: Says where it wants to go: people see that from how it stands.
-            others: All bodies but the robot's and that of one person.
-            move: Receives a person who goes elsewhere; returns whether they could.
+            people: The people of the scene.
+            robot: Pose of the robot.
+            find_way: Returns the robot's intended path, which people infer from its pose.
+            others: Returns all bodies except the robot's and that of one person.
+            move: Moves a person; returns whether that was possible.
         """
         for name, at_s in list(self._answers_s.items()):
             if at_s <= self._clock.now_s + 1e-9:
@@ -97,7 +97,7 @@ class MakingWay:
             self._left[person.name] = self._poses(person, places, robot)
 
     def _aside(self, person: Person, way: Sequence[XY], robot: Disc, others: list[Disc]) -> list[XY] | None:
-        """Where to go, point by point: out of the way if there is room near, else against the wall."""
+        """Path of the step aside: off the robot's path if there is room nearby, else against the wall."""
         at, radius_m = person.xy, person.radius_m
         paths = Footpaths(self._plan, radius_m)
         out = way_out(
@@ -115,7 +115,7 @@ class MakingWay:
         return against_the_wall(at, way, radius_m=radius_m, others=[*others, robot], plan=self._plan)
 
     def _poses(self, person: Person, places: Sequence[XY], robot: Pose) -> list[Pose]:
-        """The poses on the way, a tick apart, the last one first: there the person looks at the robot."""
+        """Poses along the path, one per tick, the last one first, where the person looks at the robot."""
         step_m, found, start = STEP_M_S * self._clock.step_s, list[Pose](), person.xy
         for end in places:
             length_m, heading = math.dist(start, end), direction_to(start, end)

@@ -1,4 +1,4 @@
-"""Pairs of bodies that are near each other, and of bodies and lines; in arrays."""
+"""Pairs of nearby bodies, and of bodies and nearby lines; in arrays."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ class Near(NamedTuple):
     one: Indices
     other: Indices
     towards: Vectors
-    """Unit vectors from the one to the other, shape (k,)."""
+    """Unit vectors from the first body to the second, shape (k,)."""
     gap_m: Numbers
-    """Between the two bodies, shape (k,)."""
+    """Gap between the two bodies [m], shape (k,)."""
     width_m: Numbers
-    """Both radii together, shape (k,)."""
+    """Sum of the radii [m], shape (k,)."""
     who: Indices
     away: Vectors
     """Unit vectors from the line to the body's centre, shape (m,)."""
     wall_gap_m: Numbers
-    """Between the body and the line, shape (m,)."""
+    """Gap between the body and the line [m], shape (m,)."""

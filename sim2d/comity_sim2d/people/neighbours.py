@@ -11,9 +11,9 @@ from comity_sim2d.people.social_force import Vectors
 
 Indices = NDArray[np.intp]
 VERY_FEW = 14
-"""Number of people up to which all pairs are listed for good (measured)."""
+"""Number of people up to which all pairs are listed permanently (measured)."""
 FEW = 50
-"""Number of people up to which all pairs are examined; above, a k-d tree finds the near ones."""
+"""Number of people up to which all pairs are examined; above it, a k-d tree finds the near ones."""
 
 
 @lru_cache(maxsize=8)
@@ -23,7 +23,7 @@ def _all_pairs(count: int) -> tuple[Indices, Indices]:
 
 
 def pairs_within(at: Vectors, distance_m: float) -> tuple[Indices, Indices]:
-    """All pairs of places not farther apart than a distance, each once, in ascending order."""
+    """All pairs of points within a distance, each once, in ascending order."""
     if len(at) <= FEW:
         one, other = _all_pairs(len(at))
         near = np.abs(at[other] - at[one]) <= distance_m
@@ -37,12 +37,12 @@ def pairs_within(at: Vectors, distance_m: float) -> tuple[Indices, Indices]:
 
 
 class NeighbourList:
-    """The pairs that matter, found again only when a person has moved by half the skin.
+    """The pairs within a distance, searched again only when a person has moved by half the skin.
 
     Args:
-        distance_m: Pairs farther apart do not matter.
-        skin_m: Additional distance up to which pairs are listed, so that the list lasts.
-        moves: Whether each body moves at all; pairs of two that do not are left out. Shape (n,).
+        distance_m: Maximum distance of pairs that matter [m].
+        skin_m: Additional distance up to which pairs are listed, so that the list stays valid [m].
+        moves: Whether each body moves at all, shape (n,); pairs of two static bodies are left out.
     """
 
     def __init__(self, distance_m: float, skin_m: float, moves: NDArray[np.bool_]) -> None:
@@ -53,7 +53,7 @@ class NeighbourList:
         self.other: Indices = np.empty(0, dtype=np.intp)
 
     def update(self, at: Vectors) -> bool:
-        """See to it that the list holds for these places; says whether it changed."""
+        """Ensure that the list is valid for these positions; returns whether it changed."""
         listed = self._listed_at
         if listed is not None and (self._lasts or np.abs(at - listed).max() <= self._skin_m / 2):
             return False

@@ -1,4 +1,4 @@
-"""Walls and furniture as pedestrians avoid them: straight lines in arrays, and the people near each."""
+"""Walls and furniture as pedestrians avoid them: line segments in arrays, and those near each person."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 BLOCK = 4096
-"""Lines that are compared with people at a time, so that large maps stay small in memory."""
+"""Number of lines compared with people at a time, to limit memory on large maps."""
 FEW_PAIRS = 250
-"""Number of pairs of a person and a line up to which all are listed for good (measured)."""
+"""Number of person-line pairs up to which all are listed permanently (measured)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Lines:
-    """Straight lines in arrays, shape (k,)."""
+    """Line segments in arrays of shape (k,)."""
 
     starts: Vectors
     legs: Vectors
     unit: Vectors
-    """What a vector is multiplied by to have its share of the leg as the real part."""
+    """Factor that turns a vector into its share of the segment (real part)."""
     half_m: Numbers
 
     def nearest(self, at: Vectors) -> tuple[Vectors, Numbers]:
-        """Unit vectors from the lines' nearest points to places, and the distances from the lines' edges."""
+        """Unit vectors from the lines' nearest points to `at`, and distances from the lines' edges [m]."""
         from_start = at - self.starts
         along = np.minimum(np.maximum((from_start * self.unit).real, 0.0), 1.0)
         away = from_start - along * self.legs
@@ -40,12 +40,12 @@ class Lines:
 
 
 class Outlines:
-    """All that stands still. Places are complex numbers, x + iy [m].
+    """All static obstacles as line segments; positions are complex numbers, x + iy [m].
 
     Args:
-        starts: Where each line begins, shape (m,).
-        ends: Where it ends.
-        half_m: Half its thickness, round about the ends.
+        starts: Start of each line, shape (m,).
+        ends: End of each line, shape (m,).
+        half_m: Half its thickness, with round ends [m].
     """
 
     def __init__(self, starts: Vectors, ends: Vectors, half_m: Numbers) -> None:
@@ -59,7 +59,7 @@ class Outlines:
 
     @classmethod
     def of_plan(cls, plan: FloorPlan) -> Outlines:
-        """The outlines of a floor plan, as its doors stand."""
+        """The outlines of a floor plan with its doors in their current state."""
         segments = plan.segments
         places = segments.ends[..., 0] + 1j * segments.ends[..., 1]
         return cls(places[:, 0], places[:, 1], segments.half_m)
@@ -68,7 +68,7 @@ class Outlines:
         return len(self._starts)
 
     def lines(self, which: Indices) -> Lines:
-        """Some of them, one to a place."""
+        """A selection of lines, one per point."""
         return Lines(
             self._starts[which],
             self._legs[which],
@@ -77,7 +77,7 @@ class Outlines:
         )
 
     def within(self, at: Vectors, distance_m: float) -> tuple[Indices, Indices]:
-        """All pairs of a place and a line that is not farther from it, by place and then by line."""
+        """All pairs of a point and a line within a distance, sorted by point and then by line."""
         found = [self._block(at, first, distance_m) for first in range(0, len(self._starts), BLOCK)]
         who, lines = (np.concatenate(part) for part in zip(*found, strict=True))
         order = np.lexsort((lines, who))
@@ -91,14 +91,14 @@ class Outlines:
 
 
 class WallList:
-    """The lines that are near each person, found again only when a person has moved by half the skin.
+    """The lines near each person, searched again only when a person has moved by half the skin.
 
     Args:
-        outlines: What stands still.
-        walkers: People who take it into account, by their index among the bodies.
-        radius_m: Of all bodies, shape (n,).
-        distance_m: Lines farther from a body's centre do not matter.
-        skin_m: Additional distance up to which lines are listed, so that the list lasts.
+        outlines: The static obstacles.
+        walkers: Indices of the bodies that avoid them.
+        radius_m: Radii of all bodies [m], shape (n,).
+        distance_m: Maximum distance of lines from a body's centre that matter [m].
+        skin_m: Additional distance up to which lines are listed, so that the list stays valid [m].
     """
 
     def __init__(
@@ -111,7 +111,7 @@ class WallList:
         self.who: Indices = np.empty(0, dtype=np.intp)
 
     def update(self, at: Vectors) -> tuple[Vectors, Numbers]:
-        """For each of `who`: the unit vector from the line to the body, and the gap between the two."""
+        """For each index in `who`: unit vector from the line to the body, and the gap between them [m]."""
         listed = self._listed_at
         if listed is None or not (
             self._lasts or np.abs(at[self._walkers] - listed).max() <= self._skin_m / 2

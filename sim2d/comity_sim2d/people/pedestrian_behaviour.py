@@ -1,4 +1,4 @@
-"""Momentary goals of pedestrians: on with their walk, at rest in a pause, or as they react to the robot."""
+"""Current goals of pedestrians: continue their walk, rest in a pause, or react to the robot."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ BEND_M, STOP_M = 0.4, 0.1
 """Distance from a bend at which the next leg begins, and from a pause at which it is reached [m]."""
 WATCH_S = 1.0
 NEARER_M = 0.05
-"""A person who has come nearer by less since the last check is blocked [m]."""
+"""A person who has advanced by less than this since the last check is blocked [m]."""
 PATIENCE = 3
 """Number of times a person is blocked before they look for another path, or accept being near."""
 NEAR_M = 1.0
@@ -36,16 +36,16 @@ FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 
 @dataclass(frozen=True, slots=True)
 class Stroller:
-    """A person who may move, by their index among the bodies."""
+    """A person who may move, with their index among the bodies."""
 
     index: int
     speed_m_s: float
     itinerary: Itinerary
     reacts: RobotReaction = "regular"
     stops: bool = False
-    """Whether they stop for a robot that comes up to them."""
+    """Whether they stop for a robot that approaches them."""
     is_home: bool = False
-    """Whether they stand where their walk ends, at the start, and move only because of the robot."""
+    """Whether they stand at the end of their walk from the start, and move only because of the robot."""
 
 
 class PedestrianBehaviour:
@@ -53,9 +53,9 @@ class PedestrianBehaviour:
 
     Args:
         strollers: People who may move.
-        at: Where all bodies start, shape (n,).
-        plan: What hides the robot from people.
-        step_s: From one decision to the next.
+        at: Initial positions of all bodies [m], shape (n,).
+        plan: The floor plan, which may hide the robot from people.
+        step_s: Period of decisions [s].
     """
 
     def __init__(self, strollers: tuple[Stroller, ...], at: Vectors, plan: FloorPlan, step_s: float) -> None:
@@ -78,7 +78,7 @@ class PedestrianBehaviour:
         self._best_m, self._held_up = np.full(count, np.inf), np.zeros(count, dtype=np.intp)
         self._cut = np.zeros(count, dtype=bool)
         self.walks = np.zeros(count, dtype=bool)
-        """Whether each body moves at all at this moment."""
+        """Whether each body currently moves."""
         self.push = np.zeros(count, dtype=complex)
         """Additional acceleration [m/s^2]."""
         self.looks = np.zeros(count, dtype=bool)
@@ -88,13 +88,13 @@ class PedestrianBehaviour:
                 self._set_out(stroller, at)
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """See what another floor plan does not hide, and look for new ways."""
+        """Replace the floor plan, and search for new paths."""
         self._plan = plan
         for stroller in self._strollers.values():
             stroller.itinerary.forget()
 
     def hold(self, index: int) -> None:
-        """Let a person want nothing by themselves: something else leads them."""
+        """Suspend a person's own goals while something else leads them."""
         if index in self._strollers:
             self._led.add(index)
             self._diverted.discard(index)
@@ -102,12 +102,12 @@ class PedestrianBehaviour:
             self.walks[index], self._rest_s[index], self.push[index] = False, 0.0, 0.0
 
     def let_go(self, index: int, at: Vectors, *, stays: bool) -> None:
-        """Let a person who was led stay where they are, or go on with their walk from there.
+        """Let a person who was led stay where they are, or resume their walk.
 
         Args:
-            index: Who.
-            at: Where all bodies are, shape (n,).
-            stays: Which of the two; who only stood before they reacted to the robot goes back there.
+            index: Index of the person.
+            at: Positions of all bodies [m], shape (n,).
+            stays: Whether they stay; a person who only stood before reacting to the robot returns there.
         """
         if index not in self._led:
             return
@@ -124,26 +124,26 @@ class PedestrianBehaviour:
         return index not in self._led and self._strollers[index].reacts not in STAYS
 
     def make_way(self, index: int, out: SteppingOut) -> None:
-        """Let a person step out of the robot's way; who spoke with it is used to it from then on."""
+        """Let a person step out of the robot's way; having spoken with it, they are then used to it."""
         self._stepping_out[index] = out
         if index in self._left_s:
             self._left_s[index] = 0.0
 
     @property
     def speed_m_s(self) -> Numbers:
-        """Target speeds; shape (n,)."""
+        """Target speeds [m/s], shape (n,)."""
         return self._speed
 
     def decide(
         self, at: Vectors, heading: Numbers, robot: RobotSeen, kept_open: tuple[Vectors, Numbers]
     ) -> Vectors:
-        """The target velocities now; 0 of people who do not walk.
+        """The current target velocities [m/s]; 0 for people who do not walk.
 
         Args:
-            at: Positions of all bodies.
-            heading: Where they face [rad].
+            at: Positions of all bodies [m].
+            heading: Their headings [rad].
             robot: As people see it.
-            kept_open: Middles and radii of what groups keep open.
+            kept_open: Centres and radii of the o-spaces of groups [m].
         """
         self._decisions += 1
         self._end_pauses(at)
@@ -220,7 +220,7 @@ class PedestrianBehaviour:
                 self._set_out(self._strollers[index], at, robot if close else None)
 
     def _lead_around(self, at: Vectors, kept_open: tuple[Vectors, Numbers]) -> None:
-        """A new way, once, for who was pushed to where the old one leads through what a group keeps open."""
+        """Replan, once, the path of a person pushed to where the old one crosses an o-space."""
         cut = np.zeros(len(at), dtype=bool)
         ahead = self._goal - at
         squared = np.maximum(np.abs(ahead) ** 2, 1e-9)
@@ -234,7 +234,7 @@ class PedestrianBehaviour:
             self._set_out(self._strollers[index], at)
 
     def _step_out(self, at: Vectors, robot: RobotSeen) -> list[int]:
-        """Let those who were asked make way; says who does."""
+        """Let people who were asked make way; returns who does."""
         for i, out in list(self._stepping_out.items()):
             if out.is_over(robot, self._step_s):
                 del self._stepping_out[i]
@@ -248,7 +248,7 @@ class PedestrianBehaviour:
         return list(self._stepping_out)
 
     def _mind_the_robot(self, stroller: Stroller, at: Vectors, heading: Numbers, robot: RobotSeen) -> bool:
-        """Let a person react; says whether they do."""
+        """Let a person react to the robot; returns whether they do."""
         i = stroller.index
         wish = self._intent(stroller, complex(at[i]), float(heading[i]), robot)
         self.push[i] = wish.push if wish else 0.0
@@ -272,7 +272,7 @@ class PedestrianBehaviour:
         return True
 
     def _look(self, index: int, off_rad: float) -> None:
-        """Turn to the robot, and again only once it is well off to a side."""
+        """Turn to the robot, and again only once it is well off to one side."""
         if index not in self._faced or abs(off_rad) > LOOK_AGAIN_RAD:
             self.looks[index] = True
         elif abs(off_rad) < FACING_RAD:
@@ -280,12 +280,12 @@ class PedestrianBehaviour:
         self._faced.add(index)
 
     def _look_ahead(self, index: int) -> None:
-        """Face where one goes."""
+        """Face the direction of motion."""
         self.looks[index] = False
         self._faced.discard(index)
 
     def _flee(self, index: int, at: Vectors) -> None:
-        """Let a standing person move as the robot pushes, without another goal."""
+        """Let a standing person be pushed by the robot, without another goal."""
         if index not in self._legs:
             self._goal[index], self._speed[index] = at[index], self._strollers[index].speed_m_s
             self._pauses[index], self._nears[index] = True, -1.0
@@ -293,7 +293,7 @@ class PedestrianBehaviour:
             self._diverted.add(index)
 
     def _go_on(self, stroller: Stroller, at: Vectors) -> None:
-        """Back to the walk, or to where one stood."""
+        """Return to the walk, or to the original place."""
         if self._rest_s[stroller.index] > 0.0:
             self.walks[stroller.index] = False
         else:

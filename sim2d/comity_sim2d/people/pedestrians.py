@@ -29,16 +29,16 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 DECISIONS_HZ = 10
-"""How often people choose again how to go on; the step of the social force models that are in use."""
+"""Rate of people's decisions [Hz]: the step of common social force models."""
 WALKS_OFF_M_S = 1.0
 """Pace of a standing person who leaves because of the robot, if the reaction has none [m/s] (our choice)."""
 
 
 class Pedestrians:
-    """The people of one world who may move, with all others as bodies in their way.
+    """The people of one world who may move, with all other bodies as obstacles.
 
     Raises:
-        SceneError: Where a person cannot walk where they are to walk, or there is no room for the passers-by.
+        SceneError: If a person cannot follow their walk, or there is no room for the passers-by.
     """
 
     def __init__(self, scene: Scene, clock: Clock, seed: int) -> None:
@@ -51,7 +51,7 @@ class Pedestrians:
         plan, placed = floor_plan(scene), place(scene, seed)
         self._plan = plan
         self.names = scene.passers_by.names if scene.passers_by else ()
-        """Of the passers-by."""
+        """Names of the passers-by."""
         self._paths = _paths(scene, plan)
         strollers = tuple(_strollers(scene, placed, self._paths))
         bodies = _bodies(scene, placed)
@@ -68,20 +68,20 @@ class Pedestrians:
         )
         self._first = len(scene.people)
         self.at: Vectors = self._crowd.at[self._first : -1]
-        """Where the passers-by are, x + iy; shape (m,). It goes with them."""
+        """Positions of the passers-by [m], x + iy; shape (m,). A view that moves with them."""
         self.radius_m: Numbers = self._crowd.radius_m[self._first : -1]
-        """Of the passers-by, shape (m,)."""
+        """Radii of the passers-by [m], shape (m,)."""
         self._movers = [person.name for person in scene.people if person.may_move]
         self._keep_open(scene.people)
 
     @property
     def velocity(self) -> Vectors:
-        """How they go, shape (m,)."""
+        """Velocities of the passers-by [m/s], shape (m,)."""
         return self._crowd.velocity[self._first : -1]
 
     @property
     def poses(self) -> Numbers:
-        """Where the passers-by are and face: x, y, heading; shape (m, 3)."""
+        """Poses of the passers-by: x [m], y [m], heading [rad]; shape (m, 3)."""
         at, poses = self.at, np.empty((len(self.names), 3))
         poses[:, 0], poses[:, 1] = at.real, at.imag
         heading = self._crowd.heading[self._first : -1]
@@ -95,11 +95,11 @@ class Pedestrians:
         return list(zip(self.names, places, self.radius_m.tolist(), strict=True))
 
     def is_walking(self, name: str) -> bool:
-        """Whether a person of the scene moves by themselves just now."""
+        """Whether a person of the scene currently moves on their own."""
         return self._crowd.is_walking(self._index[name])
 
     def strides_but(self, name: str) -> list[Stride]:
-        """Strides of all people but one until the next decision, without the robot."""
+        """Strides of all people except one until the next decision, without the robot."""
         crowd = self._crowd
         ahead = crowd.velocity[:-1] * (-self._clock.tick % self._ticks * self._clock.step_s)
         ends = crowd.at[:-1] + ahead
@@ -108,29 +108,29 @@ class Pedestrians:
         return [Stride(_xy(at), _xy(end), r) for i, (at, end, r) in enumerate(rows) if i != mine]
 
     def put(self, person: Person, people: Mapping[str, Person]) -> None:
-        """Take note of a person who was moved by another person."""
+        """Note that a person was moved by another person."""
         self._crowd.put(self._index[person.name], complex(*person.xy), person.heading_rad)
         if self._scene.groups:
             self._keep_open(people.values())
 
     def hold(self, name: str) -> None:
-        """Let a person of the scene do nothing by themselves: something else leads them.
+        """Suspend the own behaviour of a person of the scene while something else leads them.
 
         Others see how they are moved.
         """
         self._crowd.hold(self._index[name])
 
     def let_go(self, name: str, *, stays: bool) -> None:
-        """Let them stay where they are, or go on by themselves."""
+        """Let them stay where they are, or resume their own behaviour."""
         self._crowd.let_go(self._index[name], stays=stays)
 
     def ask_to_pass(self, name: str, robot: XY, way: Sequence[XY]) -> bool:
-        """Let a passer-by be asked to let the robot pass; says whether they make way.
+        """Ask a passer-by to make way; returns whether they do.
 
         Args:
-            name: Who.
-            robot: Where it stands.
-            way: Where it wants to go: they see that from how it stands.
+            name: The passer-by.
+            robot: Position of the robot [m].
+            way: The robot's intended path, which they infer from its pose.
         """
         i = self._first + self.names.index(name)
         at, radius_m = _xy(complex(self._crowd.at[i])), float(self._crowd.radius_m[i])
@@ -146,7 +146,7 @@ class Pedestrians:
         return out is not None
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Meet another floor plan from now on."""
+        """Replace the floor plan."""
         self._plan = plan
         self._crowd.use_outlines(Outlines.of_plan(plan))
         for paths in self._paths.values():
@@ -155,20 +155,20 @@ class Pedestrians:
 
     @property
     def is_due(self) -> bool:
-        """Whether people choose again at this tick how to go on."""
+        """Whether people decide at this tick."""
         return (self._clock.tick - 1) % self._ticks == 0
 
     def decide(self, robot: Pose, twist: Twist) -> None:
-        """Let all people choose their velocities, with the robot there and moving so."""
+        """Let all people choose their velocities, given the robot's pose and velocity."""
         seen = RobotSeen(complex(*robot.xy), complex(*twist.xy), robot.heading_rad, self._robot_radius_m)
         self._crowd.decide(seen)
 
     def step(self, people: Mapping[str, Person], move: Callable[[Person], None]) -> None:
-        """Let a tick pass.
+        """Advance by one tick.
 
         Args:
-            people: Those of the scene, where they stand.
-            move: Told who of the scene is elsewhere now.
+            people: The people of the scene.
+            move: Receives each person of the scene who has moved.
         """
         crowd = self._crowd
         crowd.advance()
@@ -179,7 +179,7 @@ class Pedestrians:
                 move(replace(person, x_m=at.real, y_m=at.imag, heading_rad=heading))
 
     def _keep_open(self, people: Iterable[Person]) -> None:
-        """Take note of the space that the groups keep open."""
+        """Update the o-spaces of the groups."""
         spaces = self._scene.o_spaces_among(people)
         self._crowd.o_spaces = (
             np.array([complex(*space.xy) for space in spaces], dtype=complex),
@@ -188,7 +188,7 @@ class Pedestrians:
 
 
 def _paths(scene: Scene, plan: FloorPlan) -> dict[float, Footpaths]:
-    """How people get about, by their radius."""
+    """The footpaths, by body radius."""
     around = [(p.x_m, p.y_m, p.radius_m) for p in scene.people if not p.may_move]
     around += [(space.x_m, space.y_m, space.radius_m) for space in scene.o_spaces]
     return {radius: Footpaths(plan, radius, tuple(around)) for radius in sorted(_radii(scene))}
@@ -197,7 +197,7 @@ def _paths(scene: Scene, plan: FloorPlan) -> dict[float, Footpaths]:
 def _strollers(
     scene: Scene, placed: tuple[Placed, ...], paths: Mapping[float, Footpaths]
 ) -> Iterator[Stroller]:
-    """Everybody who may move, those of the scene first."""
+    """All people who may move, those of the scene first."""
     for i, person in enumerate(scene.people):
         if not person.may_move:
             continue
@@ -224,7 +224,7 @@ def _radii(scene: Scene) -> set[float]:
 
 
 def _bodies(scene: Scene, placed: tuple[Placed, ...]) -> Bodies:
-    """Places, headings and radii of all bodies, the robot last."""
+    """Positions, headings and radii of all bodies, the robot last."""
     robot, passers_by = scene.robot, scene.passers_by
     at = [complex(*person.xy) for person in scene.people] + [one.at for one in placed]
     heading = [person.heading_rad for person in scene.people]

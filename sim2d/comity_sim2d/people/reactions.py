@@ -1,8 +1,7 @@
-"""People who have a comfort interval and show it: they step back, lean in, turn away, speak, or do nothing.
+"""Visible reactions of people with a comfort interval: step back, lean in, turn away, speak, or nothing.
 
-A person reacts once to every approach: a moment after the robot has come to rest before them and faces them.
-What they do is drawn from the signal model of `comity_fis.learning.showing`. All times and lengths are our
-own choice.
+A person reacts once to every approach, a moment after the robot has come to rest facing them. The reaction is
+drawn from the signal model of `comity_fis.learning.showing`. All times and lengths are our own choice.
 """
 
 from __future__ import annotations
@@ -25,51 +24,51 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 
 EDGE_M = 0.03
-"""How much the ends of one person's comfort interval differ from time to time, as in
+"""Variation of the ends of a person's comfort interval from time to time [m], as in
 `comity_fis.learning.comfort`."""
 ADDRESSED_M, ADDRESSED_DEG = 2.0, 15.0
 """Distance [m] and facing error [deg] within which the robot addresses a person."""
 REST_M_S = 0.02
 HESITATION_S = 0.7
-"""From the robot's coming to rest to the reaction."""
+"""Time from the robot's coming to rest until the reaction [s]."""
 LEFT_M = 1.0
-"""Withdrawal of the robot after which coming again is another approach [m]."""
+"""Distance by which the robot must withdraw before coming again counts as another approach [m]."""
 STEP_BACK_M, LEAN_IN_M, STEP_M_S = 0.20, 0.12, 0.4
 TURN_AWAY_RAD, TURN_RAD_S = math.radians(60.0), 2.0
 
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """What a person showed, as it truly was."""
+    """The true reaction of a person."""
 
     t: float
     person: str
     signal: Signal
     distance_m: float
-    """Between the nearest points of the two bodies when it began."""
+    """Gap between the bodies when it began [m]."""
 
 
 @dataclass(slots=True)
 class _State:
-    """How far one person is with the present approach."""
+    """State of one person in the current approach."""
 
     comfort: Comfort
     rested_ticks: int = 0
     reacted_at_m: float | None = None
     left: list[Pose] = field(default_factory=list)
-    """Poses still to be taken, one a tick, the next one last."""
+    """Remaining poses, one per tick, the next one last."""
 
 
 class Reactions:
-    """Everybody who reacts.
+    """All people who react.
 
     Args:
-        people: Everybody in the scene; those without a comfort interval stand still.
-        robot_radius_m: Of the robot's disc.
-        plan: What a person who steps must not walk into.
-        clock: The ticks.
-        seed: What is shown is drawn with it, independently of the noise of the sensors.
-        said: What people say; theirs is added to it.
+        people: All people of the scene; those without a comfort interval stand still.
+        robot_radius_m: Radius of the robot's disc [m].
+        plan: The static obstacles, which a person must not walk into.
+        clock: Simulated time.
+        seed: Seed of the reactions, independent of the sensor noise.
+        said: What people say; reactions are appended to it.
     """
 
     def __init__(
@@ -91,25 +90,24 @@ class Reactions:
         self._said = said
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Walk into nothing of another floor plan from now on."""
+        """Replace the static obstacles."""
         self._plan = plan
 
     def break_off(self, name: str) -> None:
-        """Let a person who is moved by something else not go on with what they did."""
+        """Cancel the reaction of a person who is moved by something else."""
         if name in self._states:
             self._states[name].left.clear()
 
     def step(
         self, people: dict[str, Person], robot: Pose, speed_m_s: float, move: Callable[[Person], bool]
     ) -> None:
-        """Let a tick pass.
+        """Advance by one tick.
 
         Args:
-            people: All people where they stand.
-            robot: Where the robot stands.
-            speed_m_s: Its speed.
-            move: Receives a person who goes elsewhere; returns whether they could. If not, they stay where
-                they are.
+            people: All people and their poses.
+            robot: Pose of the robot.
+            speed_m_s: Its speed [m/s].
+            move: Moves a person; returns whether that was possible. If not, they stay where they are.
         """
         for name, state in self._states.items():
             person = people[name]
@@ -150,7 +148,7 @@ class Reactions:
         return self._way(signal, person, robot)
 
     def _way(self, signal: Signal, person: Person, robot: Pose) -> list[Pose]:
-        """The poses that a movement goes through, the last one first."""
+        """Poses of a movement, the last one first."""
         if signal == "turn_away":
             steps = math.ceil(TURN_AWAY_RAD / (TURN_RAD_S * self._clock.step_s))
             bearing = wrap_angle(direction_to(person.xy, robot.xy) - person.heading_rad)

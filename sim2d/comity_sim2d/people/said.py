@@ -10,10 +10,10 @@ GO_AHEAD = "Yes, please go ahead."
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """Words, as they reach the robot's ears."""
+    """An utterance of a person, as the robot hears it."""
 
     t: float
-    """When they were said."""
+    """When it was said [s]."""
     person: str
-    """The robot knows people by their voices as it knows them by sight."""
+    """The speaker: the robot recognises people by voice as it does by sight."""
     text: str

@@ -1,4 +1,4 @@
-"""Stepping out of the way: a person who is asked goes where the robot gets by, and on when it has."""
+"""Stepping out of the way: a person who is asked moves to let the robot pass, and goes on afterwards."""
 
 from __future__ import annotations
 
@@ -17,52 +17,53 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_reaction import RobotReaction, RobotSeen
 
 STAYS: frozenset[RobotReaction] = frozenset({"impassive", "threatening"})
-"""Reactions of people who do not make way: they take it for a thing, or mean to block it (our choice)."""
+"""Reactions of people who do not make way: they take the robot for an object, or mean to block it (our
+choice)."""
 HEARD_M = 3.0
-"""Distance within which they hear the robot, between the centres [m] (our choice: across a room, over other
+"""Distance between centres within which they hear the robot [m] (our choice: across a room, over other
 noise)."""
 SPARE_M = 0.1
-"""Distance from its path in addition to its margin from people [m] (our choice)."""
+"""Distance from the robot's path in addition to its margin from people [m] (our choice)."""
 THINGS_M, PAST_M = 0.05, 0.08
-"""Gaps that they keep from things, and from the robot when they go past it [m]."""
+"""Gaps kept from obstacles, and from the robot when walking past it [m]."""
 FARTHEST_M, STEP_M, AROUND = 4.0, 0.2, 32
 """Candidate places: maximum distance [m], spacing of the rings [m], and number of directions."""
 MOST_WAYS = 8
 """Number of nearest places for which a path on foot is searched; the shortest is taken."""
 WAITS_S = 20.0
-"""They wait for the robot no longer (our choice)."""
+"""Maximum time that they wait for the robot [s] (our choice)."""
 ASIDE_M, FINE_M = 1.0, 0.02
-"""Distance of a step against the wall at most, and to which it is found [m] (our choice)."""
+"""Maximum length of a step against the wall, and its resolution [m] (our choice)."""
 ALONG_M = 0.1
-"""Distance to either side over which the direction of the robot's way is taken [m]."""
+"""Distance to either side over which the direction of the robot's path is measured [m]."""
 LEAST_ASIDE_M = 0.1
-"""Farther from the robot's way by less is no step aside [m] (our choice)."""
+"""Minimum gain in distance from the robot's path that counts as a step aside [m] (our choice)."""
 BEND_M = 0.3
 """Distance from a bend at which the next leg begins [m]."""
 REACHES_M, GONE_M = 0.9, 1.5
-"""The robot has gone past their place when it was nearer than `REACHES_M` and is beyond `GONE_M`."""
+"""The robot has passed their place when it was nearer than `REACHES_M` and is now beyond `GONE_M` [m]."""
 
 
 @dataclass(slots=True)
 class SteppingOut:
-    """A person on the way to a place off the robot's path, or there."""
+    """A person on the way to a place off the robot's path, or already there."""
 
     stood: complex
-    """Where they were asked."""
+    """Their position when asked [m]."""
     bends: list[complex]
-    """What is left of the way, with its end."""
+    """Remaining points of the path, including its end."""
     left_s: float = WAITS_S
     came: bool = False
-    """Whether the robot has come to where they stood."""
+    """Whether the robot has reached the place where they stood."""
 
     def goal(self, at: complex) -> complex:
-        """Where to go from there."""
+        """Next point of the path from `at`."""
         while len(self.bends) > 1 and abs(self.bends[0] - at) < BEND_M:
             self.bends.pop(0)
         return self.bends[0]
 
     def is_over(self, robot: RobotSeen, step_s: float) -> bool:
-        """Whether the robot is by, or took too long; to be asked once in every step."""
+        """Whether the robot has passed, or took too long; call it once per step."""
         self.left_s -= step_s
         apart_m = abs(robot.at - self.stood)
         self.came = self.came or apart_m < REACHES_M
@@ -80,17 +81,17 @@ def way_out(
     paths: Footpaths,
     farthest_m: float = FARTHEST_M,
 ) -> list[XY] | None:
-    """The shortest way on foot to a place where the robot gets by; None where there is none near.
+    """The shortest walk to a place where the robot can pass; None if there is none nearby.
 
     Args:
-        at: Where they stand.
-        way: Where the robot wants to go.
-        robot: Where it stands.
-        radius_m: Of theirs.
+        at: Position of the person [m].
+        way: The robot's intended path.
+        robot: The robot's body.
+        radius_m: Radius of the person [m].
         others: All other people.
-        plan: What stands still.
-        paths: Ways of people of that size.
-        farthest_m: Of the place, from where they stand.
+        plan: The static obstacles.
+        paths: Footpaths for people of that radius.
+        farthest_m: Maximum distance of the place from `at` [m].
     """
     free = _free_places(at, radius_m, others, plan, farthest_m)
     places = _beside(free, way, robot[2] + radius_m + PERSON_MARGIN_M + SPARE_M)
@@ -107,14 +108,14 @@ def way_out(
 def against_the_wall(
     at: XY, way: Sequence[XY], *, radius_m: float, others: Iterable[Disc], plan: FloorPlan
 ) -> list[XY] | None:
-    """A step straight away from the robot's way, as far as there is room; None where there is none.
+    """A step straight away from the robot's path, as far as there is room; None if there is none.
 
     Args:
-        at: Where the person stands.
-        way: Where the robot wants to go.
-        radius_m: Of the person.
+        at: Position of the person [m].
+        way: The robot's intended path.
+        radius_m: Radius of the person [m].
         others: All other bodies, the robot's included.
-        plan: What stands still.
+        plan: The static obstacles.
     """
     from shapely import LineString, Point
 
@@ -138,7 +139,7 @@ def against_the_wall(
 def _free_places(
     at: XY, radius_m: float, others: Iterable[Disc], plan: FloorPlan, farthest_m: float
 ) -> Numbers:
-    """Where there is room around a person, the nearest first; shape (n, 2)."""
+    """Places with room for a person around them, nearest first [m]; shape (n, 2)."""
     away_m = np.repeat(np.arange(STEP_M, farthest_m + STEP_M / 2, STEP_M), AROUND)
     angles = np.tile(np.arange(AROUND) * (math.tau / AROUND), len(away_m) // AROUND)
     places = np.array(at) + away_m[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -146,7 +147,7 @@ def _free_places(
 
 
 def _are_free(places: Numbers, radius_m: float, others: Iterable[Disc], plan: FloorPlan) -> NDArray[np.bool_]:
-    """Whether there is room for a person at each of some places; shape (n, 2) to (n,)."""
+    """Whether there is room for a person at each place of shape (n, 2); shape (n,)."""
     free = plan.are_free(places, radius_m + THINGS_M)
     for x, y, other_m in others:
         free &= np.hypot(*(places - (x, y)).T) >= other_m + radius_m + SPARE_M
@@ -154,7 +155,7 @@ def _are_free(places: Numbers, radius_m: float, others: Iterable[Disc], plan: Fl
 
 
 def _beside(places: Numbers, way: Sequence[XY], least_m: float) -> list[XY]:
-    """The places at a minimum distance from a path."""
+    """The places at least a given distance from a path."""
     from shapely import LineString, distance, points
 
     line = LineString(way if len(way) > 1 else [*way, *way])
@@ -163,7 +164,7 @@ def _beside(places: Numbers, way: Sequence[XY], least_m: float) -> list[XY]:
 
 
 def _is_farther(at: XY, xy: XY, robot: Disc) -> bool:
-    """Whether a place is not on the robot's side of where they stand."""
+    """Whether a place is not on the robot's side of the person."""
     return (xy[0] - at[0]) * (robot[0] - at[0]) + (xy[1] - at[1]) * (robot[1] - at[1]) <= 0.0
 
 

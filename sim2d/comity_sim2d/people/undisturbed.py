@@ -1,4 +1,4 @@
-"""The walks that the people of a scene would have taken without the robot: the same seed, the same doors."""
+"""Counterfactual walks: how people would have walked without the robot, with the same seed and doors."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ AWAY = Pose(-1e4, -1e4, 0.0)
 def undisturbed_walks(
     scene: Scene, seed: int, ticks: int, *, control_hz: int = 20, turns: Iterable[DoorTurn] = ()
 ) -> dict[str, NDArray[np.float64]]:
-    """Where the people who may move, and the passers-by, would be at each tick if the robot were far away.
+    """Positions at each tick of people who may move, and of passers-by, if the robot were far away.
 
     Args:
         scene: As it was at the start.
-        seed: Of the world.
+        seed: Seed of the world.
         ticks: Number of control ticks, 0 or more.
-        control_hz: Of the world.
-        turns: Doors that were opened or shut in the world; they are here too, at the same times.
+        control_hz: Control rate of the world [Hz].
+        turns: Doors opened or shut in the world; they are here too, at the same times.
 
     Returns:
-        Times [s], x and y [m] by name, each of shape (ticks + 1, 3); empty where no person may move.
+        Times [s], x and y [m] by name, each of shape (ticks + 1, 3); empty if no person may move.
     """
     movers = [person.name for person in scene.people if person.may_move]
     if not movers and scene.passers_by is None:
@@ -63,6 +63,6 @@ def undisturbed_walks(
 
 
 def _row(people: dict[str, Person], movers: list[str], traffic: Pedestrians) -> NDArray[np.float64]:
-    """Places of the movers and the passers-by, shape (people, 2)."""
+    """Positions of the movers and the passers-by [m], shape (people, 2)."""
     at = np.array([people[name].xy for name in movers]).reshape(-1, 2)
     return np.concatenate([at, traffic.poses[:, :2]])

@@ -1,8 +1,8 @@
-"""Yielding: where two people block each other before a door, one of them steps back and lets the other go.
+"""Yielding: if two people block each other at a door, one steps back and lets the other go first.
 
 Discs that share a gap equally form arches in which no one moves again (Helbing, Farkas and Vicsek 2000,
-Nature 407, 487-490). People give way. A rank that is drawn once decides who does, so that of two people the
-same one always goes first and no two step back for each other in turn.
+Nature 407, 487-490); real people give way. A fixed random rank decides who does, so that of two people the
+same one always goes first and they do not step back in turn.
 """
 
 from __future__ import annotations
@@ -13,34 +13,34 @@ from comity_sim2d.people.near import Near
 from comity_sim2d.people.social_force import Vectors
 
 BLOCKED_M_S, BLOCKED_S = 0.1, 0.5
-"""People who want to walk and have been slower than this for this long are blocked (our choice)."""
+"""People who want to walk but have been slower than this [m/s] for this long [s] are blocked (our choice)."""
 TOUCHING_M = 0.1
-"""Two who are blocked and nearer to each other than this block each other (our choice)."""
+"""Two blocked people nearer to each other than this block each other [m] (our choice)."""
 BACK_M_S, BACK_S = 0.5, 1.0
-"""How fast and for how long one of them steps back, as far as there is room: a step (our choice)."""
+"""Speed [m/s] and duration [s] of stepping back, as far as there is room: one step (our choice)."""
 
 
 class Yielding:
-    """How long each person is blocked, and who steps back.
+    """How long each person has been blocked, and who steps back.
 
     Args:
-        count: Of bodies.
-        seed: Decides who goes first.
-        step_s: From one decision to the next.
+        count: Number of bodies.
+        seed: Seed of who goes first.
+        step_s: Period of decisions [s].
     """
 
     def __init__(self, count: int, seed: int, step_s: float) -> None:
         self._rank = np.random.default_rng(seed).permutation(count)
         self._blocked, self._back = np.zeros(count, dtype=int), np.zeros(count, dtype=int)
-        """For how many decisions each has been blocked, and is still to step back."""
+        """Number of decisions for which each has been blocked, and for which each still steps back."""
         self._patience, self._retreat = round(BLOCKED_S / step_s), round(BACK_S / step_s)
 
     def decide(self, wanted: Vectors, velocity: Vectors, near: Near) -> Vectors:
-        """The velocities that people want: backwards for those who yield.
+        """The target velocities, backwards for those who yield [m/s].
 
         Args:
-            wanted: Of all bodies, shape (n,); 0 of those who do not walk.
-            velocity: Current velocities, shape (n,).
+            wanted: Target velocities of all bodies [m/s], shape (n,); 0 for those who do not walk.
+            velocity: Current velocities [m/s], shape (n,).
             near: The pairs of near bodies.
         """
         walks = wanted != 0.0

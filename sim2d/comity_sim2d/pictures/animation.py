@@ -1,7 +1,7 @@
-"""An episode as a GIF: the robot on its way, with what it says and does when it says and does it.
+"""An episode as a GIF: the moving robot, with its speech and acts while they happen.
 
-What does not move is drawn once, and again where the space of a group changes; every frame restores it, draws
-what moves on top, and is put in one palette for all frames.
+The static background is drawn once, and again when the o-space of a group changes. Every frame restores it,
+draws the moving parts on top, and is mapped to one palette for all frames.
 """
 
 from __future__ import annotations
@@ -45,25 +45,26 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 REAL_TIME_S, LONGEST_S = 15.0, 60.0
-"""Longer episodes than the first play at double speed; none plays for longer than the second, as every image
-of it is held in memory until it is written (our choice)."""
+"""Episodes longer than `REAL_TIME_S` [s] play at double speed; none plays for longer than `LONGEST_S` [s],
+since every image is held in memory until it is written (our choice)."""
 FPS, SPEED = (1, 100), (0.01, 1000.0)
-"""The least and the most: a GIF counts in hundredths of a second (the others are our choice)."""
+"""Allowed ranges of frame rate [1/s] and speed: a GIF counts in hundredths of a second (the others are our
+choice)."""
 LAST_FRAME_S = 2.5
-"""The end stays on screen before the GIF starts over."""
+"""Duration of the last frame before the GIF repeats [s]."""
 HEADER_IN, FOOT_IN, EDGE_IN, DPI = 0.5, 0.3, 0.1, 100.0
 TALLEST_IN = 7.0
 CLOCK_PX = 130.0
-"""Of the line at the top, for the clock; the headline has the rest."""
+"""Width of the clock in the top line [px]; the headline has the rest."""
 NAME_BELOW = 1.6
-"""How far below a person who moves their name stands, in radii."""
+"""Distance of a moving person's name below them, in radii."""
 MARK = b"Comity"
-"""A comment near the start of the file, that says whose it is."""
+"""Comment near the start of the file that marks it as ours."""
 COLOURS = 64
 SAMPLES = 8
-"""Shots that the palette is made for."""
+"""Number of shots from which the palette is computed."""
 BITS = 5
-"""Of each colour channel that decide on the palette's entry."""
+"""Bits of each colour channel that select the palette's entry."""
 
 
 def write_gif(
@@ -86,21 +87,21 @@ def write_gif(
     Args:
         path: Where to write; it ends with `.gif`.
         scene: The place and the bodies.
-        frames: What happened.
-        rings: One for each visited person: their wanted distance goes with them, and the reached one shows
-            from the docking until the last act towards them.
-        events: What was said and done, shown while it happens.
-        door_turns: Doors that were opened or shut, shown as they are.
+        frames: Frames of the episode.
+        rings: One for each visited person: the target distance moves with them, and the actual one shows from
+            docking until the last act towards them.
+        events: Speech and acts, shown while they happen.
+        door_turns: Doors that were opened or shut, shown in their current state.
         planned: The routes of the plans, each shown while its plan is in force.
         title: The headline.
-        ending: The headline of the last frame, such as with the outcome; None: the same.
+        ending: Headline of the last frame, such as one with the outcome; None: the same.
         fps: Frames per second of playing time, in [1, 100].
         speed: Simulated seconds per second of playing, in [0.01, 1000]; None: 1, 2 for episodes
             longer than 15 s, or as much as leaves a minute of playing.
-        width_px: Of the image, in [100, 10000]; less where the room is narrow.
+        width_px: Width of the image, in [100, 10000]; less if the room is narrow.
 
     Raises:
-        SceneError: For another ending of the path, or another width, rate or speed.
+        SceneError: For another file type, or an invalid width, rate or speed.
         ValueError: For a ring of a person who is not in the scene.
     """
     check_drawing(
@@ -152,7 +153,7 @@ def _speed(length_s: float) -> float:
 
 
 class _Film:
-    """A canvas with the place on it, and the artists that move."""
+    """A canvas with the place, and the artists that move."""
 
     def __init__(
         self,
@@ -240,14 +241,14 @@ class _Film:
     def _wanted(
         self, rings: Sequence[Ring], people: Collection[Person]
     ) -> Iterator[tuple[Person, float, str]]:
-        """Those of whom it is known how far they want the robot to stay."""
+        """People whose preferred distance is known, with that distance [m] and their colour."""
         for person in self._scene.people:
             distance_m = wanted_m(person, rings)
             if person in people and distance_m is not None:
                 yield person, distance_m, self._colours[person.name]
 
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
-        """What does not move; the floor, to clip things to it."""
+        """Draw the static background; returns the floor, for clipping."""
         resting = replace(self._scene, doors=self._doors.resting)
         floor = d.draw_place(self._ax, resting, d.beside_m(self._scene))
         for person, distance_m, colour in self._wanted(rings, people):
@@ -259,7 +260,7 @@ class _Film:
         return floor
 
     def _write(self, labels: MapLabels, rings: Sequence[Ring], people: Sequence[Person]) -> list[Artist]:
-        """The words that stay where they are; the names of people, which are drawn over whoever passes."""
+        """Write the static labels; returns people's names, which are drawn above all bodies."""
         for person in people:
             labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
         for person, distance_m, _ in self._wanted(rings, people):
@@ -272,7 +273,7 @@ class _Film:
         )
 
     def _body(self, name: str, radius_m: float) -> tuple[str, list[Artist]]:
-        """A body drawn at the origin: every frame sets its transform."""
+        """A body drawn at the origin, with its artists; every frame sets its transform."""
         origin = Pose(0.0, 0.0, 0.0)
         if name == self._scene.robot.name:
             return name, self._animated(d.robot_artists(origin, radius_m))
@@ -287,7 +288,7 @@ class _Film:
         return list(artists)
 
     def _name(self, person: Person) -> Text:
-        """The name below a person who moves."""
+        """The name below a moving person."""
         from matplotlib.patheffects import withStroke
 
         colour = self._colours[person.name]
@@ -312,7 +313,7 @@ class _Film:
 
 
 class _StillPart:
-    """What does not move, kept as an image until the spaces of groups change: furniture lies over them."""
+    """The static background as an image, redrawn when the o-spaces of groups change."""
 
     def __init__(self, canvas: FigureCanvasAgg, ax: Axes, floor: Patch) -> None:
         self._canvas: Any = canvas  # its drawing calls carry no types
@@ -321,7 +322,7 @@ class _StillPart:
         self._discs: list[Patch] = []
 
     def restore(self, spaces: tuple[OSpace, ...]) -> None:
-        """Have nothing on the canvas but this, with those spaces."""
+        """Reset the canvas to the background with these o-spaces."""
         if spaces != self._spaces:
             for disc in self._discs:
                 disc.remove()
@@ -333,7 +334,7 @@ class _StillPart:
 
 
 def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
-    """A page: the title, the map, and below a scale bar; as large as the width and `TALLEST_IN` allow."""
+    """A canvas with the title, the map and a scale bar, as large as the width and `TALLEST_IN` allow."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -351,7 +352,7 @@ def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
 def _save(
     path: Path, shots: Iterator[NDArray[np.uint8]], palette: NDArray[np.int64], milliseconds: Sequence[int]
 ) -> None:
-    """Write images of palette entries; each is drawn when it is its turn."""
+    """Write images of palette entries; each is drawn when needed."""
     from PIL import Image
 
     def pictures() -> Iterator[Image.Image]:
@@ -374,7 +375,7 @@ def _save(
 
 
 def _palette(samples: Sequence[NDArray[np.uint8]]) -> NDArray[np.int64]:
-    """Colours that serve all samples, shape (COLOURS, 3)."""
+    """A palette for all samples, shape (COLOURS, 3)."""
     from PIL import Image
     from PIL.Image import Quantize
 

@@ -1,4 +1,4 @@
-"""The cards of a picture: in words and figures, how the robot came to each visited person."""
+"""The cards of a picture: words and numbers on how the robot approached each visited person."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def cards(scene: Scene, frames: Frames, rings: Sequence[Ring], events: Sequence[ActEvent]) -> list[Card]:
-    """One for each visit, in their order."""
+    """One card per visit, in order."""
     colours = person_colours([p.name for p in scene.people])
     return [
         Card(
@@ -41,14 +41,14 @@ def cards(scene: Scene, frames: Frames, rings: Sequence[Ring], events: Sequence[
 
 
 def reached_s(ring: Ring, events: Sequence[ActEvent]) -> float | None:
-    """When the robot stood beside the person; None: nothing tells, take the end."""
+    """Time when the robot stood next to the person [s]; None if unknown: use the end."""
     if ring.time_s is not None:
         return ring.time_s
     return next((event.t_start for event in events if event.person == ring.person), None)
 
 
 def _exactness(scene: Scene, frames: Frames, ring: Ring, events: Sequence[ActEvent]) -> str:
-    """Errors of bearing and facing when the robot docked: as the ring says, else as the frames have it."""
+    """Errors of bearing and facing at docking, in words: from the ring, else from the frames."""
     then = reached_s(ring, events)
     met = d.pose_at(frames, ring.person, then)
     person = replace(scene.person(ring.person), x_m=met.x_m, y_m=met.y_m, heading_rad=met.heading_rad)

@@ -1,18 +1,19 @@
-"""Colours of pictures: far from each other, and words in them are legible."""
+"""Colours of pictures: easy to distinguish, and legible as text."""
 
 from __future__ import annotations
 
 PALETTE = ("#006BA6", "#B64C00", "#007A58", "#A8467F", "#6B4100", "#443898")
-"""Okabe and Ito's (2008) first five, as dark as text needs, their orange still darker, and an indigo.
+"""The first five colours of Okabe and Ito (2008), darkened as text needs, the orange still darker, and an
+indigo.
 
 The contrast with white is at least 4.5 (WCAG 2.2, criterion 1.4.3).
 """
 INK, GREY = "#22252B", "#5F646C"
-"""Of words, and of small print."""
+"""Colours of text and of small print."""
 FAINT = "#B9BDC4"
-"""Of lines alone: too light for words."""
+"""Colour of lines only: too light for text."""
 HALO = "#FFFFFF"
-"""Around words on a map."""
+"""Colour of the halo around text on a map."""
 LEAST_CONTRAST = 4.5
 
 

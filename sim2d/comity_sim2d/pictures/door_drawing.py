@@ -1,4 +1,4 @@
-"""Doors from above, as on an architect's plan: the leaf, and the way it swings."""
+"""Doors seen from above, as on an architect's plan: the leaf and its swing."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 LEAF, SWING = "#A0622D", "#D9B899"
 LEAF_SHARE = 0.96
-"""Of the gap's width: the leaf of a sliding door stays a little shorter beside the wall."""
+"""Share of the gap's width that the leaf of a sliding door covers next to the wall."""
 ASIDE_M = 0.09
-"""From the middle of the wall to a sliding door's leaf beside it."""
+"""Distance from the middle of the wall to the leaf of an open sliding door [m]."""
 
 
 def door_artists(door: Door) -> list[Artist]:
-    """A door as it is: shut, a bar in the gap; open, its leaf out of the way."""
+    """A door in its state: shut, a bar in the gap; open, its leaf out of the way."""
     if door.kind == "opening":
         return [_line([door.start, door.end], SWING, width=1.0, dotted=True)]
     if door.is_open:
@@ -30,7 +30,7 @@ def door_artists(door: Door) -> list[Artist]:
 
 
 def leaf(door: Door) -> list[XY]:
-    """The line that the leaf is, seen from above; empty for an opening, which has none."""
+    """The line of the leaf, seen from above; empty for an opening, which has none."""
     if door.kind == "opening":
         return []
     if not door.is_open:
@@ -39,7 +39,7 @@ def leaf(door: Door) -> list[XY]:
 
 
 def swing(door: Door) -> list[XY]:
-    """The way that the tip of an open, hinged leaf has gone; empty for all others."""
+    """The arc of an open, hinged leaf's tip; empty for all others."""
     return _swung(door) if door.kind == "hinged" and door.is_open else []
 
 
@@ -52,7 +52,7 @@ def _line(points: list[XY], colour: str, *, width: float, dotted: bool = False) 
 
 
 def _slid(door: Door) -> tuple[XY, XY]:
-    """The leaf beside the wall, on its left as seen from the door's start."""
+    """The leaf next to the wall, on its left as seen from the door's start."""
     (ax, ay), (bx, by) = door.start, door.end
     width = math.dist(door.start, door.end)
     ux, uy = (bx - ax) / width, (by - ay) / width
@@ -62,7 +62,7 @@ def _slid(door: Door) -> tuple[XY, XY]:
 
 
 def _swung(door: Door) -> list[XY]:
-    """The way of a leaf's tip that opens by a quarter turn to the left."""
+    """The arc of a leaf's tip that opens by a quarter turn to the left."""
     (ax, ay), (bx, by) = door.start, door.end
     width, along = math.dist(door.start, door.end), math.atan2(by - ay, bx - ax)
     angles = [along + math.pi / 2 * k / 16 for k in range(17)]

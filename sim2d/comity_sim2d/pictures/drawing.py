@@ -1,4 +1,4 @@
-"""How things look on a map: bodies, walls, paths."""
+"""Drawing primitives for maps: bodies, walls, paths."""
 
 from __future__ import annotations
 
@@ -33,44 +33,45 @@ PALETTE, INK, GREY, FAINT = colours.PALETTE, colours.INK, colours.GREY, colours.
 HALO = colours.HALO
 ROBOT = "#22252B"
 FAINT_INK = "#7A808A"
-"""Of thin lines; words are darker."""
+"""Colour of thin lines; text is darker."""
 FLOOR, WALL, FURNITURE, FURNITURE_EDGE = "#FBFAF7", "#4A4E57", "#E9E5DC", "#C9C2B4"
 DASHES = (0, (5.0, 3.5))
 NOSE = 1.42
-"""How far a person's nose is from the centre, in radii of the disc."""
+"""Distance of a person's nose from the centre, in radii of the disc."""
 O_SPACE = "#EEEFF1"
 RECENT_M, MOST_SHADES = 5.0, 6
-"""Of a path: pieces of this length are equally dark, and there are so many shades (our choice)."""
+"""Pieces of a path of this length [m] have the same shade, and there are at most this many shades (our
+choice)."""
 TRACK_DARK, TRACK_FADED = 0.8, 0.25
-"""Of a person's path: how dark the newest piece is, and what share of that the oldest."""
+"""Shade of the newest piece of a person's path, and the share of it for the oldest."""
 MOVED_M = 0.05
-"""Who moved less has no track."""
+"""A person who moved less than this has no track [m]."""
 BARS_M = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0)
 SHORTEST_BAR_IN = 0.35
 ROOM_EDGE_M = 0.12
-"""Room for the outer wall's line around the floor."""
+"""Space for the outer wall's line around the floor [m]."""
 SLENDER = 0.5
-"""An episode's map is at least so many times as wide as high: what is said in a narrow room has place beside
-it (our choice: half of the tallest animation's height holds a bubble and a headline)."""
+"""Minimum ratio of width to height of an episode's map, so that labels fit next to a narrow room (our choice:
+half of the height of the tallest animation holds a bubble and a headline)."""
 
 
 def passers_by(scene: Scene) -> list[tuple[str, float]]:
-    """The names and radii of people in nobody's plan."""
+    """Names and radii [m] of people who are in no plan."""
     who = scene.passers_by
     return [(name, who.radius_m) for name in who.names] if who else []
 
 
 def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0, above_m: float = 0.0) -> PathPatch:
-    """The floor, the walls, the doors as they are at the start, and the furniture, without names.
+    """Draw the floor, walls, furniture and doors in their initial state, without names.
 
     Args:
         ax: Where to draw it.
         scene: The place.
-        beside_m: So much is left free to the left, and as much to the right.
-        above_m: So much is left free above, and as much below.
+        beside_m: Free space to the left, and as much to the right [m].
+        above_m: Free space above, and as much below [m].
 
     Returns:
-        The floor, to clip things to it.
+        The floor, for clipping.
     """
     from matplotlib.patches import Polygon
 
@@ -93,7 +94,7 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0, above_m
 
 
 def _floor(room: Room) -> tuple[PathPatch, PathPatch]:
-    """The floor and the outer wall around it: what is on the floor lies between the two."""
+    """The floor, and the outer wall around it: objects on the floor are drawn between the two."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
 
@@ -112,13 +113,13 @@ def _wall(wall: Wall) -> Polygon:
 
 
 def extent_m(scene: Scene | PlaceMap) -> XY:
-    """Width and height of the map, outer walls included."""
+    """Width and height of the map, outer walls included [m]."""
     xs, ys = zip(*scene.room.corners, strict=True)
     return (max(xs) - min(xs) + 2 * ROOM_EDGE_M, max(ys) - min(ys) + 2 * ROOM_EDGE_M)
 
 
 def beside_m(scene: Scene) -> float:
-    """What an episode's map leaves free on either side: nothing but in a narrow room, see `SLENDER`."""
+    """Free space on either side of an episode's map [m]; 0 except for narrow rooms, see `SLENDER`."""
     wide, high = extent_m(scene)
     return max(0.0, (SLENDER * high - wide) / 2)
 
@@ -139,14 +140,14 @@ def person_artists(pose: Pose, radius_m: float, colour: str, *, ghost: bool = Fa
 
 
 def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
-    """A distance that is wanted."""
+    """A target distance."""
     from matplotlib.patches import Circle
 
     return Circle(centre, radius_m, fill=False, ec=colour, lw=1.5, ls=DASHES, zorder=4)
 
 
 def o_spaces_at(scene: Scene, frames: Frames, time_s: float | None = None) -> tuple[OSpace, ...]:
-    """What groups keep open at a time, at the end where no time is given; no discs without area."""
+    """O-spaces of groups at a time, by default at the end, without empty ones."""
     members = {name for group in scene.groups for name in group.members}
     poses = {name: pose_at(frames, name, time_s) for name in members}
     people = (
@@ -158,7 +159,7 @@ def o_spaces_at(scene: Scene, frames: Frames, time_s: float | None = None) -> tu
 
 
 def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> list[Patch]:
-    """What groups keep open between them."""
+    """Draw the o-spaces of groups."""
     discs = [draw_o_space(ax, space.xy, space.radius_m) for space in spaces if space.radius_m > 0.0]
     for disc in discs:
         disc.set_clip_path(floor)
@@ -166,14 +167,14 @@ def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> list[Patc
 
 
 def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
-    """A light disc with a dashed edge, on the floor: furniture and walls stand on it."""
+    """A light disc with a dashed edge on the floor, below furniture and walls."""
     from matplotlib.patches import Circle
 
     return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=1.5))
 
 
 def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:
-    """The path of a person who walks: a thin line from a small ring at its start."""
+    """Draw the path of a person who walks: a thin line from a small ring at its start."""
     start = draw_faded(ax, points, colour, dark=TRACK_DARK, faded=TRACK_FADED, width_pt=1.0, level=4.2)
     ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=start, mew=1.1, zorder=4.3)
 
@@ -188,19 +189,19 @@ def draw_faded(
     width_pt: float,
     level: float,
 ) -> tuple[float, float, float]:
-    """A path whose last `RECENT_M` are drawn in full; of a longer one the rest fades, the start most.
+    """Draw a path: the last `RECENT_M` in full shade, the rest fading towards the start.
 
     Args:
         ax: Where to draw it.
-        points: Along the path, one a row, the oldest first [m].
-        colour: Of the line.
-        dark: The share of the colour in the newest piece, in (0, 1]; the rest is white.
-        faded: What share of that the oldest has, in (0, 1].
-        width_pt: Of the line [pt].
-        level: What lies higher covers it.
+        points: Points along the path, oldest first [m], shape (n, 2).
+        colour: Colour of the line.
+        dark: Share of the colour in the newest piece, in (0, 1]; the rest is white.
+        faded: Share of that for the oldest piece, in (0, 1].
+        width_pt: Width of the line [pt].
+        level: Drawing order: higher levels cover lower ones.
 
     Returns:
-        The colour of the oldest piece, red, green and blue in [0, 1].
+        Colour of the oldest piece: red, green and blue in [0, 1].
     """
     from matplotlib.collections import LineCollection
 
@@ -214,7 +215,7 @@ def draw_faded(
 
 
 def _recent_first(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """A path cut into pieces of about `RECENT_M`, the last one first, each from where the one before ends."""
+    """Pieces of a path of about `RECENT_M`, the last one first, each starting where the previous one ends."""
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     left = along[-1] - along
     marks = np.arange(0.0, float(left[0]) + RECENT_M, RECENT_M)[: MOST_SHADES + 1]
@@ -228,17 +229,17 @@ def _recent_first(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
 
 
 def has_moved(points: NDArray[np.float64]) -> bool:
-    """Whether places, one a row, differ by more than what stepping from foot to foot does."""
+    """Whether positions, shape (n, 2), differ by more than shifting from foot to foot."""
     return bool(np.ptp(points[:, :2], axis=0).max() > MOVED_M)
 
 
 def draw_scale_bar(figure: Figure, left_in: float, bottom_in: float, in_per_m: float) -> None:
-    """A bar on the page that says how long it is: one metre, or the next of `BARS_M` that can be seen.
+    """Draw a scale bar of one metre, or of the next visible length in `BARS_M`.
 
     Args:
         figure: The page.
-        left_in: Where it begins [in].
-        bottom_in: How far above the foot of the page it lies [in].
+        left_in: Left end [in].
+        bottom_in: Height above the bottom of the page [in].
         in_per_m: The scale of the map.
     """
     from matplotlib.lines import Line2D
@@ -251,12 +252,12 @@ def draw_scale_bar(figure: Figure, left_in: float, bottom_in: float, in_per_m: f
 
 
 def short(name: str, most: int) -> str:
-    """A name of at most so many characters: a longer one ends in an ellipsis."""
+    """A name shortened to a number of characters, with an ellipsis if cut."""
     return name if len(name) <= most else f"{name[: most - 1].rstrip()}…"
 
 
 def fitting(label: Text, most_px: float, canvas: FigureCanvasAgg) -> str:
-    """As much of a label's words as so many pixels hold, with an ellipsis where that is not all."""
+    """The part of a label's text that fits into a width in pixels, with an ellipsis if cut."""
     untyped: Any = canvas  # its drawing calls carry no types
     words, most = label.get_text(), len(label.get_text())
     while most > 1 and label.get_window_extent(untyped.get_renderer()).width > most_px:
@@ -269,7 +270,7 @@ def robot_artists(pose: Pose, radius_m: float, *, ghost: bool = False) -> list[A
     """The robot from above: a disc with a visor on the side that it faces."""
     from matplotlib.patches import Circle, Polygon
 
-    edge, level = (GREY, 6.5) if ghost else (ROBOT, 7.0)  # where it was lies below where it is
+    edge, level = (GREY, 6.5) if ghost else (ROBOT, 7.0)  # past poses lie below the current one
     angles = np.radians(np.linspace(-38.0, 38.0, 15))
     outer = [pose.ahead(radius_m * 0.84, float(a)) for a in angles]
     inner = [pose.ahead(radius_m * 0.46, float(a)) for a in angles[::-1]]
@@ -286,14 +287,14 @@ def add_all(ax: Axes, artists: Iterable[Artist]) -> None:
 
 
 def pose_at(frames: Frames, entity: str, time_s: float | None = None) -> Pose:
-    """The pose of an entity at a time; at the end where no time is given."""
+    """The pose of an entity at a time; by default at the end."""
     i = len(frames) - 1 if time_s is None else int(np.searchsorted(frames.time_s, time_s - 1e-9))
     x, y, heading = frames.of(entity)[min(i, len(frames) - 1)].tolist()
     return Pose(x, y, heading)
 
 
 def marks_along(points: NDArray[np.float64], every_m: float, first_m: float) -> list[tuple[XY, XY]]:
-    """Points at even distances along a path, each with the direction there (a unit vector)."""
+    """Points at equal spacing along a path, each with the direction there (a unit vector)."""
     legs = np.diff(points, axis=0)
     way = np.concatenate([[0.0], np.cumsum(np.hypot(legs[:, 0], legs[:, 1]))])
     marks = []
@@ -308,7 +309,7 @@ def marks_along(points: NDArray[np.float64], every_m: float, first_m: float) -> 
 
 
 def tint(colour: str, share: float) -> tuple[float, float, float]:
-    """The colour mixed with so much white."""
+    """The colour mixed with a share of white."""
     from matplotlib.colors import to_rgb
 
     r, g, b = (c + (1.0 - c) * share for c in to_rgb(colour))

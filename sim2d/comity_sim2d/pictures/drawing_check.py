@@ -1,4 +1,4 @@
-"""Whether a picture or an animation can be drawn, found before any of it is."""
+"""Checks the arguments of a picture or an animation before anything is drawn."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene_error import SceneError, require_whole
 
 WIDTH_PX = (100, 10_000)
-"""Of a page: less is illegible, more takes gigabytes (our choice)."""
+"""Allowed width of a page [px]: less is illegible, more takes gigabytes (our choice)."""
 
 
 def check_drawing(
@@ -32,23 +32,23 @@ def check_drawing(
     planned: Sequence[PlannedRoute],
     width_px: int,
 ) -> None:
-    """Refuse a file of another format, a width that no page has, frames of others, and visits to nobody.
+    """Reject another file type, an invalid width, frames of other people, and visits to nobody.
 
     Args:
-        what: What is drawn, for the message.
+        what: What is drawn, for messages.
         path: Where to write.
-        suffixes: How its name may end, such as `.png`; in capitals, too.
-        scene: Who is there.
-        frames: What happened to them; at least one frame.
+        suffixes: Allowed suffixes such as `.png`, in capitals, too.
+        scene: The scene.
+        frames: Frames of the scene; at least one.
         rings: The visits.
-        events: What was said and done.
+        events: Speech and acts.
         door_turns: Doors of the scene that were opened or shut.
-        planned: The routes that plans were made with.
-        width_px: Of the page, in `WIDTH_PX`.
+        planned: The routes of the plans.
+        width_px: Width of the page, in `WIDTH_PX`.
 
     Raises:
-        SceneError: about what is no such thing, the file's name, the width or the frames.
-        ValueError: for a visit to a person who is not in the scene.
+        SceneError: For an argument of the wrong type, the file name, the width or the frames.
+        ValueError: For a visit to a person who is not in the scene.
     """
     require_kinds(what, path=(path, PATH), scene=(scene, Scene), frames=(frames, Frames))
     require_each(what, "rings", rings, Ring)
@@ -70,7 +70,7 @@ def check_drawing(
 
 
 def _check_frames(what: str, scene: Scene, frames: Frames) -> None:
-    """Refuse frames in which a person of the scene is not, or nobody ever."""
+    """Reject frames that are empty or lack a person of the scene."""
     passing = scene.passers_by.names if scene.passers_by else ()
     names = (scene.robot.name, *(person.name for person in scene.people), *passing)
     missing = [name for name in names if name not in frames.entities]

@@ -1,4 +1,4 @@
-"""Where things are on the picture of an episode: the map, and its panel beside or below it."""
+"""Layout of the picture of an episode: the map, and its panel next to or below it."""
 
 from __future__ import annotations
 
@@ -15,11 +15,14 @@ WIDEST_IN, NARROWEST_IN, EDGE_IN = 12.0, 8.0, 0.25
 HEADER_IN, SCALE_IN = 0.95, 0.3
 TALLEST_MAP_IN = 8.5
 LEAST_FILLED = 0.6
-"""A page with the panel beside the map is filled to this share; else the panel is below (our choice)."""
+"""Minimum filled share of a page with the panel next to the map; otherwise the panel is below (our
+choice)."""
 VISIT_IN2 = 4.0
-"""Of a map for each visit's words; where it has less, the panel is below, the map larger (our choice)."""
+"""Area of the map per visit for its labels [in^2]; if there is less, the panel goes below and the map is
+larger (our choice)."""
 FLAT = 0.22
-"""A map over its panel is at least so many times as high as wide: words go above and below a corridor."""
+"""Minimum ratio of height to width of a map above its panel, so that labels fit above and below a
+corridor."""
 
 Place = tuple[float, float, float, float]
 """Left, bottom, width and height [in]."""
@@ -27,7 +30,7 @@ Place = tuple[float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The places of a page, in inches."""
+    """The layout of a page, in inches."""
 
     width: float
     height: float
@@ -35,27 +38,27 @@ class Layout:
     in_per_m: float
     """Scale of the map."""
     beside_m: float
-    """What the map leaves free on either side of the floor."""
+    """Free space on either side of the floor [m]."""
     above_m: float
-    """What it leaves free above and below the floor."""
+    """Free space above and below the floor [m]."""
     columns: tuple[tuple[Place, CardColumn], ...]
-    """What the panel consists of."""
+    """The columns of the panel."""
 
     @property
     def filled(self) -> float:
-        """The share of the page, its header aside, that something is on."""
+        """Filled share of the page, without its header."""
         used = self.map[2] * self.map[3] + sum(place[2] * column.height_in for place, column in self.columns)
         return used / (self.width * (self.height - HEADER_IN))
 
     def has_room_for(self, visits: int) -> bool:
-        """Whether words about so many visits fit on the map."""
+        """Whether labels of this many visits fit on the map."""
         return self.map[2] * self.map[3] >= VISIT_IN2 * visits
 
 
 def layout(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
-    """The page for a scene: with its panel beside the map, unless much stays empty or words have no room.
+    """The layout for a scene: the panel is next to the map, unless much stays empty or labels do not fit.
 
-    Cards that would reach far below the map are under it, next to the legend, where the page is lower so.
+    Cards that would reach far below the map go under it, next to the legend, if that makes the page lower.
     """
     whole = _panel_beside(scene, CardColumn(tuple(cards), legend))
     counts = range(len(cards), -1, -1)
@@ -69,7 +72,7 @@ def layout(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
 def _panel_beside(
     scene: Scene, column: CardColumn, further: Sequence[Card] = (), legend: Legend | None = None
 ) -> Layout:
-    """With a column beside the map, and under the map further cards and a legend where one is given."""
+    """A layout with a column next to the map and, if given, further cards and a legend below it."""
     wide, high = d.extent_m(scene)
     free_m = d.beside_m(scene)
     wide += 2 * free_m
@@ -101,7 +104,7 @@ def _panel_beside(
 
 
 def _under(cards: Sequence[Card], legend: Legend, most: int) -> list[CardColumn]:
-    """What is under a map that has room for so many columns: a legend that is alone there fills them all."""
+    """The columns under a map, at most `most`; a legend alone there fills them all."""
     return panel.in_columns(cards, legend if cards else replace(legend, columns=most), most)
 
 

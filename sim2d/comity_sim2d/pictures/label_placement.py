@@ -1,4 +1,4 @@
-"""Places for labels on a map, so that none hides another and few hide anything that matters."""
+"""Label placement on a map: labels do not overlap, and hide little that matters."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from comity_sim2d.pose import XY
 
 DIRECTIONS = 24
 APART_PX = 6.0
-"""Nearer to each other, two labels look as if one covered the other's end (our choice)."""
+"""Labels nearer to each other than this seem to overlap [px] (our choice)."""
 REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0)
 TAIL = 0.1
-"""What a body under a bubble's tail counts, where one under the bubble counts 1 (our choice)."""
+"""Cost of a body under a bubble's tail, relative to one under the bubble (our choice)."""
 PIECE = 0.5
-"""What a covered piece of a wall or a path costs: as much as 30 px more distance (our choice)."""
+"""Cost of a covered piece of a wall or a path: equal to 30 px more distance (our choice)."""
 
 Cost = tuple[float, float]
-"""How many labels and bodies a place hides, which counts first, and what it costs besides."""
+"""Number of hidden labels and bodies, which counts first, and the remaining cost."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,13 +35,13 @@ class Box:
 
     @classmethod
     def around(cls, centre: XY, width: float, height: float) -> Box:
-        """A box by its middle."""
+        """A box with a given centre."""
         x, y = centre
         return cls(x - width / 2, y - height / 2, x + width / 2, y + height / 2)
 
     @property
     def centre(self) -> XY:
-        """Its middle."""
+        """Its centre."""
         return ((self.left + self.right) / 2, (self.bottom + self.top) / 2)
 
     def overlap(self, other: Box) -> float:
@@ -55,13 +55,13 @@ class Box:
         return (self.right - self.left) * (self.top - self.bottom) - self.overlap(page)
 
     def covers(self, centre: XY, radius: float) -> bool:
-        """Whether a disc is not wholly outside."""
+        """Whether a disc overlaps it."""
         across = max(self.left - centre[0], centre[0] - self.right, 0.0)
         along = max(self.bottom - centre[1], centre[1] - self.top, 0.0)
         return math.hypot(across, along) < radius
 
     def moved_into(self, page: Box) -> Box:
-        """The box as near as it can be on the page; in the page's middle where it is larger."""
+        """The box moved onto the page as little as possible; centred if it is larger."""
         across = _shift(self.left, self.right, page.left, page.right)
         along = _shift(self.bottom, self.top, page.bottom, page.top)
         return Box(self.left + across, self.bottom + along, self.right + across, self.top + along)
@@ -73,17 +73,17 @@ class Box:
 
 @dataclass(slots=True)
 class Page:
-    """A map with what is on it; every label that is placed is in the way of the next."""
+    """A map with its contents; every placed label is an obstacle for the next."""
 
     area: Box
     labels: list[Box]
-    """Never to be covered."""
+    """Must not be covered."""
     marks: list[Box]
-    """Better not to be covered: bodies and what belongs to them."""
+    """Should not be covered: bodies and what belongs to them."""
     lines: list[Box] = field(default_factory=list)
-    """Walls and paths in pieces: a thin line spoils words, however little of their area it is."""
+    """Walls and paths in pieces: even a thin line spoils text, however small its area."""
     room: Box | None = None
-    """Around the floor: labels that would lie across its edge are tried inside of it, too."""
+    """Bounding box of the floor: labels across its edge are also tried inside it."""
 
     def place(
         self,
@@ -95,7 +95,7 @@ class Page:
         besides: Sequence[Box] = (),
         keep_off: Sequence[tuple[XY, float]] | None = None,
     ) -> Box:
-        """Give a label the best place near its anchor: it is in the way of the next. See `best`."""
+        """Place a label at the best position near its anchor; an obstacle for later ones. See `best`."""
         _, box = self.best(anchor, radius, size, prefer_rad, besides=besides, keep_off=keep_off)
         self.labels.append(box)
         return box
@@ -110,20 +110,20 @@ class Page:
         besides: Sequence[Box] = (),
         keep_off: Sequence[tuple[XY, float]] | None = None,
     ) -> tuple[Cost, Box]:
-        """Find room for a label near its anchor: apart from all others, as long as there is such a place.
+        """Find the best position of a label near its anchor, without overlapping others if possible.
 
         Args:
-            anchor: What it belongs to [px].
-            radius: How far the thing itself reaches from the anchor [px].
+            anchor: Point that it belongs to [px].
+            radius: Extent of the labelled object around the anchor [px].
             size: The label's width and height [px].
-            prefer_rad: A direction from the anchor that suits it; None where all are alike.
-            besides: What else this label had better not cover.
-            keep_off: Discs, by centre and radius [px], that this label covers only where no place is free of
-                them and of other labels; it lies on the page then. A large label covers a small body lightly
-                by area, and hides it all the same. None: area decides.
+            prefer_rad: Preferred direction from the anchor [rad]; None: no preference.
+            besides: Further boxes that this label should not cover.
+            keep_off: Discs, by centre and radius [px], that this label covers only if no position on the page
+                is free of them and of other labels. By area alone, a large label would hide a small body.
+                None: area decides.
 
         Returns:
-            What the place costs, to compare with other sizes of the label, and the place.
+            The cost, to compare with other sizes of the label, and the box.
         """
         labels, marks = _edges(self.labels), _edges([*self.marks, *besides])
         lines = _edges(self.lines)
@@ -144,7 +144,7 @@ class Page:
         return cheapest, best
 
     def _candidates(self, anchor: XY, radius: float, size: XY) -> Iterable[tuple[Box, float, float]]:
-        """Boxes around the anchor, their edges just outside its reach; with their direction and distance."""
+        """Candidate boxes around the anchor, just outside its extent, with direction and distance."""
         width, height = size
         for reach in REACHES_PX:
             for k in range(DIRECTIONS):
@@ -159,7 +159,7 @@ class Page:
 
 
 def _between(start: XY, end: XY, centre: XY, radius: float) -> bool:
-    """Whether a line from a bubble crosses a disc; the one that it leads to does not count."""
+    """Whether a bubble's tail crosses a disc other than the one it points to."""
     along, across = complex(*end) - complex(*start), complex(*centre) - complex(*start)
     if along == 0.0 or centre == end:
         return False
@@ -168,7 +168,7 @@ def _between(start: XY, end: XY, centre: XY, radius: float) -> bool:
 
 
 def _shift(low: float, high: float, least: float, most: float) -> float:
-    """How far a stretch has to go to lie in another."""
+    """Shift that moves an interval into another one."""
     if high - low > most - least:
         return (least + most - low - high) / 2
     return max(least - low, 0.0) + min(most - high, 0.0)
@@ -180,14 +180,14 @@ def _edges(boxes: Sequence[Box]) -> NDArray[np.float64]:
 
 
 def _count_covered(box: Box, others: NDArray[np.float64]) -> int:
-    """How many boxes share an area with a box."""
+    """Number of boxes that overlap a box."""
     left, bottom, right, top = others
     across = (left < box.right) & (box.left < right)
     return int((across & (bottom < box.top) & (box.bottom < top)).sum())
 
 
 def _covered(box: Box, others: NDArray[np.float64]) -> float:
-    """The area of a box that others cover, those that overlap counted twice."""
+    """Area of a box covered by others, counted once per covering box."""
     left, bottom, right, top = others
     width = np.minimum(right, box.right) - np.maximum(left, box.left)
     height = np.minimum(top, box.top) - np.maximum(bottom, box.bottom)

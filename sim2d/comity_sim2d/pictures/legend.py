@@ -1,4 +1,4 @@
-"""The legend of a picture: a row for each kind of mark that is on the map. All lengths in inches."""
+"""The legend of a picture: one row per kind of mark on the map. All lengths in inches."""
 
 from __future__ import annotations
 
@@ -18,40 +18,40 @@ if TYPE_CHECKING:
 
 ROW_IN, ABOVE_IN, BELOW_IN = 0.27, 0.24, 0.16
 LEFT_IN, RIGHT_IN, WORDS_IN = 0.08, 0.48, 0.62
-"""Where the marks begin and end, and where the words begin."""
+"""Start and end of the marks, and start of the text [in]."""
 MIDDLE_IN = (LEFT_IN + RIGHT_IN) / 2
 
 COLUMN_IN = 3.5
 
 Mark = Callable[["Axes", float, float], None]
-"""Draws a mark whose row begins at x, at the height y."""
+"""Draws a mark in a row that starts at x, at height y."""
 
 
 @dataclass(frozen=True, slots=True)
 class Legend:
-    """What there is to tell of."""
+    """The entries of a legend."""
 
     planned: bool = False
     visits: bool = False
     walkers: bool = False
     groups: bool = False
     met: bool = False
-    """Whether a person is elsewhere than when the robot had docked."""
+    """Whether a person has moved since the robot docked."""
     columns: int = 1
-    """Of `COLUMN_IN` each, filled one after the other."""
+    """Number of columns of width `COLUMN_IN`, filled one after the other."""
 
     @property
     def height_in(self) -> float:
-        """How much it takes."""
+        """Its height."""
         return ABOVE_IN + ROW_IN * self._lines + BELOW_IN
 
     @property
     def _lines(self) -> int:
-        """Rows below each other."""
+        """Number of rows."""
         return math.ceil(len(self._rows) / self.columns)
 
     def draw(self, ax: Axes, top: float) -> None:
-        """Write it below a height, on axes that are as large in inches as on the page."""
+        """Draw it below a height, on axes scaled in inches of the page."""
         for i, (words, mark) in enumerate(self._rows):
             column, line = divmod(i, self._lines)
             x, y = COLUMN_IN * column, top + ABOVE_IN + ROW_IN * line

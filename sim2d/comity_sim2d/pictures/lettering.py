@@ -1,4 +1,4 @@
-"""Letters of every script that a picture can show: fonts one after the other, and silence about the rest."""
+"""Fonts for every script: used in order of preference, without warnings about missing letters."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from functools import cache
 
 FIRST = "DejaVu Sans"
-"""Comes with matplotlib."""
+"""The default font, shipped with matplotlib."""
 FURTHER = (
     "Noto Sans CJK JP",
     "Noto Sans CJK SC",
@@ -26,21 +26,21 @@ FURTHER = (
     "Malgun Gothic",
     "Arial Unicode MS",
 )
-"""Of other scripts, where they are installed; asked in this order for letters that the first one lacks."""
+"""Fonts of other scripts, if installed, in order of preference for letters that the first one lacks."""
 NO_LETTERS = ("Last Resort", "STIX", "Noto Color", "Apple Color", "cm")
-"""Fonts whose names begin so draw boxes and symbols for letters, or pixels that matplotlib cannot draw."""
+"""Name prefixes of fonts that draw boxes or symbols for letters, or pixels that matplotlib cannot draw."""
 INVISIBLE = frozenset(" \t\n\r\u200b\u200c\u200d\ufe0e\ufe0f")
-"""What needs no letter: spaces, joiners, and the choice between two looks of an emoji."""
+"""Characters that need no glyph: spaces, joiners, and emoji variation selectors."""
 
 
 @contextmanager
 def lettering(words: Iterable[str] = ()) -> Iterator[None]:
-    """Draw with every font there is; a letter that none has becomes a box, without a warning.
+    """Use all available fonts; a letter that none has becomes a box, without a warning.
 
-    Words are users' own: a dollar in them is a dollar, and begins no formula.
+    Texts come from users: a dollar sign is printed and starts no formula.
 
     Args:
-        words: What will be written: fonts that have letters of theirs are found wherever they are installed.
+        words: The texts to be written: fonts for their letters are searched among all installed ones.
     """
     from matplotlib import rc_context
 
@@ -51,13 +51,13 @@ def lettering(words: Iterable[str] = ()) -> Iterator[None]:
 
 
 def lacking(text: str) -> str:
-    """The letters of a text that no font here has, each once."""
+    """The letters of a text that no available font has, each once."""
     return "".join(letter for letter in _letters([text]) if _family_with(letter) is None)
 
 
 @cache
 def fonts() -> list[str]:
-    """The font of all pictures, then those installed that have further letters."""
+    """The default font, then installed ones with further letters."""
     from matplotlib.font_manager import fontManager
 
     installed = set(fontManager.get_font_names())
@@ -74,7 +74,7 @@ def _that_have(letters: Iterable[str]) -> list[str]:
 
 @cache
 def _family_with(letter: str) -> str | None:
-    """The first family that has a letter; of the others in the order of the alphabet."""
+    """The first font family that has a letter, in alphabetical order."""
     from matplotlib.font_manager import fontManager
 
     others = sorted({entry.name for entry in fontManager.ttflist} - set(fonts()))
@@ -89,5 +89,5 @@ def _code_points(family: str) -> frozenset[int]:
     files = sorted(entry.fname for entry in fontManager.ttflist if entry.name == family)
     try:
         return frozenset(get_font(files[0]).get_charmap()) if files else frozenset()
-    except (OSError, RuntimeError, ValueError):  # a font that is listed, and gone or broken
+    except (OSError, RuntimeError, ValueError):  # a listed font that is missing or broken
         return frozenset()

@@ -1,4 +1,4 @@
-"""Words on a map: names, distances and speech bubbles, each where it hides nothing."""
+"""Labels on a map: names, distances and speech bubbles, placed where they hide nothing."""
 
 from __future__ import annotations
 
@@ -28,29 +28,31 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 PX_PER_IN = 100.0
-"""Of this file, whatever a page has: words have the same places in every form and size of a picture."""
+"""Resolution assumed here, whatever the page's: labels have the same places in every format and size."""
 EDGE_PX = 10.0
 LINE_PX = 3.0
 WALL_PX = 7.0
-"""From the outline of the floor to words inside: half the outer wall, and air."""
+"""Distance from the outline of the floor to text inside [px]: half the outer wall, and some space."""
 NAME_PT, AREA_PT = 9.0, 9.5
 MUCH = 30
-"""Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
+"""Maximum number of furniture names placed next to their piece: more would hide the rest (our choice)."""
 BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
-"""Of a line: in a bubble the first, unless a narrower one has a better place."""
+"""Maximum characters per line of a bubble (the first, unless a narrower one has a better place) and of a
+name."""
 NARROWER = 0.5
-"""What each narrower shape of a bubble costs: as much as being 30 px farther away (our choice)."""
+"""Cost of each narrower shape of a bubble: equal to 30 px more distance (our choice)."""
 MOST_LINES = 8
-"""Of a bubble; the rest is left to the page of the run: it would hide who is spoken to (our choice)."""
+"""Maximum number of lines of a bubble; a larger one would hide the addressee. The run's page has the full
+text (our choice)."""
 RIM = 0.8
-"""What is said may touch the rim of who says it, and lies outside so much of the radius (our choice)."""
+"""Share of the speaker's radius that a bubble stays outside of (our choice)."""
 
 Disc = tuple[XY, float]
 """A body on the map: its centre and its radius [m]."""
 
 
 class MapLabels:
-    """The labels of one map. First say what to avoid; then every label avoids all that came before it."""
+    """The labels of one map. First add what to avoid; each label then avoids everything added before it."""
 
     def __init__(self, ax: Axes, canvas: FigureCanvasAgg) -> None:
         from matplotlib.transforms import Affine2D
@@ -65,17 +67,17 @@ class MapLabels:
         self._bodies: list[Box] = []
 
     def avoid_disc(self, xy: XY, radius_m: float) -> None:
-        """Better not hide this body."""
+        """Avoid this body."""
         size = 2.0 * self._px(radius_m)
         self._bodies.append(Box.around(self._at(xy), size, size))
         self._page.marks.append(self._bodies[-1])
 
     def avoid_line(self, points: Sequence[XY]) -> None:
-        """Better not lie on this wall or path."""
+        """Avoid this wall or path."""
         self._page.lines.extend(self._along(points))
 
     def avoid_walls(self, place: Scene | PlaceMap) -> None:
-        """Better lie between the walls of a place than on them, the outer one included."""
+        """Avoid the walls of a place, including the outer one."""
         for wall in place.walls:
             self.avoid_line([wall.start, wall.end])
         for outline in place.room.outlines:
@@ -83,19 +85,19 @@ class MapLabels:
         self._page.room = self._box(place.room.corners).grown(-WALL_PX)
 
     def avoid_circle(self, xy: XY, radius_m: float) -> None:
-        """Better not hide this line around a point."""
+        """Avoid this circle around a point."""
         centre = Pose(*xy, 0.0)
         circle = [centre.ahead(radius_m, float(a)) for a in np.linspace(0.0, math.tau, 48)]
         self._page.marks.extend(self._along(circle))
 
     def avoid_outline(self, corners: Sequence[XY]) -> None:
-        """Better not hide this shape."""
+        """Avoid this shape."""
         self._page.marks.append(self._box(corners))
 
     def place(self, place: Scene | PlaceMap, sizes: Sequence[float] = (NAME_PT,)) -> None:
-        """The names of furniture, and of rooms where there are several.
+        """Place the names of furniture, and of rooms if there are several.
 
-        Names that fit into their piece come first. Where many do not, all of these are left out.
+        Names that fit into their piece come first. If many do not, all of those are left out.
         """
         others = [piece for piece in place.furniture if not self._inside(piece, sizes)]
         for piece in others:
@@ -107,18 +109,18 @@ class MapLabels:
             self._area(area, furniture)
 
     def _inside(self, piece: Furniture, sizes: Sequence[float]) -> bool:
-        """Write a piece's name in its middle, along or across; whether it fits there and hides no person.
+        """Write a piece's name in its middle; returns whether it fits and hides no one.
 
         Args:
             piece: The furniture.
-            sizes: Of the letters, in points, the preferred one first.
+            sizes: Font sizes [pt], the preferred one first.
         """
         from shapely import box
 
         outline, middle = self._outline(piece)
         left, bottom, right, top = outline.bounds
         longest, _ = self._size(max(piece.name.split(), key=len), min(sizes), "normal")
-        if longest > max(right - left, top - bottom):  # nor will any other size or shape of it do
+        if longest > max(right - left, top - bottom):  # no other size or shape will fit either
             return False
         texts = dict.fromkeys((piece.name, "\n".join(piece.name.split())))
         for points, text, turned in product(sizes, texts, (False, True)):
@@ -133,7 +135,7 @@ class MapLabels:
         return False
 
     def _beside(self, piece: Furniture) -> None:
-        """Write a piece's name beside it."""
+        """Write a piece's name next to it."""
         outline, middle = self._outline(piece)
         left, bottom, right, top = outline.bounds
         reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
@@ -141,7 +143,7 @@ class MapLabels:
         self.near((x, y), reach_m, d.short(piece.name, NAME_CHARACTERS), size=NAME_PT, colour=d.GREY)
 
     def _outline(self, piece: Furniture) -> tuple[Polygon, Point]:
-        """A piece's shape on the page, and the point in it where its name goes."""
+        """A piece's shape on the page, and the anchor of its name in it."""
         from shapely import Polygon
 
         outline = Polygon([self._at(corner) for corner in piece.corners])
@@ -149,7 +151,7 @@ class MapLabels:
         return outline, outline.centroid if inside else outline.representative_point()
 
     def _area(self, area: Area, furniture: Sequence[Box]) -> None:
-        """A room's name in capitals, where there is room for it around the middle of the room."""
+        """Write a room's name in capitals, if there is space around the middle of the room."""
         from shapely import Polygon
 
         shape = Polygon(area.corners)
@@ -163,7 +165,7 @@ class MapLabels:
         self._text(box.centre, words, AREA_PT, d.GREY, "bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
-        """A person's name, behind the back if it can be."""
+        """Write a person's name, preferably behind their back."""
         behind = pose.heading_rad + math.pi
         words = d.short(name, NAME_CHARACTERS)
         return self.near(pose.xy, radius_m, words, size=10.5, colour=colour, weight="bold", prefer_rad=behind)
@@ -179,23 +181,23 @@ class MapLabels:
         weight: str = "normal",
         prefer_rad: float | None = None,
     ) -> Text:
-        """A label beside something that reaches so far around a point."""
+        """Write a label next to an object with this extent around a point."""
         box = self._page.place(self._at(xy), self._px(reach_m), self._size(text, size), prefer_rad)
         return self._text(box.centre, text, size, colour, weight)
 
     def bubble(
         self, xy: XY, radius_m: float, deeds: Sequence[str], colour: str, *, besides: Sequence[Disc] = ()
     ) -> list[Artist]:
-        """What a robot at a point says and does, in a bubble with a tail; to be added by the caller.
+        """Speech and acts of a robot, in a bubble with a tail; the caller adds the artists.
 
-        It lies on the page, and where there is room it hides nobody.
+        It lies on the page, and hides no one if there is space.
 
         Args:
-            xy: Where the robot is.
-            radius_m: Of its body.
-            deeds: Lines, which are wrapped.
-            colour: Of whom it is for.
-            besides: The bodies of the others.
+            xy: Position of the robot [m].
+            radius_m: Radius of its body [m].
+            deeds: Lines, to be wrapped.
+            colour: Colour of the addressee.
+            besides: Bodies of the other people.
         """
         anchor, radius = self._at(xy), self._px(radius_m)
         bodies = [(self._at(other), self._px(other_m)) for other, other_m in besides]
@@ -212,9 +214,9 @@ class MapLabels:
         return [*parts, self._label(box.centre, text, 10.0, d.INK, "normal")]
 
     def _wrapped(self, deeds: Sequence[str]) -> list[tuple[str, XY]]:
-        """The lines of a bubble, wider and narrower, each with its size in pixels; none wider than the page.
+        """The wrapped text of a bubble in several widths, each with its size [px]; none wider than the page.
 
-        The narrowest is there also where that is.
+        The narrowest is included even if it is wider.
         """
         widest = self._page.area.right - self._page.area.left
         texts = []
@@ -226,7 +228,7 @@ class MapLabels:
         return [one for one in bubbles if one[1][0] <= widest] or bubbles[-1:]
 
     def forget_bubble(self) -> None:
-        """Give back the place of the latest label: it is not shown together with the next."""
+        """Release the place of the latest label, which is not shown together with the next."""
         self._page.labels.pop()
 
     def _text(
@@ -266,7 +268,7 @@ class MapLabels:
         return [Box.around(place, 2.0 * LINE_PX, 2.0 * LINE_PX) for place in places]
 
     def _box(self, corners: Sequence[XY]) -> Box:
-        """Around a shape."""
+        """Bounding box of a shape."""
         at = np.array([self._at(corner) for corner in corners])
         (left, bottom), (right, top) = at.min(axis=0).tolist(), at.max(axis=0).tolist()
         return Box(left, bottom, right, top)

@@ -1,4 +1,4 @@
-"""A picture of a map: rooms, doors, furniture and named places, and who stands there in a scene."""
+"""A picture of a map: rooms, doors, furniture and named places, and the people of a scene."""
 
 from __future__ import annotations
 
@@ -34,19 +34,20 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.walk import Walk
 
 EDGE_IN, HEADER_IN, LINE_IN, SCALE_IN = 0.25, 0.58, 0.17, 0.45
-"""The headline takes the second, and each line below it the third."""
+"""Margin, height of the headline, of each line below it, and of the scale bar [in]."""
 LEAST_IN, MOST_IN = 4.5, 18.0
 IN_PER_M = 1.0
-"""A map in the size in which its words fit, unless that is too small or too large a page."""
+"""Default scale [in/m], at which labels fit, unless the page would be too small or too large."""
 FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
 MOST_CHARACTERS, MOST_LINES = 400, 8
-"""Of a headline, which need not be measured beyond, and of what stands below it."""
+"""Maximum number of characters of a headline, and of lines below it."""
 SMALL_PT, LETTER = 9.5, 0.62
-"""Of the lines below the headline, and the width of a letter in its size: wide ones are rare."""
+"""Font size of the lines below the headline [pt], and width of a letter relative to it: wide ones are
+rare."""
 ORIGIN_M = 0.5
-"""Length of the axes at the point 0, 0."""
+"""Length of the axes at the origin [m]."""
 X_AXIS, Y_AXIS = "#B3261E", "#1B7F3B"
-"""Red and green, as tools of ROS have them."""
+"""Colours of the axes: red and green, as in ROS tools."""
 SPOT = "#0B6E6E"
 SPOT_M, TICK_M = 0.06, 0.3
 NO_RINGS: Mapping[str, float] = MappingProxyType({})
@@ -66,9 +67,9 @@ def draw_map(
     Args:
         place: A map, or a scene with its people and the robot at its start.
         title: The headline.
-        subtitle: Below it.
-        rings: How far people want the robot to stay, between the nearest points of the bodies, by name [m].
-        seed: Of the run whose passers-by are drawn where they start.
+        subtitle: Text below the headline.
+        rings: Distances that people like, between the nearest points of the bodies, by name [m].
+        seed: Seed of the run, which determines where passers-by start.
         format: `png`, `svg` or `pdf`.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -94,7 +95,7 @@ def draw_map(
 
 
 def _lines(text: str, width_in: float) -> list[str]:
-    """What stands below the headline, in lines that the page is wide enough for, the last one cut."""
+    """The text below the headline, wrapped to the width of the page; the last line is cut."""
     room = max(int(width_in * POINTS_PER_IN / (SMALL_PT * LETTER)), 1)
     return wrap(" ".join(text[: room * MOST_LINES * 2].split()), room, max_lines=MOST_LINES, placeholder=" …")
 
@@ -125,7 +126,7 @@ def _draw(
 
 
 def _draw_origin(ax: Axes, labels: MapLabels) -> None:
-    """The axes from the point that coordinates count from, where it is on the map."""
+    """Draw the axes at the origin of the coordinates, if it is on the map."""
     from matplotlib.patheffects import withStroke
 
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
@@ -141,13 +142,13 @@ def _draw_origin(ax: Axes, labels: MapLabels) -> None:
 
 
 def _draw_location(ax: Axes, location: Location) -> None:
-    """A dot, with a line to where one faces."""
+    """Draw a dot with a line in the direction that one faces."""
     ax.plot(*zip(location.xy, _tip(location), strict=True), color=SPOT, lw=1.6, zorder=4.1)
     ax.plot(*location.xy, marker="o", ms=5.0, mfc="#FFFFFF", mec=SPOT, mew=1.6, zorder=4.2)
 
 
 def _tip(location: Location) -> XY:
-    """Where its line ends; in the dot, where one may face anywhere."""
+    """End of the line of a location; the dot itself if the heading is free."""
     if location.heading_rad is None:
         return (location.x_m + SPOT_M, location.y_m)
     return Pose(*location.xy, location.heading_rad).ahead(TICK_M)
@@ -165,7 +166,7 @@ def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patc
 
 
 def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
-    """The ways of people who walk, around things, and the passers-by where they start, whom no name hides."""
+    """Draw the paths of people who walk, and the passers-by at their start, not hidden by names."""
     for i, person in enumerate(scene.people):
         if person.walk is not None:
             d.draw_track(ax, np.array(_way(scene, person, person.walk)), person_colour(i).on_light)
@@ -178,7 +179,7 @@ def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
 
 
 def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
-    """The corners of a person's walk, once round where it is a loop."""
+    """Corner points of a person's walk, one round if it is a loop."""
     paths = Footpaths(floor_plan(scene), person.radius_m)
     stops = [person.xy, *walk.route, *(walk.route[:1] if walk.loop else ())]
     legs = (paths.between(one, other) or [other] for one, other in pairwise(stops))
@@ -186,7 +187,7 @@ def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
 
 
 def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
-    """What labels should not hide."""
+    """Mark what labels should not hide."""
     labels.avoid_walls(place)
     for piece in place.furniture:
         labels.avoid_outline(piece.corners)
@@ -204,7 +205,7 @@ def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
 
 
 def _write_frame(canvas: FigureCanvasAgg, title: str, lines: Sequence[str], in_per_m: float) -> None:
-    """The headline, what stands below it, and a bar that shows the scale."""
+    """Write the headline, the text below it, and a scale bar."""
     figure = canvas.figure
     width, height = figure.get_size_inches().tolist()
     left, head = EDGE_IN / width, d.short(" ".join(title.split()), MOST_CHARACTERS)

@@ -1,4 +1,4 @@
-"""Distances in an animation: the wanted ones go with those who move, the reached one shows while it lasts."""
+"""Distances in an animation: target distances move with people, actual ones show while they last."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ if TYPE_CHECKING:
 
 
 def wanted_m(person: Person, rings: Sequence[Ring]) -> float | None:
-    """How far a person wants the robot to stay, where that is known; their visit's distance goes first."""
+    """The distance that a person likes, if known [m]; the target distance of a visit takes precedence."""
     visited = (ring.wanted_m for ring in rings if ring.person == person.name)
     return next(visited, person.personal_distance_m)
 
 
 class MovingRings:
-    """The wanted distances of people who move.
+    """The preferred distances of people who move.
 
     Args:
         ax: The map.
-        floor: They are clipped to it.
-        frames: Where everybody is.
-        people: Those who move, each with how far they want the robot to stay and the colour.
+        floor: The floor, to clip them.
+        frames: Poses of all entities.
+        people: People who move, each with their preferred distance [m] and colour.
     """
 
     def __init__(
@@ -52,7 +52,7 @@ class MovingRings:
             self._rings.append((person.name, circle))
 
     def at(self, time_s: float) -> list[Artist]:
-        """What is drawn at a time."""
+        """The artists at a time."""
         from matplotlib.transforms import Affine2D
 
         for name, circle in self._rings:
@@ -62,15 +62,15 @@ class MovingRings:
 
 
 class ReachedLines:
-    """The reached distance: a line between the bodies, from the docking until the last act towards a person.
+    """The actual distance: a line between the bodies, from docking until the last act towards a person.
 
     Args:
         ax: The map.
-        scene: The bodies.
-        frames: Where they are.
+        scene: The scene with the bodies.
+        frames: Poses of the bodies.
         rings: The visits.
-        events: What was said and done.
-        colours: By person.
+        events: Speech and acts.
+        colours: Colours, by person.
     """
 
     def __init__(
@@ -100,7 +100,7 @@ class ReachedLines:
             self._spans.append((start, until, person, line))
 
     def at(self, time_s: float) -> list[Artist]:
-        """What is drawn at a time."""
+        """The artists at a time."""
         shown = [(person, line) for start, until, person, line in self._spans if start <= time_s < until]
         for person, line in shown:
             line.set_data(*zip(*self._gap(person, time_s), strict=True))

@@ -1,4 +1,4 @@
-"""A page for a picture of a place: its scale, and its bytes, which are the same each time."""
+"""A page for a picture of a place: its scale, and reproducible bytes."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FORMS = ("png", "svg", "pdf")
-"""Endings of the files that pictures are written to."""
+"""File formats of pictures."""
 POINTS_PER_IN = 72
 DPI = {"png": 120, "svg": POINTS_PER_IN, "pdf": POINTS_PER_IN}
 LINE_SPACING = 1.25
-"""Of words on a map, in the size of their letters."""
+"""Line spacing of text on a map, relative to the font size."""
 PDF_MARK = b"%Comity"
-"""What ends a PDF of ours: its own facts stand nowhere near its start."""
+"""Mark at the end of our PDFs, whose metadata are not near the start."""
 
 
 @contextmanager
 def own_page(words: Iterable[str]) -> Iterator[None]:
-    """Draw with letters for these words, which stay words, and with the same ids each time."""
+    """Draw with fonts for these texts, keep text as text, and use reproducible ids."""
     with lettering(words), words_as_words():
         yield
 
 
 @contextmanager
 def words_as_words() -> Iterator[None]:
-    """Keep words in SVG and PDF words, to be searched and edited, and ids the same each time."""
+    """Keep text in SVG and PDF as text, to be searched and edited, with reproducible ids."""
     from matplotlib import rc_context
 
     with rc_context({"svg.hashsalt": "Comity", "svg.fonttype": "none", "pdf.fonttype": 42}):
@@ -40,25 +40,25 @@ def words_as_words() -> Iterator[None]:
 
 
 def in_per_m(extent_m: tuple[float, float], usual: float, *, least_in: float, most_in: float) -> float:
-    """The scale of a page [in/m]: the usual one, unless the page were too narrow or too large with it.
+    """The scale of a page [in/m]: the usual one, unless the page would be too narrow or too large.
 
     Args:
-        extent_m: Width and height of the place.
-        usual: The scale at which words fit.
-        least_in: Width of the narrowest page.
-        most_in: The longer side of the largest page.
+        extent_m: Width and height of the place [m].
+        usual: Scale at which labels fit [in/m].
+        least_in: Minimum width of the page [in].
+        most_in: Maximum length of the longer side of the page [in].
     """
     wide, high = extent_m
     return min(max(usual, least_in / wide), most_in / max(wide, high))
 
 
 def as_bytes(figure: Figure, form: str, dpi: float | None = None) -> bytes:
-    """The content of a file in one of `FORMS`, the same each time: nothing in it tells the date.
+    """The bytes of a file in one of `FORMS`, reproducible: they contain no date.
 
     Args:
-        figure: What is drawn, for vectors at `POINTS_PER_IN`.
-        form: Ending of the file.
-        dpi: Pixels to an inch; those of `DPI` without it.
+        figure: The figure, for vector formats at `POINTS_PER_IN`.
+        form: File format.
+        dpi: Pixels per inch; None: `DPI`.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -76,7 +76,7 @@ def as_bytes(figure: Figure, form: str, dpi: float | None = None) -> bytes:
 
 
 def _halos_apart(figure: Figure) -> None:
-    """Draw halos as lines below their words: matplotlib makes outlines of words that have an effect."""
+    """Draw halos as outlines below their text: matplotlib turns text with an effect into paths."""
     from matplotlib.text import Text
 
     for word in figure.findobj(Text):

@@ -1,4 +1,4 @@
-"""The panel beside a map: a card for each visited person, and the legend. All lengths in inches."""
+"""The panel next to a map: a card for each visited person, and the legend. All lengths in inches."""
 
 from __future__ import annotations
 
@@ -16,23 +16,24 @@ if TYPE_CHECKING:
 WIDTH_IN, MARGIN_IN, INDENT_IN = COLUMN_IN, 0.25, 0.28
 CARD_IN, LINE_IN = 0.98, 0.18
 CHARACTERS, NAME_CHARACTERS = 46, 20
-"""Of a line of small print, and of a name, which shares its line with the side."""
+"""Maximum number of characters of a line of small print, and of a name, which shares its line with the
+side."""
 SHORTEST_SCALE_M = 1.3
-"""The bars' scale goes so far at least, beyond the farthest distance of the shipped rules, to compare."""
+"""Minimum end of the bars' scale [m], beyond the largest distance of the shipped rules, for comparison."""
 ROUNDING_IN = 1e-6
 TRACK = "#F0F0F2"
 
 
 @dataclass(frozen=True, slots=True)
 class Card:
-    """What to say about one visit."""
+    """The content of a card about one visit."""
 
     person: str
     colour: str
     side: str
     wanted_m: float
     reached_m: float | None
-    """None: not reached."""
+    """Actual distance [m]; None: not reached."""
     notes: tuple[str, ...]
 
     @property
@@ -42,35 +43,35 @@ class Card:
 
     @property
     def longest_m(self) -> float:
-        """The longest distance on it."""
+        """The longest distance on it [m]."""
         return max(self.wanted_m, self.reached_m or 0.0)
 
     @property
     def height_in(self) -> float:
-        """How much of the panel it takes."""
+        """Its height [in]."""
         return CARD_IN + LINE_IN * len(self.lines)
 
 
 @dataclass(frozen=True, slots=True)
 class CardColumn:
-    """Cards below each other, the legend below the last of them."""
+    """Cards stacked vertically, with the legend below the last one."""
 
     cards: tuple[Card, ...]
     legend: Legend | None = None
 
     @property
     def height_in(self) -> float:
-        """How much it takes."""
+        """Its height [in]."""
         return sum(card.height_in for card in self.cards) + (self.legend.height_in if self.legend else 0.0)
 
 
 def in_columns(cards: Sequence[Card], legend: Legend, most: int) -> list[CardColumn]:
-    """Cards in their order in columns that are as low as they can be, the legend in the last one.
+    """Cards arranged in order in columns as low as possible, the legend in the last one.
 
     Args:
-        cards: One for each visit.
-        legend: Of the picture.
-        most: So many columns there is room for.
+        cards: One per visit.
+        legend: The legend of the picture.
+        most: Maximum number of columns.
     """
     heights = sorted(
         {sum(card.height_in for card in cards[i:j]) for j in range(len(cards) + 1) for i in range(j)}
@@ -87,12 +88,12 @@ def in_columns(cards: Sequence[Card], legend: Legend, most: int) -> list[CardCol
 
 
 def draw_column(ax: Axes, column: CardColumn, longest_m: float) -> None:
-    """Fill the axes, which are as large in inches as their place on the page, from the top.
+    """Fill the axes, scaled in inches of the page, from the top.
 
     Args:
         ax: The axes.
-        column: What goes there.
-        longest_m: The longest distance on any card.
+        column: The column to draw.
+        longest_m: The longest distance on any card [m].
     """
     from matplotlib.transforms import Bbox
 
@@ -112,7 +113,7 @@ def draw_column(ax: Axes, column: CardColumn, longest_m: float) -> None:
 
 
 def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
-    """The name, the side, target and actual distance as a bar and in numbers, and the notes."""
+    """Draw the name, the side, target and actual distance as a bar and in numbers, and the notes."""
     from matplotlib.patches import Circle, Rectangle
 
     ax.add_patch(Circle((0.10, top + 0.14), 0.075, fc=card.colour, ec="none"))

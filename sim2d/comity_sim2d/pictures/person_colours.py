@@ -1,7 +1,8 @@
 """The colour of each person: one source for pictures, animations and the page of a run.
 
-Smallest difference of two colours (CIEDE2000), among the first six and among the first twelve; colour-blind
-sight as Machado, Oliveira and Fernandes (2009) simulate it at full severity. Names always stand beside.
+Smallest difference between two colours (CIEDE2000), among the first six and the first twelve. Colour
+blindness is simulated as by Machado, Oliveira and Fernandes (2009) at full severity. Names are always shown
+as well.
 
 |  | six, light | six, dark | twelve, light | twelve, dark |
 |---|---|---|---|---|
@@ -21,36 +22,36 @@ from comity_sim2d.pictures.colours import LEAST_CONTRAST, PALETTE, contrast
 
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 LIGHT_GROUND, DARK_GROUND = "#FFFFFF", "#22262D"
-"""What people stand on: the page of a picture, and the floor on a dark screen."""
+"""Background colours: the page of a picture, and the floor on a dark screen."""
 SATURATION = {LIGHT_GROUND: 0.75, DARK_GROUND: 0.45}
-"""Of colours beyond the twelve, by their ground."""
+"""Saturation of colours beyond the twelve, by background."""
 
 
 @dataclass(frozen=True, slots=True)
 class PersonColour:
-    """The colour of one person; words in it have a contrast of at least 4.5 with its ground."""
+    """The colour of one person; text in it has a contrast of at least 4.5 with its background."""
 
     on_light: str
     on_dark: str
-    """On a dark screen."""
+    """Colour on a dark screen."""
 
 
 DARKER = ("#D12C43", "#044642", "#4D552B", "#3E0D40", "#652125", "#312103")
 LIGHTER = ("#56B4E9", "#F0914A", "#3CC79A", "#E08FBF", "#F7C645", "#8E81F9",
            "#FE7C7F", "#C1FBF2", "#C6FF05", "#FBDAFD", "#FFCFC0", "#DEE4A4")  # fmt: skip
 DISTINCT = tuple(map(PersonColour, (*PALETTE, *DARKER), LIGHTER))
-"""Far from each other: found by random search for the greatest smallest difference."""
+"""Distinct colours: found by random search for the largest minimum difference."""
 
 
 def person_colours(people: Sequence[str]) -> dict[str, str]:
-    """Colours on light ground by name, for people in the order of their scene."""
+    """Colours on a light background by name, for people in the order of their scene."""
     return {name: person_colour(place).on_light for place, name in enumerate(people)}
 
 
 def person_colour(place: int) -> PersonColour:
-    """The colour of the person in a place of the order, 0 for the first: no two have the same.
+    """The colour of the person at an index, from 0; no two people have the same.
 
-    After those of `DISTINCT` come hues as far from each other as the golden ratio puts them.
+    After those of `DISTINCT`, hues are spaced by the golden ratio.
     """
     if place < len(DISTINCT):
         return DISTINCT[place]
@@ -62,7 +63,7 @@ def person_colour(place: int) -> PersonColour:
 
 
 def _legible(hue: float, brightness: float, ground: str, *, darker: bool) -> str:
-    """A hue at the nearest brightness that words need; paler where full brightness does not do."""
+    """A hue at the nearest brightness that text needs; paler if full brightness is not enough."""
     from matplotlib.colors import hsv_to_rgb, to_hex
 
     saturation, colour = SATURATION[ground], ground

@@ -49,16 +49,16 @@ __all__ = ["Ring", "draw_picture"]
 SUFFIXES = tuple(f".{form}" for form in FORMS)
 ARROWS_EVERY_M = 0.9
 LEAST_IN_PER_M = 0.8
-"""On a smaller map arrows are larger than they are in metres."""
+"""Scale below which arrows are drawn larger than to scale [in/m]."""
 MARK_M = 0.06
-"""The radius that labels keep off a small mark."""
+"""Radius around a small mark that labels avoid [m]."""
 WAY_DARK, WAY_FADED = 0.85, 0.58
-"""Of the driven path: how dark the newest piece is, and what share of that the oldest.
+"""Shade of the newest piece of the driven path, and the share of it for the oldest.
 
 The oldest has a contrast of 3 with the floor (WCAG 2.2, criterion 1.4.11).
 """
 SAME_M = 0.02
-"""Of two places that are nearer than this, one is drawn."""
+"""If two places are nearer than this [m], only one is drawn."""
 
 
 def draw_picture(
@@ -79,17 +79,17 @@ def draw_picture(
     Args:
         path: Where to write; it ends with `.png`, `.svg` or `.pdf`.
         scene: The place and the bodies.
-        frames: What happened.
+        frames: Frames of the episode.
         rings: One for each visited person, in the order of the visits.
-        events: What was said and done.
-        door_turns: Doors that were opened or shut: all are drawn as they are at the end.
-        planned: The routes of the plans, each drawn below the path that was driven.
+        events: Speech and acts.
+        door_turns: Doors that were opened or shut: all are drawn in their final state.
+        planned: The routes of the plans, drawn below the driven path.
         title: The headline.
-        subtitle: Below it; None: duration, way and smallest distance to people.
-        width_px: Of a PNG, in [100, 10000]: everything scales with it.
+        subtitle: Text below the headline; None: duration, path length and smallest distance to people.
+        width_px: Width of a PNG, in [100, 10000]: everything scales with it.
 
     Raises:
-        SceneError: For another ending of the path, or another width.
+        SceneError: For another file type, or an invalid width.
         ValueError: For a ring of a person who is not in the scene.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -131,7 +131,7 @@ def draw_picture(
 
 
 class _Picture:
-    """What all parts of one picture share."""
+    """State shared by all parts of one picture."""
 
     def __init__(
         self,
@@ -161,11 +161,11 @@ class _Picture:
         }
 
     def cards(self) -> list[Card]:
-        """One for each visit."""
+        """One card per visit."""
         return cards(self._scene, self._frames, self._rings, self._events)
 
     def legend(self) -> Legend:
-        """Of what is on the map."""
+        """The legend of what is on the map."""
         return Legend(
             planned=bool(self._planned),
             visits=bool(self._rings),
@@ -175,7 +175,7 @@ class _Picture:
         )
 
     def draw_map(self, labels: MapLabels, page: Layout) -> None:
-        """The map with everything on it."""
+        """Draw the map with everything on it."""
         ax = labels.ax
         floor = d.draw_place(ax, self._scene, page.beside_m, page.above_m)
         d.draw_o_spaces(ax, self._o_spaces, floor)
@@ -204,7 +204,7 @@ class _Picture:
 
     @property
     def _met_elsewhere(self) -> dict[str, Pose]:
-        """Where those were met who are elsewhere by now, by name."""
+        """Poses where the robot met people who have since moved, by name."""
         return {
             name: pose
             for name, pose in self._met.items()
@@ -212,11 +212,11 @@ class _Picture:
         }
 
     def _is_left(self, pose: Pose) -> bool:
-        """Whether the robot ends elsewhere than where it reached a person."""
+        """Whether the robot ends at another place than where it reached a person."""
         return math.dist(pose.xy, self._end.xy) > SAME_M
 
     def _draw_ring(self, ax: Axes, ring: Ring, floor: Patch) -> None:
-        """The chosen side as a sector, the wanted distance dashed, the reached one as a line with a dot."""
+        """Draw the chosen side as a sector, the target distance dashed, the actual one with a dot."""
         from matplotlib.patches import Wedge
 
         pose, colour = self._met[ring.person], self._colours[ring.person]
@@ -233,20 +233,20 @@ class _Picture:
 
     @cached_property
     def _tracks(self) -> dict[str, Points]:
-        """Where those who walked were, frame by frame."""
+        """Paths of the people who walked, frame by frame."""
         names = [*self._colours, *(name for name, _ in d.passers_by(self._scene))]
         return {name: points for name in names if d.has_moved(points := self._frames.of(name))}
 
     @property
     def _people(self) -> list[Disc]:
-        """Everybody's body where it is drawn."""
+        """Bodies of all people as drawn."""
         people = [(self._stands[person.name].xy, person.radius_m) for person in self._scene.people]
         people += [(pose.xy, self._scene.person(name).radius_m) for name, pose in self._met_elsewhere.items()]
         passing = d.passers_by(self._scene)
         return people + [(d.pose_at(self._frames, name).xy, radius_m) for name, radius_m in passing]
 
     def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
-        """How far those who are only passed like robots to be, where that is known."""
+        """Draw the own distances, if known, of people who are only passed."""
         for name, radius_m in self._own_distances.items():
             circle = d.dashed_circle(self._stands[name].xy, radius_m, self._colours[name])
             ax.add_patch(circle)
@@ -254,7 +254,7 @@ class _Picture:
 
     @cached_property
     def _own_distances(self) -> dict[str, float]:
-        """Radii of the rings of those who are only passed [m], by name."""
+        """Radii of the rings of people who are only passed [m], by name."""
         visited = {ring.person for ring in self._rings}
         return {
             person.name: person.radius_m + person.personal_distance_m
@@ -263,7 +263,7 @@ class _Picture:
         }
 
     def _draw_way(self, ax: Axes, size: float) -> None:
-        """The driven path, its arrows so many times as large as usual: they are seen on a large map, too."""
+        """Draw the driven path; `size` scales its arrows, to be visible on a large map, too."""
         from matplotlib.patches import Polygon
 
         points = self._frames.of(self._robot)[:, :2]
@@ -276,7 +276,7 @@ class _Picture:
             ax.add_patch(Polygon(corners, closed=True, fc=d.ROBOT, ec="#FFFFFF", lw=0.8, zorder=4.6))
 
     def _mark(self, labels: MapLabels) -> None:
-        """What labels should not hide."""
+        """Mark what labels should not hide."""
         for pose in (*self._reached.values(), self._end):
             labels.avoid_disc(pose.xy, self._radius_m)
         for person in self._scene.people:
@@ -300,7 +300,7 @@ class _Picture:
             labels.avoid_line(route)
 
     def _write(self, labels: MapLabels) -> None:
-        """The words: what cannot move first, then what can go anywhere."""
+        """Write the labels: those with a fixed place first."""
         labels.place(self._scene)
         for ring in self._rings:
             self._write_distance(labels, ring)
@@ -313,7 +313,7 @@ class _Picture:
         labels.near((x, y), MARK_M, "start", size=9.0, colour=d.INK)
 
     def _write_saying(self, labels: MapLabels, saying: Saying) -> None:
-        """A bubble at the robot where it is drawn there, else at a mark on its way."""
+        """Draw a bubble at the robot if it is drawn there, else at a mark on its path."""
         drawn = (*self._reached.values(), self._end)
         robot = min(drawn, key=lambda pose: math.dist(pose.xy, saying.xy))
         is_drawn = math.dist(robot.xy, saying.xy) <= TOGETHER_M
@@ -324,7 +324,7 @@ class _Picture:
         d.add_all(labels.ax, labels.bubble(at, radius_m, saying.lines, colour, besides=self._people))
 
     def _write_distance(self, labels: MapLabels, ring: Ring) -> None:
-        """Target and actual distance, beside the line between the two."""
+        """Write target and actual distance next to the line between the two."""
         wanted, colour = f"target {ring.wanted_m:.3f} m", self._colours[ring.person]
         if ring.reached_m is None or ring.person not in self._reached:
             pose, radius = self._stands[ring.person], self._scene.person(ring.person).radius_m
@@ -336,7 +336,7 @@ class _Picture:
         labels.near(middle, MARK_M, text, size=9.5, colour=colour, weight="bold")
 
     def _gap(self, ring: Ring) -> tuple[XY, XY]:
-        """The nearest points of the person and of the robot beside them."""
+        """The nearest points of the person and of the robot next to them [m]."""
         person, robot = self._met[ring.person], self._reached[ring.person]
         towards = Pose(*person.xy, direction_to(person.xy, robot.xy))
         near = self._scene.person(ring.person).radius_m
@@ -363,7 +363,7 @@ def _facts(frames: Frames) -> str:
 
 
 def _nearest(frames: Frames) -> str:
-    """How near the robot came to people, and whom it touched first."""
+    """The smallest distance to people, and whom the robot touched first, in words."""
     gaps = clearances_m(frames)
     if not gaps.size:
         return ""
@@ -374,7 +374,7 @@ def _nearest(frames: Frames) -> str:
 
 
 def _side(bearing_deg: float) -> XY:
-    """The bearings of the side that a bearing belongs to, as the planner cuts them."""
+    """The range of bearings of the side of a bearing [deg], as the planner divides them."""
     side = side_name(bearing_deg)
     if side == "front":
         return (-FRONT_DEG, FRONT_DEG)

@@ -1,4 +1,4 @@
-"""The route that a plan was made with, as pictures show it beside the path that was driven."""
+"""The route that a plan was made with, as pictures show it next to the driven path."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ class PlannedRoute:
     """The route of one plan."""
 
     time_s: float
-    """From when on it held."""
+    """Start of its validity [s]."""
     points: tuple[XY, ...]
-    """Its corners; none where the plan leads nowhere."""
+    """Its corner points [m]; empty if the plan leads nowhere."""
 
     def __post_init__(self) -> None:
         require_finite("planned route", time_s=self.time_s)
 
 
 def draw_planned(ax: Axes, points: Sequence[XY]) -> Line2D:
-    """A dotted line below the path that was driven."""
+    """Draw a dotted line below the driven path."""
     x, y = np.array(points, dtype=float).reshape(-1, 2).T
     (line,) = ax.plot(x, y, color=FAINT_INK, lw=2.2, ls=DOTS, dash_capstyle="round", zorder=4.4)
     return line
 
 
 def planned_at(routes: Sequence[PlannedRoute], time_s: float) -> tuple[XY, ...]:
-    """The corners of the plan in force at a time."""
+    """Corner points of the route in force at a time [m]."""
     return next((route.points for route in reversed(routes) if route.time_s <= time_s + 1e-9), ())

@@ -1,4 +1,4 @@
-"""Names that no font here can write: pictures number what is called so, and one line says which."""
+"""Substitutes for names that no available font can write: numbers, explained in one line."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ Part = TypeVar("Part", Furniture, Area, Location)
 
 
 class PictureContent(NamedTuple):
-    """What a picture shows."""
+    """The content of a picture."""
 
     scene: Scene
     frames: Frames
     rings: tuple[Ring, ...]
     events: tuple[ActEvent, ...]
     names: Mapping[str, str]
-    """What is written for names that no font can write."""
+    """Substitutes for names that no font can write."""
 
     @property
     def words(self) -> list[str]:
-        """All that may be written, but for the headlines."""
+        """All text that may be written, except headlines."""
         said = [event.words for event in self.events]
         return [*names_in(self.scene), *said, *(ring.label or "" for ring in self.rings)]
 
@@ -43,7 +43,7 @@ class PictureContent(NamedTuple):
 def readable(
     scene: Scene, frames: Frames, rings: Sequence[Ring] = (), events: Sequence[ActEvent] = ()
 ) -> PictureContent:
-    """The same, with numbers for names that would be boxes, also where they are said."""
+    """The same content with substitutes for unwritable names, also in speech."""
     names = substitutes(scene, things_in(events))
     return PictureContent(
         _scene_with(scene, names) if names else scene,
@@ -55,7 +55,7 @@ def readable(
 
 
 def legible(text: str, names: Mapping[str, str]) -> str:
-    """A text with these names in the place of others, and `…` for letters that no font here has."""
+    """A text with names replaced, and `…` for letters that no available font has."""
     for name in sorted(names, key=len, reverse=True):
         text = text.replace(name, names[name])
     boxes = lacking(text)
@@ -63,7 +63,7 @@ def legible(text: str, names: Mapping[str, str]) -> str:
 
 
 def things_in(events: Iterable[ActEvent]) -> tuple[str, ...]:
-    """What is carried, each once."""
+    """The carried objects, each once."""
     return tuple(dict.fromkeys(event.thing for event in events if event.thing is not None))
 
 
@@ -79,7 +79,7 @@ def _event_with(names: Mapping[str, str], event: ActEvent) -> ActEvent:
 
 
 def names_in(place: Scene | PlaceMap) -> list[str]:
-    """Of whatever has one."""
+    """The names of everything that has one."""
     things = [*(piece.name for piece in place.furniture), *(area.name for area in place.areas)]
     places = [location.name for location in place.locations]
     people = [place.robot.name, *(each.name for each in place.people)] if isinstance(place, Scene) else []
@@ -87,7 +87,7 @@ def names_in(place: Scene | PlaceMap) -> list[str]:
 
 
 def with_names(place: Scene | PlaceMap, names: Mapping[str, str]) -> Scene | PlaceMap:
-    """A place where whatever has a name is called otherwise."""
+    """A place with names replaced."""
     if isinstance(place, Scene):
         return _scene_with(place, names)
     return replace(
@@ -120,10 +120,10 @@ def _renamed(parts: Sequence[Part], names: Mapping[str, str]) -> tuple[Part, ...
 
 
 def substitutes(place: Scene | PlaceMap, things: Sequence[str] = ()) -> dict[str, str]:
-    """By name, what to write for what cannot be written; said once each.
+    """Substitutes for names that cannot be written, by name; explained once each.
 
-    `person 2` is the second person, `furniture 2` the second piece of furniture, and so with the rooms, the
-    places that have a name, and the things that are carried.
+    `person 2` is the second person, `furniture 2` the second piece of furniture, and likewise for rooms,
+    named places and carried objects.
     """
     people = [each.name for each in place.people] if isinstance(place, Scene) else []
     named = {

@@ -1,4 +1,4 @@
-"""What was wanted and what was reached beside one person."""
+"""The target and the actual pose next to one person."""
 
 from __future__ import annotations
 
@@ -14,19 +14,20 @@ class Ring:
 
     person: str
     wanted_m: float
-    """Between the nearest points of the two bodies."""
+    """Target distance between the nearest points of the two bodies [m]."""
     reached_m: float | None = None
-    """None where the robot did not get there."""
+    """Actual distance [m]; None if the robot did not get there."""
     bearing_deg: float = 0.0
-    """The wanted bearing: it marks the chosen side."""
+    """Target bearing, which marks the chosen side [deg]."""
     label: str | None = None
     """Lines for the card, such as the person's profile and the reason for a deviation."""
     time_s: float | None = None
-    """When the robot stood there; None: when its first act towards the person began, or at the end."""
+    """Time when the robot stood there [s]; None: when its first act towards the person began, or at the
+    end."""
     reached_bearing_deg: float | None = None
-    """Where the robot stood then, as the person saw it; None: as the frames have it."""
+    """Bearing of the robot then, as seen by the person [deg]; None: from the frames."""
     facing_error_deg: float | None = None
-    """How far it looked past the person then, in [0, 180]; None: as the frames have it."""
+    """Error of the robot's facing then, in [0, 180] [deg]; None: from the frames."""
 
     def __post_init__(self) -> None:
         require_text("ring", "person", self.person)

@@ -1,4 +1,4 @@
-"""What the robot said and did in an episode, gathered by whom it was for and where it stood."""
+"""Speech and acts of an episode, grouped by addressee and by the robot's position."""
 
 from __future__ import annotations
 
@@ -15,35 +15,36 @@ if TYPE_CHECKING:
     from comity_sim2d.robot.acts import ActEvent
 
 TOGETHER_M = 0.3
-"""What it did no farther apart is told together: a body's width, so that bubbles stand apart (our choice)."""
+"""Acts no farther apart than this are shown together [m]: a body's width, so that bubbles stay apart (our
+choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Saying:
-    """What was said and done from one place."""
+    """Speech and acts from one position."""
 
     person: str
-    """For whom; of what is picked up, where."""
+    """The addressee; for picking up, the place."""
     xy: XY
-    """Where the robot was."""
+    """Position of the robot [m]."""
     words: tuple[str, ...]
-    """What was repeated at once, once."""
+    """The words; immediate repetitions once."""
     times: int = 1
-    """How often in a row, also from further places; it was said first at this one."""
+    """Number of repetitions in a row, also from later positions; this is the first one."""
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """The words, and how often where that is more than once."""
+        """The words, with the number of repetitions if more than one."""
         return self.words if self.times == 1 else (*self.words, f"({self.times} times)")
 
 
 def sayings(frames: Frames, robot: str, events: Sequence[ActEvent]) -> tuple[Saying, ...]:
-    """All that was not broken off, in order.
+    """All speech and acts that were not interrupted, in order.
 
     Args:
-        frames: Where the robot was.
+        frames: Frames of the episode.
         robot: Its name.
-        events: What it said and did.
+        events: Its speech and acts.
     """
     found: list[Saying] = []
     for event in sorted(events, key=lambda event: event.t_start):
@@ -59,7 +60,7 @@ def sayings(frames: Frames, robot: str, events: Sequence[ActEvent]) -> tuple[Say
 
 
 def _collapsed(found: Sequence[Saying]) -> list[Saying]:
-    """One for what was said to a person again and again with nothing else to them in between."""
+    """Merges repeated sayings to a person with nothing else to them in between."""
     kept: list[Saying] = []
     last: dict[str, int] = {}
     for one in found:

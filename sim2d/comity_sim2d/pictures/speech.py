@@ -1,4 +1,4 @@
-"""What the robot says and does in an animation: one bubble at a time, with all that goes on together."""
+"""Speech bubbles of an animation: one at a time, with everything that goes on together."""
 
 from __future__ import annotations
 
@@ -19,18 +19,19 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 EVERY_S = 0.25
-"""So often it is looked where people are while a bubble is shown (our choice: a walker's half step)."""
+"""Interval at which people's positions are checked while a bubble is shown [s] (our choice: half a step of a
+walker)."""
 
 
 class Speech:
     """The bubbles of an episode.
 
     Args:
-        labels: Where they may be.
-        scene: Whose robot's they are, and whom they had better not hide.
-        frames: Where it and everybody is.
-        events: What it says and does.
-        colours: By person; what it does for nobody of these is left out.
+        labels: The labels of the map, for placement.
+        scene: The scene, with the people whom bubbles should not hide.
+        frames: Poses of all entities.
+        events: Speech and acts.
+        colours: Colours by person; acts towards others are left out.
     """
 
     def __init__(
@@ -57,16 +58,16 @@ class Speech:
 
     @property
     def artists(self) -> list[Artist]:
-        """Everything that is drawn at one time or another."""
+        """All artists."""
         return [part for *_, bubble in self._spans for part in bubble]
 
     def at(self, time_s: float) -> list[Artist]:
-        """What is drawn at a time."""
+        """The artists at a time."""
         return [part for start, end, bubble in self._spans if start <= time_s < end for part in bubble]
 
 
 def _bodies(scene: Scene, frames: Frames, start_s: float, end_s: float) -> list[Disc]:
-    """Where everybody's body is between two moments, each place once."""
+    """Bodies of all people between two times, each place once."""
     people = [(person.name, person.radius_m) for person in scene.people]
     times = [*np.arange(start_s, end_s, EVERY_S).tolist(), end_s]
     bodies = (

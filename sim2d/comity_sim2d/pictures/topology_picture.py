@@ -1,4 +1,4 @@
-"""A picture of a place as a graph: rooms and named places, and the doors between them."""
+"""A picture of a place as a graph: rooms and named places, with the doors between them."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.scene import Scene
 
 EDGE_IN, HEADER_IN = 0.7, 0.5
-"""The edge holds names of marks that lie at the border."""
+"""Margin, which has space for names at the border, and height of the headline [in]."""
 LEAST_IN, MOST_IN = 7.0, 16.0
 IN_PER_M = 0.6
 ROOM, LIGHT, SHUT = "#0B6E6E", "#8FA3A3", "#B3261E"
 MARK_PT = {"room": 15.0, "place": 7.0, "door": 6.5}
-"""How wide the mark of each is."""
+"""Diameter of each kind of mark [pt]."""
 WORDS_PT = {"room": 10.0, "door": 8.0, "place": 8.0}
-"""The size of their names, in the order in which these are written."""
+"""Font size of their names [pt], in the order of placement."""
 PREFER_RAD = {"room": -math.pi / 2, "door": 0.0, "place": math.pi / 2}
-"""Where a name goes if it can: below a room, to the right of a door, above a place."""
+"""Preferred direction of a name [rad]: below a room, to the right of a door, above a place."""
 
 
 def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> bytes:
-    """Rooms where they are, doors as lines with their names; a shut door is a dashed red line.
+    """Draw rooms at their positions and doors as lines with their names; a shut door is a dashed red line.
 
     Args:
         place: A map, or a scene with rooms.
@@ -41,7 +41,7 @@ def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> 
         form: `png`, `svg` or `pdf`.
 
     Raises:
-        ValueError: The place has no rooms.
+        ValueError: If the place has no rooms.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -69,7 +69,7 @@ def draw_topology(place: PlaceMap | Scene, *, title: str, form: str = "png") -> 
 
 
 def _bounds(graph: nx.MultiGraph[str]) -> tuple[float, float, float, float]:
-    """Left, bottom, right and top of all marks [m], a metre apart at least."""
+    """Left, bottom, right and top of all marks [m], at least one metre apart."""
     marks: list[XY] = [facts["at"] for _, facts in graph.nodes(data=True)]
     marks += [facts["at"] for _, _, facts in graph.edges(data=True) if facts["kind"] == "door"]
     xs, ys = zip(*marks, strict=True)
@@ -78,7 +78,7 @@ def _bounds(graph: nx.MultiGraph[str]) -> tuple[float, float, float, float]:
 
 
 def _draw(ax: Axes, graph: nx.MultiGraph[str]) -> None:
-    """The lines and the marks."""
+    """Draw the lines and the marks."""
     for one, other, facts in graph.edges(data=True):
         thin = facts["kind"] == "in"
         colour, style = (d.INK, "solid") if facts["is_open"] else (SHUT, "dashed")
@@ -96,13 +96,13 @@ def _draw(ax: Axes, graph: nx.MultiGraph[str]) -> None:
 
 
 def _line(graph: nx.MultiGraph[str], one: str, other: str, facts: Mapping[str, Any]) -> list[XY]:
-    """An edge from mark to mark; that of a door bends at the door, so that it lies where one walks."""
+    """The line of an edge; that of a door bends at the door, following the actual path."""
     bend = [facts["at"]] if facts["kind"] == "door" else []
     return [graph.nodes[one]["at"], *bend, graph.nodes[other]["at"]]
 
 
 def _write(labels: MapLabels, graph: nx.MultiGraph[str], scale: float) -> None:
-    """The names, off the lines and the marks: of rooms, then of doors, then of places."""
+    """Write the names clear of lines and marks: rooms, then doors, then places."""
     reach_m = {kind: points / 2.0 / 72.0 / scale for kind, points in MARK_PT.items()}
     for one, other, facts in graph.edges(data=True):
         labels.avoid_line(_line(graph, one, other, facts))
@@ -123,9 +123,9 @@ def _write(labels: MapLabels, graph: nx.MultiGraph[str], scale: float) -> None:
 
 
 def _names(graph: nx.MultiGraph[str]) -> Iterator[tuple[str, str, Mapping[str, Any]]]:
-    """What has a name: its kind, the name, and its facts; of doors also the width, and that they are shut.
+    """Kind, name and attributes of everything named; for doors also the width, and whether they are shut.
 
-    A place that is called like its room has no name, and a door that is called like a room only the rest.
+    A place named like its room gets no label, and a door named like a room only the rest.
     """
     for node, facts in graph.nodes(data=True):
         if facts["name"] == node:

@@ -1,4 +1,4 @@
-"""The doors that were opened or shut while the world ran, drawn as they are at a time."""
+"""Doors that are opened or shut during an episode, drawn in their state at a time."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ if TYPE_CHECKING:
 
 
 def doors_at(doors: Sequence[Door], turns: Sequence[DoorTurn], time_s: float) -> tuple[Door, ...]:
-    """All doors as they are at a time.
+    """All doors in their state at a time.
 
     Args:
-        doors: As they are at the start.
-        turns: In order.
-        time_s: Turns at this time count.
+        doors: All doors in their initial state.
+        turns: Openings and shuttings, in order.
+        time_s: The time [s]; turns at this time count.
     """
     return turned(doors, {turn.door: turn.is_open for turn in turns if turn.t <= time_s})
 
 
 class TurningDoors:
-    """What to draw of the doors that turn; those that never do are left to the background.
+    """The artists of doors that turn; doors that never do belong to the background.
 
     Args:
-        doors: All, as they are at the start.
-        turns: In order.
+        doors: All doors in their initial state.
+        turns: Openings and shuttings, in order.
     """
 
     def __init__(self, doors: Sequence[Door], turns: Sequence[DoorTurn]) -> None:
@@ -39,15 +39,15 @@ class TurningDoors:
         self._doors = tuple(door for door in doors if door.name in names)
         self._turns = tuple(turns)
         self.resting = tuple(door for door in doors if door.name not in names)
-        """Those that never turn."""
+        """Doors that never turn."""
         both = (door for state in (True, False) for door in turned(self._doors, dict.fromkeys(names, state)))
         self._artists = {door: door_artists(door) for door in both}
 
     @property
     def artists(self) -> list[Artist]:
-        """Everything that is drawn at one time or another."""
+        """All artists."""
         return [artist for artists in self._artists.values() for artist in artists]
 
     def at(self, time_s: float) -> list[Artist]:
-        """What is drawn at a time."""
+        """The artists at a time."""
         return [part for door in doors_at(self._doors, self._turns, time_s) for part in self._artists[door]]
