@@ -1,4 +1,4 @@
-"""The error of a scene: what is wrong, and which person or thing it concerns."""
+"""The error for an invalid scene: what is wrong, and which person or thing it concerns."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ import numpy as np
 from comity_fis.errors import LONGEST_SHOWN, InputError, Where, WrongValueError, closest
 
 FARTHEST_M = 1000.0
-"""No coordinate is farther out: it would be a slip of the pen (our choice)."""
+"""Maximum absolute coordinate [m]: a larger one is a typo (our choice)."""
 NUMBERS = (float, int, np.floating, np.integer)
 
 
 class SceneError(InputError):
-    """A scene that cannot be.
+    """An invalid scene.
 
     Args:
-        entity: Whom it is about: a name in the scene, `wall 2` for the second of the walls that bear no name,
-            `room`, or `scene` for the whole.
-        field: The value that is wrong, as the scene's classes call it; None where the place as such is wrong.
+        entity: The entity concerned: a name in the scene, `wall 2` for the second unnamed wall, `room`, or
+            `scene` for the whole.
+        field: Name of the wrong attribute; None if the place itself is wrong.
         expected: As for `InputError`; `got`, `remedy` and `where` too.
     """
 
@@ -54,12 +54,12 @@ class SceneError(InputError):
 
 
 def is_number(value: object) -> bool:
-    """Whether a value is a real number; neither true nor false, nor text that looks like one."""
+    """Whether a value is a real number, not a boolean or a string."""
     return isinstance(value, NUMBERS) and not isinstance(value, bool)
 
 
 def is_near(value: object) -> bool:
-    """Whether a value can be a coordinate or an angle."""
+    """Whether a value is a valid coordinate or angle."""
     return (
         isinstance(value, NUMBERS)
         and not isinstance(value, bool)
@@ -68,10 +68,10 @@ def is_near(value: object) -> bool:
 
 
 def require_finite(entity: str, **values: float) -> None:
-    """Coordinates and angles: numbers, and within `FARTHEST_M`.
+    """Check coordinates and angles: numbers within `FARTHEST_M`.
 
     Raises:
-        SceneError: With the name of the value that is not.
+        SceneError: With the name of the invalid value.
     """
     for field, value in values.items():
         if not is_near(value):
@@ -85,10 +85,10 @@ def require_finite(entity: str, **values: float) -> None:
 
 
 def require_between(entity: str, field: str, value: float, low: float, high: float) -> None:
-    """A size, a speed or the like: a number in a closed range.
+    """Check a size, a speed or the like: a number in a closed range.
 
     Raises:
-        SceneError: Where it is outside, or no number.
+        SceneError: If it is outside, or not a number.
     """
     if not is_number(value) or not low <= value <= high:
         raise SceneError(
@@ -101,10 +101,10 @@ def require_between(entity: str, field: str, value: float, low: float, high: flo
 
 
 def require_whole(entity: str, field: str, value: int, low: int, high: int) -> None:
-    """A count: a whole number in a closed range.
+    """Check a count: an integer in a closed range.
 
     Raises:
-        SceneError: Where it is outside, or no whole number.
+        SceneError: If it is outside, or not an integer.
     """
     require_between(entity, field, value, low, high)
     if not isinstance(value, int | np.integer):
@@ -118,10 +118,10 @@ def require_whole(entity: str, field: str, value: int, low: int, high: int) -> N
 
 
 def require_text(kind: str, field: str, value: str) -> None:
-    """A name: text that is not blank.
+    """Check a name: a non-blank string.
 
     Raises:
-        SceneError: about what kind of thing it would name.
+        SceneError: With the kind of thing to be named.
     """
     if not isinstance(value, str) or not value.strip():
         raise SceneError(
@@ -134,10 +134,10 @@ def require_text(kind: str, field: str, value: str) -> None:
 
 
 def require_one_of(entity: str, field: str, value: str, choices: Iterable[str], *, what: str = "") -> None:
-    """A word out of a few.
+    """Check a choice among a few words.
 
     Raises:
-        SceneError: With the nearest that is one.
+        SceneError: With the nearest valid word.
     """
     known = tuple(choices)
     if not isinstance(value, str) or value not in known:
@@ -151,10 +151,10 @@ def require_one_of(entity: str, field: str, value: str, choices: Iterable[str], 
 
 
 def require_points(entity: str, field: str, points: tuple[tuple[float, float], ...]) -> None:
-    """Places in order: a tuple of pairs of coordinates.
+    """Check a tuple of coordinate pairs.
 
     Raises:
-        SceneError: For the first that is none.
+        SceneError: For the first invalid point.
     """
     require_tuple(entity, field, points, tuple, "points, each as `(x, y)`")
     for point in points:
@@ -169,10 +169,10 @@ def require_points(entity: str, field: str, points: tuple[tuple[float, float], .
 
 
 def require_tuple(entity: str, field: str, values: object, kind: type | tuple[type, ...], what: str) -> None:
-    """Several of one kind, in a tuple: a list could change behind a frozen value's back.
+    """Check a tuple of values of one type: a list could change inside a frozen object.
 
     Raises:
-        SceneError: Where it is no tuple, or holds something else.
+        SceneError: If it is no tuple, or holds a value of another type.
     """
     wrong = [each for each in values if not isinstance(each, kind)] if isinstance(values, tuple) else [values]
     if wrong:
@@ -186,15 +186,15 @@ def require_tuple(entity: str, field: str, values: object, kind: type | tuple[ty
 
 
 def unknown(expected: str, name: object, known: Iterable[str]) -> WrongValueError:
-    """What is said of a name that nobody and nothing bears."""
+    """The error for an unknown name."""
     remedy = closest(name if isinstance(name, str) else "", known)
     return WrongValueError(expected=expected, got=shown(name), remedy=remedy)
 
 
 def shown(value: object) -> str:
-    """What came, cut where it is long; of what cannot be written, its class."""
+    """The received value as text, shortened if long; its class if it cannot be shown."""
     try:
         text = f"{value}" if is_number(value) else repr(value)
-    except Exception:  # of somebody else's class, of which anything may come
+    except Exception:  # a foreign class may raise anything
         return f"an object of the class {type(value).__name__}"
     return text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 1]}…"

@@ -1,4 +1,4 @@
-"""The world: a scene that lives. Control at 20 Hz, bodies at 60 Hz, a frame at every tick; no other clock."""
+"""The world: a scene simulated in time. Control at 20 Hz, physics at 60 Hz, one frame per tick."""
 
 from __future__ import annotations
 
@@ -49,16 +49,16 @@ class World:
     """A scene in motion. The same scene, seed and commands give the same frames, bit for bit.
 
     Args:
-        scene: Where it starts.
-        seed: For the noise of the sensors, and for what people show who have a comfort interval.
-        control_hz: Commands, sensors and frames; in [1, 1000].
-        physics_hz: Bodies; a multiple of `control_hz`, at most 10000.
-        route_map: One made for this scene before, to share what it has computed.
-        places: Where the robot stands to fetch things, by name.
+        scene: The initial scene.
+        seed: Seed of the sensor noise, and of the reactions of people with a comfort interval.
+        control_hz: Rate of commands, sensors and frames, in [1, 1000] [Hz].
+        physics_hz: Rate of the physics; a multiple of `control_hz`, at most 10000 [Hz].
+        route_map: An existing map of this scene, to share its caches.
+        places: Poses for fetching things, by name of the place.
 
     Raises:
-        SceneError: Where somebody cannot walk where they are to walk, a wall stands within a group, or there
-            is no room for the passers-by; or the robot cannot keep the margin that it is to.
+        SceneError: If a person cannot follow their walk, a wall stands within a group, there is no room for
+            the passers-by, or the robot cannot keep its margin.
     """
 
     def __init__(
@@ -100,26 +100,26 @@ class World:
             faults=self.faults,
         )
         self._said: list[Said] = []
-        """What people said, in order."""
+        """Utterances of people, in order."""
         self._reactions = self._people_who_react(seed)
         self._making_way = self._people_who_make_way()
         self._traffic = self._people_who_walk(seed)
         self.leads = Leads(self._traffic)
-        """Who is sent somewhere; whoever sends somebody begins and ends it here."""
+        """People currently led; changes and faults begin and end their leads here."""
         self.robot = self._robot_in(route_map or RouteMap(scene), places or {})
         self._recorder = FrameRecorder(self._bodies())
         self._felt = 0
-        """So many of the robot's contacts its senses have taken in."""
+        """Number of the robot's contacts that its senses have processed."""
         self._observe()
 
     @property
     def time_s(self) -> float:
-        """Since the start."""
+        """Time since the start [s]."""
         return self._clock.now_s
 
     @property
     def step_s(self) -> float:
-        """How long a control tick is."""
+        """Length of a control tick [s]."""
         return self._clock.step_s
 
     @property
@@ -133,22 +133,22 @@ class World:
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
-        """What the robot said and did."""
+        """Speech and acts of the robot."""
         return self.robot.events
 
     @property
     def robot_touches(self) -> tuple[Touch, ...]:
-        """Every contact of the robot with something, as it began."""
+        """Every contact of the robot with a person or object, at its start."""
         return tuple(self._physics.touches)
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """Everybody where they stand now."""
+        """All people at their current poses."""
         return tuple(self._people.values())
 
     @property
     def shown(self) -> tuple[Shown, ...]:
-        """What people truly showed, whether or not the robot noticed."""
+        """True reactions of people, whether or not the robot noticed."""
         return tuple(self._reactions.shown) if self._reactions else ()
 
     @property
@@ -190,21 +190,21 @@ class World:
                 self._reactions.break_off(name)
 
     def run(self, seconds: float) -> None:
-        """Advance by so much time, to the nearest tick.
+        """Advance by a time, rounded to the nearest tick.
 
         Raises:
-            SceneError: Where it is no time, or longer than a day.
+            SceneError: If it is no time, or longer than a day.
         """
         require_between("world", "seconds", seconds, 0.0, 86_400.0)
         for _ in range(round(seconds * self._clock.hz)):
             self.step()
 
     def move_person(self, name: str, x_m: float, y_m: float, heading_rad: float) -> None:
-        """Put a person elsewhere in the room, onto things as well; little by little, it is a walk.
+        """Move a person elsewhere in the room, even onto obstacles; small steps amount to a walk.
 
         Raises:
-            SceneError: Where the heading is no angle.
-            ValueError: Where there is no such person, or no such place in the room.
+            SceneError: If the heading is no angle.
+            ValueError: If there is no such person, or no such place in the room.
         """
         require_finite("world", heading_rad=heading_rad)
         person = find_person(self.people, name)
@@ -223,9 +223,9 @@ class World:
             self._traffic.put(person, self._people)
 
     def _step_aside(self, person: Person) -> bool:
-        """Put somebody where a reaction takes them, unless they walk meanwhile, are led or somebody is there.
+        """Move a person as part of a reaction, unless they walk, are led, or the place is taken.
 
-        Says whether they stand there now.
+        Returns whether they stand there now.
         """
         if self.leads.of(person.name) is not None:
             return False
@@ -239,40 +239,40 @@ class World:
 
     @property
     def robot_stride(self) -> Stride:
-        """The robot where it is: it chooses anew at every tick."""
+        """The robot's stride: a point, since it decides at every tick."""
         return Stride(self._physics.pose.xy, self._physics.pose.xy, self.scene.robot.radius_m)
 
     def strides_but(self, name: str) -> list[Stride]:
-        """How everybody else, passers-by included, goes on before they may choose anew."""
+        """Strides of all other people, passers-by included, until their next decision."""
         if self._traffic:
             return self._traffic.strides_but(name)
         people = (person for person in self._people.values() if person.name != name)
         return [Stride(person.xy, person.xy, person.radius_m) for person in people]
 
     def _discs_but(self, name: str) -> list[Disc]:
-        """Everybody else, passers-by included, where they are before they may choose anew."""
+        """Discs of all other people, passers-by included, at the end of their current strides."""
         return [(*stride.end, stride.radius_m) for stride in self.strides_but(name)]
 
     @property
     def doors(self) -> tuple[Door, ...]:
-        """All doors as they are now."""
+        """All doors in their current state."""
         return self._doorways.doors
 
     @property
     def topology(self) -> nx.MultiGraph[str]:
-        """Rooms, named places and doors as a graph, with the doors as they are now."""
+        """Rooms, named places and doors as a graph, with the doors in their current state."""
         return topology(self.scene, self.doors)
 
     @property
     def door_turns(self) -> tuple[DoorTurn, ...]:
-        """Every door that was opened or shut since the start, in order."""
+        """All openings and shuttings of doors since the start, in order."""
         return tuple(self._doorways.turns)
 
     def set_door(self, name: str, *, open: bool) -> None:  # noqa: A002  (the word for it)
-        """Open or shut a door; bodies, routes and lines of sight take note at once.
+        """Open or shut a door; takes effect on bodies, routes and lines of sight at once.
 
         Raises:
-            ValueError: Where there is no such door, it has no leaf, or somebody or something stands in it.
+            ValueError: If there is no such door, it has no leaf, or a person or object stands in it.
         """
         require_kinds("world", open=(open, TRUTH))
         robot = (self.scene.robot.name, self._physics.pose.xy, self.scene.robot.radius_m)
@@ -306,7 +306,7 @@ class World:
         return [(robot.name, robot.radius_m), *people, *walkers]
 
     def _robot_in(self, ways: RouteMap, places: Mapping[str, Pose]) -> SimRobot:
-        """The robot, which minds the passers-by, who are bodies to it."""
+        """The robot, for which passers-by are bodies."""
         body, physics, senses = self.scene.robot, self._physics, self._senses
         controller = BaseController(body, physics, senses, self._clock, ways, places=places, said=self._said)
         if self._traffic:

@@ -14,11 +14,12 @@ PICK_UP, HAND_OVER = "pick_up", "hand_over"
 ASK_TO_PASS = "ask_to_pass"
 GESTURE_S = 1.5
 HANDLING_S = 2.5
-"""To take something up, and to hand it over (our choice: hands and arms are not simulated)."""
+"""Duration of picking something up, and of handing it over [s] (our choice: hands and arms are not
+simulated)."""
 SPEECH_S = 2.0
-"""An utterance whose text is not known."""
+"""Duration of an utterance whose text is not known [s]."""
 SPEECH_S_PER_CHARACTER = 0.06
-"""About 170 words a minute, calm English speech."""
+"""Duration of speech per character [s]: about 170 words a minute, calm English speech."""
 SHORTEST_SPEECH_S = 1.0
 
 
@@ -32,33 +33,33 @@ VERBS = {
     PICK_UP: "picks up",
     HAND_OVER: "hands over",
 }
-"""The gestures of the shipped rulebooks as a sentence says them."""
+"""Gestures of the shipped rulebooks, as verbs in a sentence."""
 
 
 _NAME = "act "
-"""What acts are called, with their place in the record: the first one is `act 1`."""
+"""Prefix of act identifiers, before their number in the record: the first one is `act 1`."""
 
 SMALL, LARGE = 0.35, 0.65
-"""Volume and amplitude below `SMALL` or above `LARGE` are mentioned in words (our choice)."""
+"""Volume and amplitude below `SMALL` or above `LARGE`, in [0, 1], are mentioned in words (our choice)."""
 
 
 @runtime_checkable
 class ActManner(Protocol):
-    """How an act is done."""
+    """The manner of an act."""
 
     @property
     def volume(self) -> float:
-        """Of the voice, as a share of the loudspeaker's range, in [0, 1]."""
+        """Volume of the voice, as a share of the loudspeaker's range, in [0, 1]."""
         ...
 
     @property
     def rate(self) -> float:
-        """Of speech, as a fraction of the normal rate, above 0."""
+        """Speech rate, as a multiple of the normal rate, above 0."""
         ...
 
     @property
     def amplitude(self) -> float:
-        """Of a gesture, as a share of the largest one, in [0, 1]."""
+        """Amplitude of a gesture, as a share of the largest one, in [0, 1]."""
         ...
 
 
@@ -76,21 +77,21 @@ NORMAL = Normal()
 
 @runtime_checkable
 class Spoken(Protocol):
-    """What an utterance is made of; the executor's have this form."""
+    """The wordings of an utterance; the executor's have this form."""
 
     @property
     def text(self) -> str:
-        """As it is written in the script of its language."""
+        """The text in the script of its language."""
         ...
 
     @property
     def latin(self) -> str:
-        """The same in Latin letters."""
+        """The text in Latin letters."""
         ...
 
     @property
     def spoken(self) -> str:
-        """The same for a synthesiser."""
+        """The text for a speech synthesiser."""
         ...
 
 
@@ -100,24 +101,24 @@ class ActEvent:
 
     t_start: float
     t_end: float
-    """When it ends, or was interrupted."""
+    """Time of its end or interruption [s]."""
     act: str
     """`say`, another act of speech such as `ask_to_pass`, a gesture's name, `pick_up` or `hand_over`."""
     person: str
-    """The person it is directed at; of `pick_up` the place."""
+    """The addressee; for `pick_up` the place."""
     text: str | None = None
     stopped: bool = False
     """Whether it was interrupted."""
     volume: float | None = None
-    """Of an utterance, in [0, 1]."""
+    """Volume of an utterance, in [0, 1]."""
     rate: float | None = None
-    """Of an utterance, as a fraction of the normal rate."""
+    """Speech rate, as a multiple of the normal rate."""
     amplitude: float | None = None
-    """Of a gesture, in [0, 1]."""
+    """Amplitude of a gesture, in [0, 1]."""
     thing: str | None = None
-    """What is picked up or handed over."""
+    """The object picked up or handed over."""
     latin: str | None = None
-    """The text in Latin letters, where it is written in others."""
+    """The text in Latin letters, if written in another script."""
     utterance: Spoken | None = None
     """The wordings of the text, for the program that commanded it."""
 
@@ -132,7 +133,7 @@ class ActEvent:
 
     @property
     def words(self) -> str:
-        """What a reader sees: the utterance in quotation marks, or the gesture as a verb, and how."""
+        """The act in words: the utterance in quotation marks, or the gesture as a verb, and the manner."""
         if is_spoken(self.act, self.text):
             said = f"“{self.latin or self.text}”" if self.text else "speaks"
             return f"{said}{_adverb(self.volume, ' softly', ' loudly')}"
@@ -144,7 +145,7 @@ class ActEvent:
 
 @runtime_checkable
 class ActRequest(Protocol):
-    """Something to say, to show, to take up or to hand over; the executor's have this form."""
+    """A request to speak, gesture, pick up or hand over; the executor's have this form."""
 
     @property
     def act(self) -> str:
@@ -153,27 +154,27 @@ class ActRequest(Protocol):
 
     @property
     def to(self) -> str:
-        """Towards which person; of `pick_up`, at which place."""
+        """The addressee; for `pick_up`, the place."""
         ...
 
     @property
     def text(self) -> str | None:
-        """What is said."""
+        """The text to say."""
         ...
 
     @property
     def thing(self) -> str | None:
-        """What is taken up or handed over."""
+        """The object to pick up or hand over."""
         ...
 
     @property
     def manner(self) -> ActManner:
-        """How."""
+        """The manner."""
         ...
 
     @property
     def latin(self) -> str | None:
-        """What is said in Latin letters: how long it takes follows from their number."""
+        """The text in Latin letters: its length determines the duration."""
         ...
 
     @property
@@ -183,10 +184,10 @@ class ActRequest(Protocol):
 
 
 class ActProgress(NamedTuple):
-    """How an act goes."""
+    """The progress of an act."""
 
     goal: str
-    """What the act is called."""
+    """Identifier of the act."""
     state: str
     """`running`, `succeeded` or `stopped`."""
     text: str = ""
@@ -205,7 +206,7 @@ class Acts:
         return tuple(self._events)
 
     def start(self, goal: ActRequest) -> str:
-        """Begin an act, in place of the same one towards that person where it runs; what it is called."""
+        """Start an act, replacing the same one towards that person if it runs; returns its identifier."""
         act, person, text, manner, thing = goal.act, goal.to, goal.text, goal.manner, goal.thing
         latin = None if goal.latin == text else goal.latin
         texts = {name: (getattr(goal, name), str | None) for name in ("text", "latin")}
@@ -232,7 +233,7 @@ class Acts:
         return f"{_NAME}{len(self._events)}"
 
     def status(self, act: int | str) -> ActProgress:
-        """How an act goes.
+        """The progress of an act.
 
         Raises:
             WrongValueError: There is no such act.
@@ -242,7 +243,7 @@ class Acts:
         return ActProgress(f"{_NAME}{i + 1}", state)
 
     def ended(self, act: str, step_s: float) -> list[ActEvent]:
-        """Acts of one kind that ended within the last tick of length `step_s`."""
+        """Acts of one kind that ended within the last tick of length `step_s` [s]."""
         now_s = self._clock.now_s + 1e-9
         return [
             event
@@ -257,7 +258,7 @@ class Acts:
                 self._break_off(i)
 
     def stop(self, act: str) -> None:
-        """Break an act off, if it runs.
+        """Interrupt an act, if it runs.
 
         Raises:
             WrongValueError: There is no such act.
@@ -288,7 +289,7 @@ def is_spoken(act: str, text: str | None) -> bool:
 
 
 def duration_s(act: str, text: str | None, rate: float = 1.0) -> float:
-    """How long an act takes; speech at half the rate takes twice as long."""
+    """Duration of an act [s]; speech at half the rate takes twice as long."""
     if not is_spoken(act, text):
         return HANDLING_S if act in (PICK_UP, HAND_OVER) else GESTURE_S
     normal_s = SPEECH_S if text is None else max(SHORTEST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(text))

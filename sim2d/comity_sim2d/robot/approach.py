@@ -1,4 +1,4 @@
-"""One approach: along a route to a pose next to a person, onto the pose, and then with it as it moves."""
+"""One approach: along a route to a docking pose next to a person, onto it, and with it as it moves."""
 
 from __future__ import annotations
 
@@ -15,38 +15,37 @@ from comity_sim2d.navigation.yielding import Walker, giving_way
 from comity_sim2d.pose import XY
 
 REPLAN_M, REPLAN_SHARE = 0.05, 0.05
-"""A goal needs a new route when it moved farther from the route's end than `REPLAN_M` and than `REPLAN_SHARE`
-of the remaining path: the path turns by 3 degrees at most (our choice)."""
+"""A goal needs a new route when it is farther from the route's end than `REPLAN_M` [m] and than
+`REPLAN_SHARE` of the remaining path: the direction then changes by at most 3 degrees (our choice)."""
 JOLT_M_S = 0.1
-"""A new route that would change the velocity by more than this is taken only after slowing down."""
+"""A new route that would change the velocity by more than this [m/s] is taken only after slowing down."""
 LOOKAHEAD_M = 0.3
 """Length of the route ahead that is searched for the robot's position [m]: a tick moves it 4 cm."""
 OFF_M = 0.1
-"""Distance from its route at which the robot takes a new one [m] (our choice): in shipped episodes it kept
-within half of that in 99.6 % of the ticks."""
+"""Distance from its route at which the robot replans [m] (our choice): in shipped episodes it stayed within
+half of that in 99.6 % of the ticks."""
 FOLLOWS_S = 0.5
 """Minimum time between new routes to a moving goal [s]."""
 SLOWING_S = 0.25
 """Maximum time between searches for the best route while the robot slows down for another one [s]."""
 WAVERS_S, MAY_WAVER, MOST_WAVERS = 10.0, 2.0, 7.0
-"""A reversal is forgotten after `WAVERS_S`. Beyond `MAY_WAVER` reversals, each doubles the advantage that
-another route needs, up to `MOST_WAVERS`, 16 m. Otherwise the robot would turn to and fro with people who walk
-to and fro (our choice)."""
+"""A reversal is forgotten after `WAVERS_S` [s]. Each one beyond `MAY_WAVER` doubles the advantage that
+another route needs, up to `MOST_WAVERS` reversals or 16 m. Otherwise the robot would turn to and fro with
+people who walk to and fro (our choice)."""
 BACK_COS = 0.5
 """A new route whose direction differs by more than this (60 deg) is a reversal."""
 AIM_M = 0.02
-"""Minimum lookahead on the route [m]: a slow robot next to a body goes along its route, not towards it."""
+"""Minimum look-ahead on the route [m]: a slow robot next to a body moves along its route, not towards it."""
 BESIDE, MOST_AIM_M = 3.0, 0.2
-"""Off its route it multiplies the lookahead by `BESIDE`, up to `MOST_AIM_M`: where a body keeps it off the
-route it goes along, and does not push towards it (our choice)."""
+"""Off its route the look-ahead is multiplied by `BESIDE`, up to `MOST_AIM_M` [m]: a robot kept off its route
+by a body moves along it, and does not push towards it (our choice)."""
 CUT_M = 0.02
-"""Maximum cut of a bend by a base that takes up commands slowly [m]: less than half of the route's clearance
-from walls (our choice)."""
+"""Maximum distance by which a base with slow dynamics cuts a bend [m]: less than half of the route's
+clearance from walls (our choice)."""
 REVERSE_M = 0.5
 STAYS_M, SIDEWAYS_COS = 0.1, 0.8
-"""Accepted error to the side of a standing goal [m], unless the robot is also too near or too far and not
-docked. To correct it, the robot would turn away from the person, again and again where it counts as docked
-(our choice)."""
+"""Accepted lateral error to a standing goal [m], unless the robot is also too near or too far and not docked.
+To correct it, the robot would turn away from the person, again and again (our choice)."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 AT_PLACE = DockingPose(0.0, 0.0)
@@ -54,14 +53,14 @@ AT_PLACE = DockingPose(0.0, 0.0)
 
 
 class MovingTarget(NamedTuple):
-    """Where the robot's centre is to be now, and how that place moves."""
+    """Target position of the robot's centre, and its velocity."""
 
     xy: XY
     velocity: XY
 
 
 class Approach:
-    """The state of one approach: its route, and how far it got."""
+    """The state of one approach: its route and progress."""
 
     def __init__(
         self, person: str, pose: DockingPose, speed_m_s: float, *, since_s: float = 0.0, settled: bool = False
@@ -70,32 +69,33 @@ class Approach:
         self.pose = pose
         self.speed_m_s = speed_m_s
         self.remaining_m = math.inf
-        """The remaining path [m]; infinite where there is no route."""
+        """Length of the remaining path [m]; infinite if there is no route."""
         self.gives_way_to: str | None = None
         """The person it lets pass now."""
         self._route: Route | None = None
         self._way_m = 0.0
         self._map: RouteMap | None = None
-        """With which the route was made."""
+        """The map with which the route was planned."""
         self._goal: XY | None = None
         self._slowing = False
         self.settled = settled
         """Whether a base that cannot move sideways accepts its position."""
         self._holds = settled
-        """Whether its goal is to hold where it docked, and it has accepted its position since."""
+        """Whether its goal is to hold the docking pose, and it has accepted its position since."""
         self._ticks_old, self._cost = 0, 0.0
         self._wavers = 0.0
         """Number of recent reversals."""
         self._best_m, self._best_s = math.inf, since_s
-        """The least that was left, not yet known where infinite; and since when."""
+        """Shortest remaining path so far [m], infinite if unknown, and its time [s]."""
 
     def told(self, pose: DockingPose, speed_m_s: float, *, since_s: float | None) -> Approach:
-        """The approach with other numbers.
+        """The approach with updated parameters.
 
         Args:
-            pose: The pose.
-            speed_m_s: The speed.
-            since_s: Since when progress counts; None: as before, as new parameters free no blocked robot.
+            pose: The new docking pose.
+            speed_m_s: The new speed [m/s].
+            since_s: Start of the progress watch [s]; None: unchanged, as new parameters free no blocked
+                robot.
         """
         if pose == self.pose:
             self.speed_m_s = speed_m_s
@@ -104,13 +104,13 @@ class Approach:
 
     @property
     def has_route(self) -> bool:
-        """Whether there is a way to the pose."""
+        """Whether there is a route to the pose."""
         return self._route is not None
 
     def steer(
         self, base: Base, goal: MovingTarget, route_map: RouteMap, walkers: Sequence[Walker] = ()
     ) -> XY:
-        """The velocity command for the next tick, before the limits that hold everywhere."""
+        """The velocity command for the next tick, before the general limits [m/s]."""
         self._wavers = max(0.0, self._wavers - base.step_s / WAVERS_S)
         nearest_m = self._nearest_m(base)
         if self._is_stale(base, goal, route_map, nearest_m):
@@ -136,7 +136,7 @@ class Approach:
         return self.remaining_m < REVERSE_M
 
     def leads_to(self, goal: XY, route_map: RouteMap) -> bool:
-        """Whether the route that it follows leads to a goal, and is as good as when it was made."""
+        """Whether the current route leads to a goal, and is as good as when it was planned."""
         route = self._route
         if route is None or self._slowing or math.dist(route.goal, goal) > self._astray_m:
             return False
@@ -168,18 +168,18 @@ class Approach:
         self._best_m, self._best_s = math.inf, now_s
 
     def forget_route(self) -> None:
-        """Take a new one at the next tick: the robot has left its way, or is to keep to something else."""
+        """Replan at the next tick: the robot has left its route, or the constraints have changed."""
         self._goal = None
 
     def _nearest_m(self, base: Base) -> float:
-        """The way gone at the nearest point of the route ahead; zero where there is none."""
+        """Path length at the nearest point of the route ahead [m]; 0 without a route."""
         if self._route is None:
             return 0.0
         ahead_m = self._route.length_m if self._is_on_last_leg else self._way_m + LOOKAHEAD_M
         return self._route.nearest(base.xy, self._way_m, ahead_m)
 
     def _is_stale(self, base: Base, goal: MovingTarget, route_map: RouteMap, nearest_m: float) -> bool:
-        """Whether there is need of a new route; a person who moves elsewhere gives none."""
+        """Whether a new route is needed, for reasons other than the person's own movement."""
         self._ticks_old += 1
         age_s = self._ticks_old * base.step_s
         if self._slowing:
@@ -196,32 +196,32 @@ class Approach:
         return self._route is None or self._should_leave(self._route, route_map)
 
     def _is_off(self, base: Base, nearest_m: float) -> bool:
-        """Whether it came off its way, as by a step aside: a wall may be between it and where that leads."""
+        """Whether the robot left its route, for example to step aside: a wall may be in between."""
         return self._route is not None and math.dist(base.xy, self._route.at(nearest_m)) > OFF_M
 
     def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
-        """Whether people moved so that a route is blocked or much worse now, or another one much better."""
+        """Whether people moved so that the route is blocked or much worse now, or another one much better."""
         if route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m):
             return True
         return route_map.has_better(route, self._gone_m, keep=self.keep, by_m=self._by_m)
 
     @property
     def _astray_m(self) -> float:
-        """How far from its goal a route may end."""
+        """Maximum distance of a route's end from its goal [m]."""
         return REPLAN_M if self._route is None else max(REPLAN_M, REPLAN_SHARE * self.remaining_m)
 
     @property
     def _by_m(self) -> float:
-        """By how much a route has to have become worse, or another one better, to be left."""
+        """Cost difference at which the route is given up [m]."""
         return WORTH_M * math.pow(2.0, max(0.0, self._wavers - MAY_WAVER))
 
     @property
     def keep(self) -> dict[str, float]:
-        """Distance that its routes keep from the visited person, by name [m]."""
+        """Distances that its routes keep from the visited person, by name [m]."""
         return {self.person: self.pose.distance_m}
 
     def _replan(self, base: Base, goal: MovingTarget, route_map: RouteMap) -> None:
-        """Take a new route; where it leaves in another direction, slow down on the old one first."""
+        """Take a new route; if it leaves in another direction, first slow down on the old one."""
         route = route_map.route(base.xy, goal.xy, keep=self.keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self.keep)
@@ -241,23 +241,23 @@ class Approach:
 
     @property
     def _gone_m(self) -> float:
-        """How much of the way is behind it: on the last leg it goes straight for the goal."""
+        """Path length behind the robot [m]; on the last leg it heads straight for the goal."""
         if self._route is None or not self._is_on_last_leg:
             return self._way_m
         return max(self._way_m, self._route.length_m - self.remaining_m)
 
     def _goes_on_to(self, route: Route) -> bool:
-        """Whether it homes in on its goal anyway, wherever that moves: no new route turns it."""
+        """Whether it heads straight for its goal anyway, so that a new route does not turn it."""
         return self._is_on_last_leg and len(route.points) == 2
 
     def _longer_m(self, old: Route, new: Route, xy: XY) -> float:
-        """How much longer a new way is for what is in it: no step back, as it is if the goal went away."""
+        """How much longer a new path is because of obstacles, not because the goal moved away [m]."""
         ahead_m = old.length_m if self._is_on_last_leg else self._way_m + LOOKAHEAD_M
         left_m = old.length_m - old.nearest(xy, self._way_m, ahead_m)
         return new.length_m - left_m - (math.dist(xy, new.goal) - math.dist(xy, old.goal))
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:
-        """Towards the point of the route where the robot should be one tick later, or a little farther."""
+        """The velocity towards the point of the route one tick ahead, or a little farther [m/s]."""
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         speed = base.speed_m_s
         turning = min(BEND_SHARE * a, base.cutting_m_s2(CUT_M))
@@ -273,10 +273,10 @@ class Approach:
         return ((target[0] - x) * share, (target[1] - y) * share)
 
     def _home_in(self, base: Base, goal: MovingTarget, most: float) -> XY:
-        """Straight onto the goal, at rest relative to it on arrival.
+        """The velocity straight to the goal, at rest relative to it on arrival [m/s].
 
-        Where it has to be slower than it is, it slows down along its path. As long as the robot moves, the
-        command has a direction: a base that cannot move sideways goes wherever it turns while it brakes.
+        If it is too fast, it slows down along its path. As long as the robot moves, the command has a
+        direction: a base that cannot move sideways would otherwise drift while it brakes.
         """
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
@@ -293,12 +293,12 @@ class Approach:
         speed = min(max(most, now - slower), stopping, now + faster)
         share = speed / gap if gap > 0.0 else 0.0
         velocity = (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
-        if most < self.speed_m_s:  # who lets others pass does not go with the goal, nor with its noise
+        if most < self.speed_m_s:  # a robot that lets others pass follows neither the goal nor its noise
             return limit_speed(velocity, max(most, base.speed_m_s - slower))
         return velocity
 
     def _leaves_at_m(self, base: Base, goal: MovingTarget) -> float:
-        """How far from its goal a base that was content there moves again."""
+        """Distance to its goal at which a settled base moves again [m]."""
         least_m, heading = base.leaves_m, base.pose.heading_rad
         if not base.turns_to_go or math.hypot(*goal.velocity) >= base.follows_m_s:
             return least_m
@@ -309,7 +309,7 @@ class Approach:
 
 
 def _slower(base: Base) -> XY:
-    """What is left of the velocity a tick later: as always, braking has a direction."""
+    """The velocity after one tick of braking, which keeps its direction [m/s]."""
     return limit_speed(base.velocity, max(0.0, base.speed_m_s - base.acceleration_m_s2 * base.step_s))
 
 
@@ -321,7 +321,7 @@ def _jolt(base: Base, route: Route, goal: MovingTarget) -> float:
 
 
 def _cos(one: XY, other: XY) -> float:
-    """Of the angle between two unit vectors."""
+    """Cosine of the angle between two unit vectors."""
     return one[0] * other[0] + one[1] * other[1]
 
 

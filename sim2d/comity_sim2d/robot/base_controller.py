@@ -40,23 +40,24 @@ DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "differential": Differential,
 }
 HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
-"""A robot within these of its docking goal has docked: the executor's `docked?` says so."""
+"""Tolerances [m, rad, deg] around the goal within which a robot has docked: the executor's `docked?` uses
+them."""
 
 WAITS_M = 0.05
 """Distance from the waiting place at which the robot stands and looks at the person [m] (our choice)."""
 
 
 class BaseController:
-    """The base of one robot and its commands: goals in, a velocity for every tick out.
+    """Controller of one robot's base: takes motion goals, returns a velocity for every tick.
 
     Args:
         spec: The robot's body.
-        physics: Where it is, in truth.
-        senses: Where it believes people to be.
-        clock: The ticks.
-        route_map: Its routes, as long as no person moves.
-        places: Where it stands to fetch things, by name.
-        said: What people say to it, as they say it.
+        physics: Its true pose.
+        senses: Believed positions of people.
+        clock: Simulated time.
+        route_map: Its routes while no person moves.
+        places: Poses for fetching things, by name of the place.
+        said: What people say to it.
     """
 
     def __init__(
@@ -76,11 +77,11 @@ class BaseController:
         self._clock = clock
         self._places = dict(places)
         self.standing = DetourMap(senses, clock, route_map)
-        """Its routes around those who stand."""
+        """Its routes around standing people."""
         self.margins = Margins(spec, senses, clock, said, least_margin_m(spec, clock.step_s))
         """The margin that it keeps from each person."""
         self.motion = MotionProgress("stopped")
-        """How the last command goes."""
+        """Progress of the last command."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._governor = SpeedGovernor(spec, senses)
         self._obstruction = PathObstruction(math.inf)
@@ -100,7 +101,7 @@ class BaseController:
         self.standing.let_pass(passers_by)
 
     def note_asked(self, names: Collection[str]) -> None:
-        """It has asked some people to let it pass."""
+        """Note that the robot has asked these people to make way."""
         self.margins.note_asked(names)
         self._governor.note_asked(names)
 
@@ -115,14 +116,14 @@ class BaseController:
 
     @property
     def goal(self) -> XY | None:
-        """Where it is under way to; None where it is not."""
+        """Goal position [m]; None without a goal."""
         if self._approach is None or self.motion.state == "succeeded":
             return None
         return self._goal_of(self._approach)[0].xy
 
     @property
     def remaining_m(self) -> float | None:
-        """The way that is left; None where it goes nowhere, or has no route."""
+        """Length of the remaining path [m]; None without a goal or route."""
         approach = self._approach
         return approach.remaining_m if approach is not None and math.isfinite(approach.remaining_m) else None
 
@@ -135,25 +136,25 @@ class BaseController:
     def navigate(
         self, person: str, pose: PoseBeside, *, speed_m_s: float, near_m_s: float, detour_m: float
     ) -> None:
-        """Set out to a pose next to a person; arrived when the remaining path is short."""
+        """Drive to a docking pose; succeeds when the remaining path is short."""
         self._mind_people(person, detour_m)
         self._near_m_s = {person: near_m_s}
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Go onto the pose, and hold it wherever the person moves."""
+        """Drive onto the docking pose, and hold it when the person moves."""
         self._near_m_s = {person: speed_m_s}
         self._set_out(person, pose, speed_m_s, docks=True)
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
-        """Where it stands to fetch things that it could not get to before; what it knows stays."""
+        """Add poses for fetching things that were unreachable before; known ones stay."""
         self._places = {**places, **self._places}
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float) -> None:
-        """Go where something is kept, and turn to it; people in the way as for `navigate`.
+        """Drive to where an object is kept, and face it; obstructing people as for `navigate`.
 
         Raises:
-            ValueError: Where there is no such place.
+            ValueError: If there is no such place.
         """
         if not isinstance(place, str) or place not in self._places:
             raise unknown("place as one to fetch from", place, self._places)
@@ -171,7 +172,7 @@ class BaseController:
         self.motion = MotionProgress("running", f"turning to {person}")
 
     def _decline(self, person: str) -> None:
-        """Stand from now on: the visited person has declined."""
+        """Stop: the visited person has declined."""
         self.stop()
         self.motion = MotionProgress("declined", self._walkers.declined[person])
 
@@ -190,11 +191,11 @@ class BaseController:
             self._approach.forget_route()
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Know that other things stand still from now on."""
+        """Replace the static obstacles."""
         self.standing.use_plan(plan)
 
     def cut(self, why: str | None = None) -> Twist:
-        """The velocity with the motors cut: (0, 0) at once; with a reason, the goal is over."""
+        """The velocity with the motors cut, 0 at once; a given reason ends the goal."""
         self._base.cut()
         if why is not None:
             self.stop()
@@ -202,13 +203,13 @@ class BaseController:
         return Twist()
 
     def brake(self) -> Twist:
-        """The velocity of an emergency stop: the lowest that the body can have; the goal is over."""
-        self._foreseen()  # two wheels brake along the heading that they have by then
+        """The velocity under an emergency stop: maximum deceleration; the goal ends."""
+        self._foreseen()  # two-wheeled bases brake along their heading at that time
         self.stop()
         return self._base.brake()
 
     def stand_blind(self) -> Twist:
-        """The velocity while it sees nothing: it brakes as usual; the goal goes on afterwards."""
+        """The velocity while its sensors fail: normal braking; the goal continues afterwards."""
         base = self._foreseen()
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
@@ -234,7 +235,7 @@ class BaseController:
         return self._command(base, VelocityCommand((0.0, 0.0), heading))
 
     def _get_away(self, touched: str, wanted: VelocityCommand, base: Base) -> Twist:
-        """The velocity away from a touched person; the goal goes on afterwards."""
+        """The velocity away from a touched person; the goal continues afterwards."""
         self.standing.touched(touched)
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
@@ -243,7 +244,7 @@ class BaseController:
         return self._command(base, wanted, looks=False)
 
     def _search_command(self, base: Base) -> Twist | None:
-        """The velocity of a look for the approached or faced person; None where the goal goes on."""
+        """The velocity while looking for the approached or faced person; None if the goal continues."""
         approach = self._approach
         sought = self._faced if approach is None else approach.person
         if sought is None or (approach is not None and approach.pose is AT_PLACE):
@@ -255,15 +256,15 @@ class BaseController:
         return self._command(base, VelocityCommand((0.0, 0.0), heading))
 
     def in_vain(self, person: str) -> str | None:
-        """Since when a person is lost that it did not find at their last place, in words; else None."""
+        """Since when a person has been lost whom it did not find at their last place, in words; else None."""
         return self._search.in_vain(person, self._physics.pose.xy)
 
     def _foreseen(self) -> Base:
-        """Where the base will be when the command takes effect."""
+        """State of the base when the command takes effect."""
         return self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
 
     def _body(self, base: Base) -> Base:
-        """The same by the motion of its body, which counts for braking if it takes up commands slowly."""
+        """The same state from the motion of its body, which matters for braking with slow dynamics."""
         if not base.lag_s:
             return base
         twist = self._physics.twist
@@ -271,7 +272,7 @@ class BaseController:
         return base._replace(pose=pose, velocity=twist.xy)
 
     def _mind_people(self, to: str, detour_m: float) -> None:
-        """Look for obstructing people; the same goal again, as after a bump, keeps those known."""
+        """Search for obstructing people; the same goal again, as after a bump, keeps the known ones."""
         if (self._obstruction.to, self._obstruction.detour_m) != (to, detour_m):
             self._obstruction = PathObstruction(detour_m, to)
 
@@ -293,7 +294,7 @@ class BaseController:
         self.motion = MotionProgress("running", f"{'docking' if docks else 'going'} to {person}")
 
     def _is_docked(self, person: str, pose: DockingPose) -> bool:
-        """Whether it rests at a pose and faces the person: then the goal is to hold that pose."""
+        """Whether it rests at a docking pose and faces the person, so that the goal is to hold it."""
         stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
         return (
             abs(stands.distance_m - pose.distance_m) <= HOLDS_M
@@ -321,7 +322,7 @@ class BaseController:
         goal, seen = self._goal_of(approach)
         if self._governor.backs_out_before is None:
             velocity = self._steer(approach, base, goal, ways)
-        else:  # it follows no way until it goes on
+        else:  # no route to follow until it moves on
             approach.forget_route()
             velocity = (0.0, 0.0)
         heading = gaze_rad(approach, base, seen, self._obstruction.people, self._senses)
@@ -344,7 +345,7 @@ class BaseController:
         return ways.with_people(people).reaches(here, self._goal_of(approach)[0].xy, keep=approach.keep)
 
     def _wait_command(self, approach: Approach, base: Base, place: XY) -> Twist:
-        """The velocity to where the robot waits for a person who walks; there it looks at them."""
+        """The velocity to the place where the robot waits for a walking person; there it faces them."""
         person = self._senses.person(approach.person)
         ways = self.standing.look("", (), lets_by=self._governor.held_up_by, waits=False)
         heading, velocity = direction_to(base.xy, person.xy), (0.0, 0.0)
@@ -360,15 +361,15 @@ class BaseController:
         )
 
     def _steer(self, approach: Approach, base: Base, goal: MovingTarget, ways: RouteMap) -> XY:
-        """The velocity along the way to the goal, or to where it waits."""
-        # for where the body is when it has caught up
+        """The velocity along the route to the goal, or to the waiting place [m/s]."""
+        # for the pose of the body once it has caught up
         led = MovingTarget(_later(goal, base.lag_s), goal.velocity)
         xy = self._obstruction.look(ways, base.xy, led.xy, approach, self._clock.now_s)
         now = MovingTarget(xy, (0.0, 0.0)) if self._obstruction.now else led
         return approach.steer(base, now, ways, self.standing.movers(approach.person))
 
     def _goal_of(self, approach: Approach) -> tuple[MovingTarget, XY]:
-        """Where to, and what to look at on the last stretch."""
+        """The target, and the point to look at on the last stretch."""
         if approach.pose is AT_PLACE:
             at = self._places[approach.person]
             return MovingTarget(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
@@ -378,7 +379,7 @@ class BaseController:
 
     @property
     def _plan(self) -> FloorPlan:
-        """What stands still."""
+        """The static obstacles."""
         return self.standing.map.surroundings.plan
 
     def _command(
@@ -413,7 +414,7 @@ class BaseController:
         return self._base.command(base, allowed, most_m_s)
 
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
-        """Report a safety behaviour that delays its goal; that is no standstill."""
+        """Report a safety behaviour that delays the goal; this does not count as standstill."""
         if (before := self._governor.backs_out_before) is not None:
             self.motion = MotionProgress("running", f"backing out before {before}")
         elif (comer := self._governor.held_up_by) is not None:

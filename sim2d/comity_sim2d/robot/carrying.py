@@ -1,4 +1,4 @@
-"""The things in the robot's hands, as derived from the record of its acts."""
+"""Objects in the robot's hands, derived from the record of its acts."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from comity_sim2d.robot.acts import HAND_OVER, PICK_UP, ActEvent
 
 
 def carried_at(events: Iterable[ActEvent], t: float) -> str | None:
-    """What is in the robot's hands at a time [s]; None: nothing that it took up."""
+    """The object in the robot's hands at a time [s]; None if there is none."""
     require_numbers("carried", t=t)
     return next((thing for thing, begin, end in carryings(events) if begin <= t + 1e-9 < end), None)
 
 
 def carryings(events: Iterable[ActEvent]) -> Iterator[tuple[str, float, float]]:
-    """What was carried, from when to when [s]; what is never handed over, to the end of time."""
+    """Carried objects with start and end [s]; infinite end if never handed over."""
     held: tuple[str, float] | None = None
     require_kinds("carried", events=(events, Iterable))
     for event in events:

@@ -7,11 +7,11 @@ import math
 from comity_sim2d.clock import Clock
 
 LEASE_S = 0.3
-"""As long as the executor's protocol allows at most."""
+"""Duration of the lease [s]: the maximum of the executor's protocol."""
 
 
 class Lease:
-    """Of the newest goal.
+    """The lease of the newest goal.
 
     Args:
         clock: The base's own clock.
@@ -22,16 +22,16 @@ class Lease:
         self._ends_s = math.inf
 
     def begin(self) -> None:
-        """A goal was given that holds only while it is renewed."""
+        """Start the lease of a goal that holds only while it is renewed."""
         self._ends_s = self._clock.now_s + LEASE_S
 
     def renew(self) -> None:
-        """The goal holds for longer, unless its time is over: it is never revived."""
+        """Renew the lease, unless it is over: a goal is never revived."""
         if not self.is_over:
             self._ends_s = self._clock.now_s + LEASE_S
 
     def waive(self) -> None:
-        """A goal was given by hand: it holds until the next one."""
+        """Waive the lease: a manual goal holds until the next one."""
         self._ends_s = math.inf
 
     @property

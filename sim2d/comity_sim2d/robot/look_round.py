@@ -1,6 +1,6 @@
 """Looking round for a person who is not at their believed place: one full turn on the spot.
 
-After a turn in vain, the next one is made only from elsewhere, or after a while, as people move.
+After an unsuccessful turn, the next one is made only from elsewhere, or after a while, as people move.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from comity_sim2d.scene.robot_body import Sensor
 ELSEWHERE_M, AGAIN_S = 1.0, 10.0
 """Distance [m] or time [s] after which the robot looks round again (our choice)."""
 VIEW_SHARE = 0.8
-"""Maximum turn between two measurements, as a share of the field of view: it misses no person."""
+"""Maximum turn between two measurements, as a share of the field of view, so that no person is missed."""
 
 Loss = tuple[str, float | None]
-"""The lost person, and when they were seen last."""
+"""The lost person, and when they were last seen [s]."""
 
 
 class LookRound:
-    """The person that the robot looks for by turning, and the turns in vain.
+    """The person whom the robot looks for by turning, and the unsuccessful turns.
 
     Args:
-        sensor: Its field of view; all round, there is nothing to turn for.
+        sensor: Its field of view; with all-round view there is no need to turn.
         clock: The ticks.
     """
 
@@ -35,20 +35,20 @@ class LookRound:
         self._view_rad = math.radians(sensor.field_of_view_deg)
         rate = min(MAX_TURN_RAD_S, VIEW_SHARE * self._view_rad / clock.step_s)
         self._ahead_rad = rate**2 / (2.0 * SPEED_SHARE * MAX_TURN_RAD_S2)
-        """Lookahead of the turn [rad]: the angle in which it stops from its rate."""
+        """Look-ahead of the turn [rad]: the stopping angle from its rate."""
         self._turns_for: Loss | None = None
         self._left_rad = self._heading_rad = 0.0
         self._tick = 0
         self._in_vain: dict[str, tuple[Loss, XY, float]] = {}
-        """The last turn in vain: for which person, where and when."""
+        """The last unsuccessful turn for each person, with place and time."""
 
     def is_due(self, loss: Loss, xy: XY) -> bool:
-        """Whether a turn may find them: none was in vain here a short while ago."""
+        """Whether a turn may find them: none was unsuccessful here recently."""
         known, where, when_s = self._in_vain.get(loss[0], (None, xy, 0.0))
         return loss != known or math.dist(where, xy) > ELSEWHERE_M or self._clock.now_s - when_s >= AGAIN_S
 
     def heading(self, loss: Loss, base: Base) -> float | None:
-        """Where to turn to for the coming tick; None where a turn is over, or not due."""
+        """Heading for the coming tick [rad]; None if a turn is over, or not due."""
         if not self.is_due(loss, base.xy):
             return None
         heading, tick = base.pose.heading_rad, self._clock.tick
@@ -64,7 +64,7 @@ class LookRound:
 
 
 def how_lost(loss: Loss) -> str:
-    """Since when a person is lost that looking round did not find, in words."""
+    """Since when a person has been lost whom looking round did not find, in words."""
     person, last_s = loss
     if last_s is None:
         return f"{person} is not where they were expected, and was not found by looking round"

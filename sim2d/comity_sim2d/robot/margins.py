@@ -1,7 +1,8 @@
 """The margin that the robot keeps from each person: full, or reduced from people who let it pass.
 
-Leave holds for one person, where they stand, and for one passage. It begins while the robot waits for the
-person, and ends when it has passed or the person moves, is not seen, or turns away before the robot comes.
+Permission holds for one person, at their current place, and for one passage. It begins while the robot waits
+for the person, and ends when the robot has passed or the person moves, is not seen, or turns away before it
+comes.
 """
 
 from __future__ import annotations
@@ -21,53 +22,54 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 
 WAITED_S = 2.0
-"""Minimum time that the robot has stood before a person [s] (our choice: the executor asks after as long)."""
+"""Minimum time that the robot has stood before a person [s] (our choice: the executor asks after the same
+time)."""
 MOVED_M = 0.1
-"""Distance by which a person has moved, noise of the sensor apart [m] (our choice)."""
+"""Distance at which a person counts as moved, sensor noise apart [m] (our choice)."""
 PASSED_M = 1.5
-"""Gap at which the robot has passed a person [m]: where the speed near people ends, too."""
+"""Gap at which the robot has passed a person [m]: the speed limit near people ends there, too."""
 
 
 class KnownPeople(Protocol):
-    """Where a robot believes people to be, and the margins that it keeps from them."""
+    """Believed positions of people, and the margins kept from them."""
 
     @property
     def present(self) -> tuple[Person, ...]:
-        """People whose places it knows."""
+        """People whose positions are known."""
         ...
 
     @property
     def walkers(self) -> tuple[Walker, ...]:
-        """Those of them who are under way."""
+        """Those of them who walk."""
         ...
 
     def person(self, name: str) -> Person:
-        """One person where it believes them to be."""
+        """One person at their believed pose."""
         ...
 
     def heading_rad(self, name: str) -> float | None:
-        """Where a person faces [rad]; None: not known."""
+        """A person's heading [rad]; None if unknown."""
         ...
 
     def sees(self, name: str) -> bool:
-        """Whether it sees a person now, and knows that it is that person."""
+        """Whether it currently sees a person and recognises them."""
         ...
 
     def walks(self, name: str) -> bool:
-        """Whether a person is believed to be going somewhere."""
+        """Whether a person is believed to be walking."""
         ...
 
     def keep(self, name: str, margin_m: float) -> None:
-        """Keep another margin from a person from now on [m]."""
+        """Change the margin to a person [m]."""
         ...
 
 
 class Ticks(Protocol):
-    """The time, as ticks count it."""
+    """Simulated time in ticks."""
 
     @property
     def now_s(self) -> float:
-        """Since the start [s]."""
+        """Time since the start [s]."""
         ...
 
     @property
@@ -81,23 +83,23 @@ class MarginDecision:
     """Whether a person who answered a request for passage is passed at the reduced margin."""
 
     t: float
-    """When it was made [s]."""
+    """Time of the decision [s]."""
     person: str
     clearance_m: float
     reasons: tuple[str, ...]
-    """Why it is not less; empty where leave was given."""
+    """Reasons against the reduced margin; empty if permission was given."""
     end_s: float | None = None
-    """When leave ended [s]; None: it had not, or there was none."""
+    """End of the permission [s]; None if it has not ended, or was never given."""
 
 
 @dataclass(slots=True)
 class _Leave:
-    """Leave to pass one person."""
+    """Permission to pass one person."""
 
     decision: int
-    """Its place among the decisions."""
+    """Index of the decision."""
     person: Person
-    """As they stood."""
+    """The person as they stood then."""
     to: str
     came: bool = False
     """Whether the robot has been nearer than the full margin."""
@@ -108,26 +110,26 @@ class _Waiting:
     """A person for whom the robot waits."""
 
     place: XY
-    """Where they stand."""
+    """Their position [m]."""
     since_s: float
-    """Since when they stand there."""
+    """Since when they have stood there [s]."""
     waited_s: float = 0.0
     asked_s: float | None = None
-    """When the last request for passage ended."""
+    """End of the last request for passage [s]."""
     asked_xy: XY = (0.0, 0.0)
-    """Where they stood then."""
+    """Their position at that time [m]."""
     told: tuple[str, ...] = ()
     """The reasons of the last decision."""
 
 
 class Margins:
-    """Decides about the people in the way of one robot, and takes leave back.
+    """Decides on the margins to people in the path of one robot, and withdraws permissions.
 
     Args:
-        spec: The robot's body, with the margin that the scenario sets.
-        senses: Where it believes people to be.
-        clock: The ticks.
-        said: What people say, as they say it.
+        spec: The robot's body, with the margin set by the scenario.
+        senses: Believed positions of people.
+        clock: Simulated time.
+        said: What people say.
         least_m: Smallest margin that the robot can keep [m].
     """
 
@@ -141,15 +143,15 @@ class Margins:
         self._waiting: dict[str, _Waiting] = {}
         self._leave: dict[str, _Leave] = {}
         self.decisions: list[MarginDecision] = []
-        """All so far, in order."""
+        """All decisions so far, in order."""
 
     @property
     def let_by(self) -> tuple[Person, ...]:
-        """People who let the robot pass now, as they stood when leave was given."""
+        """People who currently let the robot pass, as they stood when permission was given."""
         return tuple(leave.person for leave in self._leave.values())
 
     def note_asked(self, names: Collection[str]) -> None:
-        """Requests for passage have come to their end."""
+        """Note that requests for passage have ended."""
         for name in names:
             if name in self._waiting:
                 waiting = self._waiting[name]
@@ -157,13 +159,13 @@ class Margins:
                 waiting.asked_xy = self._senses.person(name).xy
 
     def look(self, robot: XY, to: str, blocked_by: Collection[str], keeps_all: Callable[[], bool]) -> None:
-        """Give leave and take it back; to be called in every tick of an approach.
+        """Give and withdraw permissions; call it in every tick of an approach.
 
         Args:
-            robot: Where the robot's centre is.
-            to: What it approaches.
+            robot: Position of the robot's centre [m].
+            to: The person or place that it approaches.
             blocked_by: People for whom it waits.
-            keeps_all: Says whether a route of any length keeps the full margin from all people.
+            keeps_all: Returns whether a route of any length keeps the full margin from all people.
         """
         if self._spec.margin_m >= PERSON_MARGIN_M:
             return
@@ -231,7 +233,7 @@ class Margins:
             self._senses.keep(person.name, clearance_m)
 
     def _goes_on(self, leave: _Leave, robot: XY) -> bool:
-        """Whether leave holds: the person stands there still, and the robot has not passed."""
+        """Whether a permission holds: the person still stands there, and the robot has not passed."""
         then = leave.person
         if leave.to != self._to or not self._senses.sees(then.name):
             return False

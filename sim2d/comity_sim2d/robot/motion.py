@@ -19,11 +19,11 @@ class PersonEstimate(NamedTuple):
     speed_m_s: float
     stamp_s: float
     is_seen: bool = True
-    """False where the person is taken to be still where they were last seen."""
+    """False if the person is assumed to be where they were last seen."""
 
 
 class MotionProgress(NamedTuple):
-    """How the newest motion goal goes."""
+    """Progress of the newest motion goal."""
 
     state: str
     """`running`, `succeeded`, `declined` by the person, `aborted` after a bump, or `stopped`."""
@@ -33,11 +33,11 @@ class MotionProgress(NamedTuple):
     is_blocked: bool = False
     """Whether it makes no progress, for the reason in the text."""
     goal: int | None = None
-    """Which goal: they are numbered from 1; None before the first."""
+    """Number of the goal, from 1; None before the first."""
     stamp_s: float = 0.0
-    """The time of the tick: the simulated base is never silent."""
+    """Time of the tick [s]; the simulated base reports at every tick."""
     remaining_m: float | None = None
-    """The way that is left; None where there is none to go, or no route."""
+    """Length of the remaining path [m]; None without a goal or route."""
     is_at_rest: bool = False
     """Whether the base stands and does not turn."""
 
@@ -51,7 +51,7 @@ class BaseCapabilities(NamedTuple):
     """Tolerance, latency and dynamics with which the base follows its commands."""
 
     tolerance_m: float = 0.0
-    """How far from the commanded pose it may come to rest."""
+    """Maximum distance from the commanded pose at rest [m]."""
     latency_s: float = 0.0
     braking_m_s2: float = 1.0
     feedback_hz: float = 10.0
@@ -60,7 +60,7 @@ class BaseCapabilities(NamedTuple):
 
 @runtime_checkable
 class MotionRequest(Protocol):
-    """What the base is to do; the executor's goals have this form."""
+    """A motion goal; the executor's goals have this form."""
 
     @property
     def kind(self) -> str:
@@ -69,17 +69,17 @@ class MotionRequest(Protocol):
 
     @property
     def to(self) -> str:
-        """A person; of `go_to` a place."""
+        """A person; for `go_to` a place."""
         ...
 
     @property
     def pose(self) -> PoseBeside | None:
-        """Where to stand near the person, for `navigate` and `dock`."""
+        """Docking pose next to the person, for `navigate` and `dock`."""
         ...
 
     @property
     def speed_m_s(self) -> float:
-        """At most."""
+        """Maximum speed [m/s]."""
         ...
 
     @property

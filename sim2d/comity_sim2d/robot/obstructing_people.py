@@ -1,4 +1,4 @@
-"""Obstructing people: those without a route around them, or with a much longer one only."""
+"""Obstructing people: those who leave no route around them, or only a much longer one."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ MAY_FAIL = 3
 """Number of times in a row that it goes on at once without progress: short openings add up to a path past
 people (our choice)."""
 HOLD_S, LONGEST_HOLD_S = 1.0, 4.0
-"""After that it waits for `HOLD_S` at least, and twice as long each time, up to `LONGEST_HOLD_S`. In 4 s, the
+"""After that it waits at least `HOLD_S` [s], doubling each time up to `LONGEST_HOLD_S` [s]. In 4 s, the
 horizon of predicted walks, a person who walks to and fro in a room has turned round (our choice)."""
 Met = tuple[float, tuple[str, ...]]
 """Position along a path [m], and the people who are too near to it there, or between whom it leads."""
@@ -37,18 +37,18 @@ Met = tuple[float, tuple[str, ...]]
 
 @dataclass(frozen=True, slots=True)
 class ObstructingPeople:
-    """The people who would have to make way."""
+    """People who would have to make way."""
 
     people: tuple[str, ...]
-    """Each of them alone could open the path; where none could, all of them together."""
+    """People each of whom alone could open the path; if no one could, all of them together."""
     wait_xy: XY
-    """Where to wait: on the path, at the distance that they like, and not among them."""
+    """Waiting place on the path, at their own distance, and not among them [m]."""
     left_m: float
-    """Length of the path if they make room [m]."""
+    """Length of the path if they make way [m]."""
 
     @property
     def words(self) -> str:
-        """Who they are, with the verb: `a and b are`."""
+        """Their names with the verb: `a and b are`."""
         return with_verb(self.people, "is", "are")
 
 
@@ -61,11 +61,11 @@ def in_the_way(
 
     Args:
         route_map: Routes around people.
-        start: Where the robot is.
-        goal: Where it is to go.
-        visited: The visited person: an obstacle, and obstructing themselves only where nothing else is, such
-            as a person who walks off along a passage and is to be met from the front.
-        keep_m: How far from them its pose is.
+        start: Position of the robot [m].
+        goal: Goal position [m].
+        visited: The visited person: an obstacle, but obstructing only if nothing else is, for example a
+            person who walks off along a passage and has to be met from the front.
+        keep_m: Distance of the docking pose from them [m].
         detour_m: Maximum additional length of the route around people [m].
     """
     keep = {visited: keep_m}
@@ -74,7 +74,7 @@ def in_the_way(
         return None
     around = None if any_way_will_do else route_map.route(start, goal, keep=keep)
     if around is not None and around.length_m <= math.dist(start, goal) + detour_m:
-        return None  # no way is shorter than the straight line
+        return None  # no path is shorter than the straight line
     place = route_map.surroundings
     direct = without_people(place, (visited,)).route(start, goal, keep=keep)
     if direct is None:
@@ -86,7 +86,7 @@ def in_the_way(
 
     def bars(people: Collection[str]) -> bool:
         if len(people) in (0, len(others)):
-            return bool(people)  # the way that they leave is the direct one, or the one around everybody
+            return bool(people)  # the path that they leave is the direct one, or the one around all people
         ways = without_people(place, (visited, *people))
         if any_way_will_do:
             return not ways.reaches(start, goal, keep=keep)
@@ -100,12 +100,12 @@ def in_the_way(
 class PathObstruction:
     """Obstructing people of one approach, searched for when the map or the goal has changed.
 
-    The robot waits at once, and goes on at once where a path opens. After a path has closed again and again
-    before the robot came nearer, it waits longer each time. Otherwise it would go to and fro with people who
-    walk to and fro.
+    The robot waits at once, and goes on at once if a path opens. If the path repeatedly closes before the
+    robot gets nearer, it waits longer each time. Otherwise it would go to and fro with people who walk to and
+    fro.
 
     Args:
-        detour_m: How much longer the way around people may be.
+        detour_m: Maximum additional length of the route around people [m].
         to: The person or place that the robot approaches.
     """
 
@@ -114,24 +114,24 @@ class PathObstruction:
         self.to = to
         self.now: ObstructingPeople | None = None
         self._found: ObstructingPeople | None = None
-        """Result of the last look: `now` may outlast it."""
+        """Result of the last search; `now` may outlast it."""
         self._map: RouteMap | None = None
         self._goal: XY | None = None
         self._looked_s = -math.inf
         self._waits_s, self._least_m = -math.inf, math.inf
-        """Since when it waits; and how near it was when it had to, at best."""
+        """Start of the current wait [s], and shortest remaining distance at a wait so far [m]."""
         self._in_vain = 0
         """Number of times in a row that it went on and came no nearer."""
         self._hold_s = 0.0
-        """Minimum wait, by the result of the last one [s]."""
+        """Minimum wait, given the result of the last one [s]."""
 
     @property
     def people(self) -> tuple[str, ...]:
-        """The people it waits for; empty where it goes on."""
+        """People it waits for; empty if it goes on."""
         return self.now.people if self.now else ()
 
     def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
-        """Where to go now: the goal, or the place to wait at."""
+        """The position to go to: the goal, or the waiting place [m]."""
         if self._has_changed(route_map, goal, now_s):
             self._looked_s = now_s
             self._found = self._in_the_way(route_map, start, goal, approach)
@@ -163,8 +163,8 @@ class PathObstruction:
         if short and approach.leads_to(goal, route_map):
             return None  # and so no other route has to be found
         visited, keep_m = approach.person, approach.pose.distance_m
-        # A waiting robot goes on only for a path that is shorter by a margin: noise would have it go on and
-        # wait in turn.
+        # A waiting robot goes on only for a path that is shorter by a margin: otherwise noise would make it
+        # start and stop.
         detour_m = self.detour_m - (min(WORTH_M, self.detour_m / 2) if self.now else 0.0)
         return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=detour_m)
 
@@ -192,7 +192,7 @@ def _waiting(direct: Route, met: Met, route_map: RouteMap, start: XY) -> Obstruc
 def _first(
     met: Iterable[Met], place: Surroundings, visited: str, bars: Callable[[Collection[str]], bool]
 ) -> Met | None:
-    """The nearest blocking people, with those next to them; if only all block it, the nearest of all."""
+    """The nearest blocking people, with those next to them; if only all together block it, the nearest."""
     first: Met | None = None
     for way_m, names in met:
         first = first or (way_m, names)
@@ -203,7 +203,7 @@ def _first(
 
 
 def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Person]) -> Iterator[Met]:
-    """People that the path leads too near to, or between, and where: one entry for each set of people."""
+    """People whom the path comes too near to, or leads between, and where: one entry per set of people."""
     place = route_map.surroundings
     spaces = route_map.groups(start, direct.goal)
     before: set[str] = set()
@@ -218,7 +218,7 @@ def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Perso
 
 
 def _wait(direct: Route, way_m: float, people: Collection[str], route_map: RouteMap, start: XY) -> XY:
-    """The last reachable place before some people that keeps their distance, or the start."""
+    """The last reachable place before some people that keeps their distance, or the start [m]."""
     place = route_map.surroundings
     crowded = [(p, max(COMFORT_M, p.personal_distance_m or 0.0)) for p in place.people if p.name in people]
     spaces = route_map.groups(start, direct.goal)

@@ -19,21 +19,21 @@ CLOSE_M = 1.2
 """Remaining path at which navigation has arrived [m]; docking does the rest, at the person's own approach
 speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
 DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
-"""Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
+"""Tolerances for docking: distance [m], angle [rad] and relative speed [m/s] (plus sensor noise)."""
 LEFT_M = 0.02
 """Distance of its pose at which a docked robot counts as moving again [m]."""
 BESIDE_M = 0.05
-"""A thing nearer than this to a robot without progress is named [m]."""
+"""An object nearer than this to a robot without progress is named [m]."""
 
 
 class ApproachProgress:
-    """Judges one robot's approaches.
+    """Assesses one robot's approaches.
 
     Args:
         spec: The robot's body.
-        physics: Where it is, in truth.
-        senses: Where it believes people to be.
-        clock: The ticks.
+        physics: Its true pose.
+        senses: Believed positions of people.
+        clock: Simulated time.
     """
 
     def __init__(self, spec: RobotBody, physics: Physics, senses: SensedPeople, clock: Clock) -> None:
@@ -53,16 +53,16 @@ class ApproachProgress:
         was: MotionProgress,
         plan: FloorPlan,
     ) -> MotionProgress:
-        """The progress of an approach, whose watch starts again where it is blocked or arrived.
+        """The progress of an approach; the progress watch restarts when blocked or arrived.
 
         Args:
-            approach: It.
-            goal: Where it leads.
-            turn_rad: The remaining turn.
+            approach: The approach.
+            goal: Its target.
+            turn_rad: The remaining turn [rad].
             held_up_by: The obstructing people.
-            docks: Whether it leads onto the pose, or only near it.
-            was: The progress a tick ago.
-            plan: What stands still around the robot.
+            docks: Whether it leads onto the docking pose, or only near it.
+            was: The progress one tick ago.
+            plan: The static obstacles around the robot.
         """
         now_s, left_m = self._clock.now_s, approach.remaining_m
         if held_up_by is not None:
@@ -82,17 +82,17 @@ class ApproachProgress:
         return MotionProgress("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
 
     def of_facing(self, person: str, turn_rad: float, base: Base, was: MotionProgress) -> MotionProgress:
-        """The progress of turning to a person; as before, until it faces them."""
+        """The progress of turning to a person; unchanged until the robot faces them."""
         if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
             return MotionProgress("succeeded", f"facing {person}")
         return was
 
     def _walks(self, approach: Approach) -> bool:
-        """Whether the approached person walks: where there is no route now, they may go on."""
+        """Whether the approached person walks: without a route now, there may be one later."""
         return approach.pose is not AT_PLACE and self._senses.walks(approach.person)
 
     def _goes_along(self, approach: Approach) -> bool:
-        """Whether it goes along with a person who walks: as they turn, its goal swings away from it."""
+        """Whether it accompanies a walking person, whose turns swing the goal away from it."""
         return self._walks(approach) and goes_along(self._spec, self._senses.person(approach.person))
 
     def _without_route(self, approach: Approach) -> str:
@@ -120,7 +120,7 @@ class ApproachProgress:
         return blocked(text) if waits and not self._senses.walks(to) else MotionProgress("running", text)
 
     def _beside(self, plan: FloorPlan) -> str:
-        """What stands right next to the robot, as the end of a sentence; empty where nothing does."""
+        """The object right next to the robot, as the end of a sentence; empty if there is none."""
         thing = plan.blocker(self._physics.pose.xy, self._spec.radius_m + BESIDE_M)
         return "" if thing is None else f", {100 * (thing.gap_m + BESIDE_M):.0f} cm from {thing.name}"
 

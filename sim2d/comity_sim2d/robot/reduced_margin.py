@@ -1,7 +1,7 @@
-"""Whether the robot may pass a person nearer than `PERSON_MARGIN_M`: one decision, all conditions in a table.
+"""Decision whether the robot may pass a person closer than `PERSON_MARGIN_M`: a table of conditions.
 
-The decision reads declared facts of the person, what the tracker shows now, and what the scenario allows. It
-reads no cultural variable. Every condition is necessary, and a fact that is not known fails its condition.
+The decision uses declared facts of the person, the current estimate of the tracker, and what the scenario
+allows. It uses no cultural variable. Every condition is necessary, and an unknown fact fails its condition.
 """
 
 from __future__ import annotations
@@ -21,34 +21,34 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.person import Person
 
 BODY_MARGIN_M = 0.15
-"""Distance that is left to a body after all errors of the robot [m] (our choice: half of the margin)."""
+"""Distance to a body that remains after all errors of the robot [m] (our choice: half of the margin)."""
 ADULT_YEARS = 18.0
 """Minimum declared age [years]: the Convention on the Rights of the Child (1989), Article 1."""
 CONTROL_HZ = 20
-"""Rate of commands where no world is made yet [Hz]."""
+"""Rate of commands if there is no world yet [Hz]."""
 
 
 @dataclass(frozen=True, slots=True)
 class PassageFacts:
-    """All that the decision depends on. The defaults refuse."""
+    """All facts that the decision depends on. With the defaults it refuses."""
 
     asked_m: float = PERSON_MARGIN_M
     """`margin_m` of the scenario [m]."""
     least_m: float = PERSON_MARGIN_M
-    """Of `least_margin_m` [m]."""
+    """Result of `least_margin_m` [m]."""
     declared: MarginFacts = field(default_factory=MarginFacts)
     is_known: bool = False
-    """Whether the tracker sees the person now and knows which person it is."""
+    """Whether the tracker currently sees and recognises the person."""
     posture: str = ""
     walks: bool = True
     bearing_deg: float | None = None
-    """Robot as seen from the person, from the person's heading [deg], in [-180, 180]; None: not known."""
+    """Bearing of the robot from the person's heading, in [-180, 180] [deg]; None if unknown."""
     has_stepped_aside: bool = False
     """Whether the person was asked, moved, and stands again."""
     said_yes: bool = False
-    """Whether the person was asked, and agreed; silence is no."""
+    """Whether the person was asked and agreed; silence means no."""
     has_waited: bool = False
-    """Whether the robot has waited for the way to become free, and has asked."""
+    """Whether the robot has waited for the path to become free, and has asked."""
     has_other_route: bool = True
     """Whether a route of any length keeps the full margin."""
 
@@ -58,7 +58,7 @@ Condition = tuple[str, Callable[[PassageFacts], bool]]
 
 
 def _within(bearing_deg: float | None, most_deg: float) -> bool:
-    """Whether a bearing is that small; a condition of its own refuses one that is not known."""
+    """Whether a bearing is this small; an unknown one is refused by its own condition."""
     return bearing_deg is None or abs(bearing_deg) <= most_deg
 
 
@@ -120,7 +120,7 @@ def least_margin_m(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> float:
 
     Args:
         spec: The robot's body.
-        step_s: Between two commands [s].
+        step_s: Time between two commands [s].
     """
     within = acceleration_within(spec.max_acceleration_m_s2, spec.max_jerk_m_s3)
     lag_s = (window_ticks(within, spec.max_jerk_m_s3, step_s) - 1) * step_s
@@ -132,19 +132,19 @@ def margin_for_m(latency_s: float, braking_m_s2: float, sd_m: float) -> float:
     """Smallest margin that a robot with these errors can keep: 0.15 m + v t + v^2 / (2 a) + 2 sd [m].
 
     Args:
-        latency_s: t, from a measurement to the motion that answers it [s].
-        braking_m_s2: a [m/s^2], above 0.
-        sd_m: Standard deviation of the distance to a person, as the robot keeps it [m].
+        latency_s: Latency t from a measurement to the resulting motion [s].
+        braking_m_s2: Deceleration a [m/s^2], above 0.
+        sd_m: Standard deviation of the estimated distance to a person [m].
     """
     stopping_m = REDUCED_M_S * latency_s + REDUCED_M_S**2 / (2.0 * braking_m_s2)
     return BODY_MARGIN_M + stopping_m + 2.0 * sd_m
 
 
 def check_margin(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> None:
-    """Refuse a margin that the robot cannot keep.
+    """Reject a margin that the robot cannot keep.
 
     Raises:
-        SceneError: It is lower than `PERSON_MARGIN_M`, and than `least_margin_m`.
+        SceneError: If it is lower than `PERSON_MARGIN_M` and than `least_margin_m`.
     """
     least_m = least_margin_m(spec, step_s)
     if spec.margin_m >= min(least_m, PERSON_MARGIN_M):

@@ -1,7 +1,7 @@
 """Retreat: a person who faces the robot and keeps moving away from it has declined.
 
-A single step back is about the distance, and people shift about slowly while they stand: in both cases the
-robot keeps its distance and follows. The thresholds are our choice.
+A single step back is about the distance, and standing people shift slowly: in both cases the robot keeps its
+distance and follows. The thresholds are our choice.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ without standing still: longer than a step back takes, and faster than people sh
 
 
 class Retreat:
-    """Whether the person whom the robot visits retreats from it.
+    """Detects whether the person whom the robot visits retreats from it.
 
     Args:
         clock: The ticks.
@@ -29,19 +29,19 @@ class Retreat:
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._mark: tuple[float, XY] | None = None
-        """When [s] and where the present interval of `LASTS_S` began; None where none has."""
+        """Start time [s] and position of the current interval of `LASTS_S`; None if there is none."""
 
     def forget(self) -> None:
-        """Begin again: the robot visits another person, or this one walks."""
+        """Reset: the robot visits another person, or this one walks."""
         self._mark = None
 
     def look(self, walker: Walker | None, stands: Docked, robot: XY) -> bool:
-        """Whether the person has retreated for one more interval; called in every tick.
+        """Whether the person has retreated for another interval; call it in every tick.
 
         Args:
             walker: The person, if they move.
-            stands: Where the robot stands, seen from them.
-            robot: Where it is.
+            stands: Pose of the robot relative to them.
+            robot: Position of the robot [m].
         """
         if walker is None or stands.distance_m > CLOSE_SOCIAL_M or abs(stands.bearing_deg) > FACES_DEG:
             self._mark = None

@@ -1,9 +1,9 @@
 """Search for an unseen person that the robot approaches or faces.
 
-The robot searches for a lost person by turning round, where it notices the loss, and once more where they
-were seen last; then the search ends. A robot on two wheels, which looks where it goes, looks once at a person
-out of view on its way onto a pose. Otherwise it might come next to a person who has moved without ever seeing
-them.
+The robot searches for a lost person by turning round, first where it notices the loss, and once more where
+they were last seen; then the search ends. A two-wheeled robot, which faces its direction of travel, looks
+once at a person out of view on its way to a docking pose. Otherwise it might arrive next to a person who has
+moved, without ever having seen them.
 """
 
 from __future__ import annotations
@@ -20,11 +20,12 @@ from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.sensing import SensedPeople
 
 THERE_M = 0.1
-"""Distance from the pose at which the robot is where the person was seen last [m] (our choice)."""
+"""Distance from the pose at which the robot has reached the place where the person was last seen [m] (our
+choice)."""
 FACES_RAD = math.radians(0.5)
 """Tolerance of the turn to where the person should be [rad]."""
 GLANCE_S = 0.5
-"""Duration of the look at where the person should be [s]: longer than it takes to believe that they are
+"""Duration of the look at where the person should be [s]: longer than it takes to conclude that they are
 gone."""
 
 Turn = tuple[float, MotionProgress]
@@ -46,21 +47,22 @@ class Search:
         self._clock = clock
         self._look_round = LookRound(sensor, clock)
         self._looked_on: Approach | None = None
-        """The approach on which it has looked round, before it goes on to where the person was seen last."""
+        """The approach during which it has looked round, before moving on to where the person was last
+        seen."""
         self._given_up: Loss | None = None
         self._glanced_on: Approach | None = None
-        """The approach on which it has looked at the unseen person."""
+        """The approach during which it has looked at the unseen person."""
         self._glances = False
         self._faces_s = 0.0
 
     def turn(self, person: str, approach: Approach | None, base: Base, *, docks: bool) -> Turn | None:
-        """The turn on the spot to see a person; None where the robot's goal goes on.
+        """The turn on the spot to see a person; None if the robot's goal continues.
 
         Args:
             person: The person that it approaches or faces.
-            approach: Its way to them; None where it faces them.
-            base: How its base moves now.
-            docks: Whether the way leads onto a pose.
+            approach: The approach to them; None if it only faces them.
+            base: Current motion of its base.
+            docks: Whether it leads onto a docking pose.
         """
         found = self._look_for(person, approach, base, docks=docks)
         if found is None and approach is not None and docks and base.turns_to_go:
@@ -68,7 +70,7 @@ class Search:
         return found
 
     def in_vain(self, person: str, xy: XY) -> str | None:
-        """Since when a person is lost that it did not find at their last place, in words; else None."""
+        """Since when a person has been lost whom it did not find at their last place, in words; else None."""
         loss = self._loss(person)
         if loss is None or self._given_up != loss or self._look_round.is_due(loss, xy):
             return None

@@ -1,4 +1,4 @@
-"""The robot in the world: commands in, motion and acts out. It has the form of the executor's `Robot`."""
+"""The robot in the world: commands in, motion and acts out; implements the executor's `Robot` protocol."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ class SimRobot:
 
     Args:
         spec: Its body.
-        physics: Where it is, in truth.
-        senses: Where it believes people to be.
-        clock: The ticks.
-        controller: How it moves.
-        said: What people say to it, as they say it.
-        faults: What is wrong with it.
+        physics: Its true pose.
+        senses: Believed positions of people.
+        clock: Simulated time.
+        controller: Controller of its base.
+        said: What people say to it.
+        faults: Its active faults.
     """
 
     def __init__(
@@ -79,21 +79,21 @@ class SimRobot:
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._controller = controller
         self._distances_m: dict[str, float] = {}
-        """The last commanded distance from each person, between the surfaces [m]."""
+        """Last commanded distance from each person, between the surfaces [m]."""
 
     @property
     def name(self) -> str:
-        """As in the scene."""
+        """Name, as in the scene."""
         return self._spec.name
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
-        """All that was said and done, in order."""
+        """All speech and acts, in order."""
         return self._acts.events
 
     @property
     def pose(self) -> Pose:
-        """Where it is, in truth."""
+        """True pose."""
         return self._physics.pose
 
     @property
@@ -103,7 +103,7 @@ class SimRobot:
 
     @property
     def missing(self) -> frozenset[str]:
-        """People known not to be at their believed place, whether or not it has looked for them."""
+        """People known not to be at their believed place, whether or not the robot has searched for them."""
         return self._senses.lost
 
     @property
@@ -112,9 +112,9 @@ class SimRobot:
         return frozenset(person.name for person in self.people if self._senses.walks(person.name))
 
     def lost(self) -> dict[str, str]:
-        """Missing people that it searched in vain where they were seen last, with since when.
+        """Missing people whom it did not find where they were last seen, and since when, in words.
 
-        From elsewhere, or after a while, another search is worthwhile: then they are not included.
+        People for whom another search is worthwhile, from elsewhere or after a while, are not included.
         """
         return {name: why for name in sorted(self.missing) if (why := self._controller.in_vain(name))}
 
@@ -123,7 +123,7 @@ class SimRobot:
         return self._senses.would_see(person, self._physics.pose.xy)
 
     def has_to_watch(self, person: str) -> bool:
-        """Whether it has to face a person to notice that they go, as it does not see all round."""
+        """Whether it has to face a person to notice that they leave, as it lacks all-round view."""
         return self._senses.has_to_watch(person, self._physics.pose.xy)
 
     @property
@@ -140,13 +140,13 @@ class SimRobot:
         return self._clock.now_s
 
     def read(self, person: str) -> PersonEstimate | None:
-        """What the robot knows about a person; None while its sensors do not see them.
+        """The robot's estimate of a person; None while its sensors do not see them.
 
-        If their range is too short for the commanded pose next to the person, the reading is relative to
-        where the person was last seen, unless it knows that they are not there.
+        If the sensor range is too short for the commanded pose next to the person, the reading is relative to
+        where the person was last seen, unless they are known to have left.
 
         Raises:
-            ValueError: Where there is no such person.
+            ValueError: If there is no such person.
         """
         someone = self._senses.person(person)
         is_seen = self._senses.sees(person)
@@ -172,10 +172,10 @@ class SimRobot:
         return self._senses.too_short_for(self._spec.radius_m + distance_m) is not None
 
     def heard(self, person: str) -> tuple[Said, ...]:
-        """What a person has said to the robot, as far as it has understood it: ears lag as eyes do.
+        """What a person has said, as far as the robot has understood it: hearing has a delay, like sight.
 
         Raises:
-            ValueError: Where there is no such person.
+            ValueError: If there is no such person.
         """
         self._require(person)
         latest_s = self._clock.now_s - self._spec.sensor.delay_s
@@ -192,12 +192,12 @@ class SimRobot:
     ) -> DockingPose | None:
         """The target pose if free and reachable, else the most desirable one that is, or None.
 
-        For a walking person, a pose that only they themselves obstruct is accepted, and in the end the target
-        pose: if they face a wall now, they will turn round. For a person who agreed that the robot goes
-        along, it is at their side.
+        For a walking person, a pose that only they obstruct is accepted, and as a last resort the target
+        pose: if they face a wall now, they will turn round. For a person who agreed to be accompanied, it is
+        at their side.
 
         Raises:
-            ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
+            ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or an unknown person.
         """
         self._require(person)
         ways = self._controller.standing.everybody()
@@ -219,14 +219,14 @@ class SimRobot:
         return replace(pose, unverified=self._senses.too_short_for(self._spec.radius_m + pose.distance_m))
 
     def go(self, goal: MotionRequest) -> int:
-        """Set out for a goal in place of the one before, for as long as it is renewed; its number, from 1."""
+        """Start a goal, replacing the previous one, until its lease ends; returns its number, from 1."""
         require_kinds("robot", goal=(goal, MotionRequest))
         number = self._set_out(goal)
         self._lease.begin()
         return number
 
     def renew(self, goal: int | str) -> None:
-        """Go on with the newest motion goal for another while; one that was given by hand needs none."""
+        """Renew the newest motion goal; a manual one needs no renewal."""
         require_kinds("robot", goal=(goal, int | str))
         if goal == self._goals:
             self._lease.renew()
@@ -261,11 +261,11 @@ class SimRobot:
         near_m_s: float = math.inf,
         detour_m: float = math.inf,
     ) -> int:
-        """Set out along the shortest route; succeeded 1.2 m before the pose, onto which the robot glides.
+        """Drive along the shortest route; succeeds 1.2 m before the pose, from where docking continues.
 
-        Within 1.5 m of the person's body it is at most as fast as `near_m_s`, from whatever side it comes.
-        Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
-        the one in the way, and is blocked by them.
+        Within 1.5 m of the person's body the speed is at most `near_m_s`, from every side. If the route
+        around people is longer by more than `detour_m`, or there is none, the robot approaches the
+        obstructing person and reports them.
 
         Returns:
             The goal's number.
@@ -278,9 +278,9 @@ class SimRobot:
         return self._next_goal()
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> int:
-        """Go onto the pose, and hold it wherever the person moves, until another goal; the goal's number.
+        """Drive onto the docking pose, and hold it as the person moves; returns the goal's number.
 
-        The speed is the maximum within 1.5 m of the person's body as well, relative to them where they walk.
+        The speed limit also applies within 1.5 m of the person's body, relative to them if they walk.
         """
         self._require(person)
         _require_command(speed_m_s)
@@ -290,20 +290,20 @@ class SimRobot:
         return self._next_goal()
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
-        """Where it stands to fetch things that it could not get to before; what it knows stays."""
+        """Add poses for fetching things that were unreachable before; known ones stay."""
         self._controller.learn_places(places)
 
     def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
-        """Know from now on how a person wants it to move near them, and look for another way at once.
+        """Store how a person wants the robot to move near them, and replan at once.
 
         Args:
-            person: Who.
-            distance_m: At which it passes them, between the surfaces [m], in [0, 10].
-            speed_m_s: Maximum within 1.5 m of their body [m/s], as they asked; None: they did not.
+            person: The person.
+            distance_m: Distance for passing them, between the surfaces [m], in [0, 10].
+            speed_m_s: Maximum speed within 1.5 m of their body, as they asked [m/s]; None: they did not.
 
         Raises:
-            SceneError: Where it is no such distance or speed.
-            ValueError: Where there is no such person.
+            SceneError: For an invalid distance or speed.
+            ValueError: If there is no such person.
         """
         known = self._senses.person(person)
         if (known.personal_distance_m, known.approach_speed_m_s) == (distance_m, speed_m_s):
@@ -313,27 +313,27 @@ class SimRobot:
             self._controller.look_for_another_way()
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> int:
-        """Go where something is kept, and turn to it; people in the way as for `navigate`; the goal's number.
+        """Drive to where an object is kept, and face it, as in `navigate`; returns the goal's number.
 
         Raises:
-            ValueError: Where there is no such place.
+            ValueError: If there is no such place.
         """
         _require_command(speed_m_s, detour_m)
         self._controller.go_to(place, speed_m_s=speed_m_s, detour_m=detour_m)
         return self._next_goal()
 
     def carried(self) -> str | None:
-        """What it took up and has not handed over."""
+        """The object that it picked up and has not handed over."""
         return carried_at(self._acts.events, self._clock.now_s)
 
     def face(self, person: str) -> int:
-        """Stop and turn on the spot towards a person, and keep facing them; the goal's number."""
+        """Stop, turn on the spot towards a person, and keep facing them; returns the goal's number."""
         self._require(person)
         self._controller.face(person)
         return self._next_goal()
 
     def stop(self, goal: int | str | None = None) -> None:
-        """Stop an act or the newest motion goal, or brake whatever the goal is; then stand."""
+        """Stop an act or the newest motion goal; without an argument, brake whatever the goal."""
         require_kinds("robot", goal=(goal, int | str | None))
         if isinstance(goal, str):
             self._acts.stop(goal)
@@ -341,7 +341,7 @@ class SimRobot:
             self._controller.stop()
 
     def motion(self) -> MotionProgress:
-        """How the newest motion goal goes."""
+        """Progress of the newest motion goal."""
         twist = self._physics.twist
         return self._controller.motion._replace(
             goal=self._goals or None,
@@ -351,9 +351,9 @@ class SimRobot:
         )
 
     def trouble(self, part: str) -> str | None:
-        """What is wrong with a part of it or with its path; None where nothing is.
+        """The fault of a part of the robot or its path, in words; None if there is none.
 
-        A path that is shut somewhere is no fault of a robot that something else blocks.
+        A shut path is no fault if something else blocks the robot.
         """
         subject = active_faults.part(part)
         if subject == PATH and self._controller.is_held_up_on_its_way:
@@ -361,7 +361,7 @@ class SimRobot:
         return self._faults.of(subject)
 
     def trouble_with(self, person: str) -> str | None:
-        """What is wrong with a person; None where nothing is."""
+        """The fault concerning a person, in words; None if there is none."""
         return self._faults.of(active_faults.person(person))
 
     def emergency(self) -> str | bool:
@@ -372,7 +372,7 @@ class SimRobot:
         """Begin to speak, gesture or handle something; towards passers-by only requests for passage.
 
         Returns:
-            What the act is called.
+            Identifier of the act.
         """
         require_kinds("robot", act=(act, ActRequest))
         require_kinds("act", act=(act.act, str))
@@ -388,16 +388,16 @@ class SimRobot:
         return begun
 
     def performance(self, act: int | str) -> ActProgress:
-        """The progress of an act: running, succeeded, or stopped where it was interrupted.
+        """The progress of an act: running, succeeded, or stopped if interrupted.
 
         Raises:
-            ValueError: Where there is no such act.
+            ValueError: If there is no such act.
         """
         return self._acts.status(act)
 
     @property
     def asked_now(self) -> tuple[str, ...]:
-        """The people it has asked to let it pass in this tick: the question has ended."""
+        """People whom it asked to make way, if the question ended in this tick."""
         return tuple(event.person for event in self._acts.ended(ASK_TO_PASS, self._clock.step_s))
 
     @property
@@ -410,12 +410,12 @@ class SimRobot:
         return self._controller.find_way()
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
+        """Replace the floor plan after a door was shut or opened, which the robot learns at once."""
         self._controller.use_plan(plan)
         self._senses.use_plan(plan)
 
     def feel(self) -> None:
-        """Take note of touches, which press the emergency stop, of ended requests and of a failing voice.
+        """Handle contacts, which press the emergency stop, ended requests, and voice faults.
 
         Called by the world after every tick.
         """
@@ -443,7 +443,7 @@ class SimRobot:
 
     @property
     def goal(self) -> XY | None:
-        """Where it is under way to; None where it is not."""
+        """Goal position [m]; None without a goal."""
         return self._controller.goal
 
     def _next_goal(self) -> int:
@@ -456,7 +456,7 @@ class SimRobot:
 
 
 def _require_command(speed_m_s: float, detour_m: float = math.inf, near_m_s: float = math.inf) -> None:
-    """Refuse invalid speeds and detours, before the current goal is dropped for them."""
+    """Reject invalid speeds and detours before the current goal is dropped."""
     if not (is_number(speed_m_s) and 0.0 < speed_m_s < math.inf):
         raise WrongValueError(expected="speed_m_s above 0", got=shown(speed_m_s), remedy="Give it in m/s.")
     if not (is_number(near_m_s) and near_m_s > 0.0):

@@ -1,7 +1,7 @@
-"""Standing people: routes lead round them. The robot reacts to moving people tick by tick.
+"""Standing people: routes lead around them. The robot reacts to moving people tick by tick.
 
-A route is planned among things that stay where they are, as the global planner of a navigation stack does.
-The map of routes therefore holds standing people, and changes only when they do.
+Routes are planned among static obstacles, as by the global planner of a navigation stack. So the route map
+contains standing people, and changes only when they do.
 """
 
 from __future__ import annotations
@@ -30,32 +30,32 @@ STANDS_M = 0.1
 ROCKS_S, ROCKS_M = 3.0, 0.7
 """A person within `ROCKS_M` of one place for `ROCKS_S` stands, even if walking to and fro (our choice)."""
 HELD_UP_S = 2.0
-"""Time of the robot's waiting after which a person counts as standing [s] (our choice)."""
+"""Waiting time of the robot after which a person counts as standing [s] (our choice)."""
 LONGEST_HELD_S, FORGETS = 4.0, 0.2
-"""Maximum counted waiting time [s], and how much of it fades in a second without waiting [s]."""
+"""Maximum counted waiting time [s], and its decrease per second without waiting [s]."""
 EVERY_TICKS = 5
 """Interval of that check for passers-by [control ticks]."""
 RENEWS_S = 0.5
 """Minimum time between changes of the map [s]."""
 MOVED_M = 0.02
-"""A person who stands and has moved by more is mapped again [m]; noise of the sensor comes on top."""
+"""A standing person who has moved by more than this is mapped again [m]; sensor noise is added."""
 
 
 class PassersByKnown(PassersBySeen, Protocol):
-    """Passers-by, and how they face."""
+    """Passers-by with their headings."""
 
     @property
     def poses(self) -> NDArray[np.float64]:
-        """x, y and heading of each; shape (n, 3)."""
+        """Positions x and y [m] and heading [rad] of each; shape (n, 3)."""
         ...
 
 
 class DetourMap:
-    """A map of routes round standing people.
+    """A map of routes around standing people.
 
     Args:
-        senses: Where the robot believes people to be.
-        clock: The ticks.
+        senses: Believed positions of people.
+        clock: Simulated time.
         route_map: The map at the start.
     """
 
@@ -64,16 +64,16 @@ class DetourMap:
         self.map = route_map
         self._renewed_s = -math.inf
         self._walked_s: dict[str, float] = {}
-        """When each person walked last."""
+        """When each person last walked [s]."""
         self._place: dict[str, tuple[XY, float]] = {}
-        """Where each person who walks was, and since when they have been near there."""
+        """Reference place of each walking person, and since when they have stayed near it [s]."""
         self._held_s: dict[str, float] = {}
         """How long each person has recently blocked the robot [s]."""
         self._counted: set[str] = set()
         self._loiterers: Loiterers | None = None
 
     def let_pass(self, passers_by: PassersByKnown) -> None:
-        """Map passers-by who stand, too."""
+        """Include standing passers-by."""
         self._loiterers = Loiterers(passers_by, self._clock)
 
     @property
@@ -82,14 +82,14 @@ class DetourMap:
         return self._loiterers.names if self._loiterers else ()
 
     def look(self, visited: str, waits_for: Collection[str], *, lets_by: str | None, waits: bool) -> RouteMap:
-        """The map for now; the same object until someone who stands has changed. Called in every tick.
+        """The current map; the same object until a standing person has changed. Call it in every tick.
 
         Args:
-            visited: The person that the robot goes to, who is on the map even while walking.
-            waits_for: People that the robot waits for in this tick. After a while they count as standing,
-                too: a person who walks to and fro in the only doorway can be asked to make way.
-            lets_by: The person for whom the robot is about to go back: if a passer-by, not on the map.
-            waits: Whether the robot waits for the way to become free.
+            visited: The person the robot visits, who is on the map even while walking.
+            waits_for: People the robot waits for in this tick. After a while they count as standing, too: a
+                person who walks to and fro in the only doorway can be asked to make way.
+            lets_by: The person for whom the robot is about to back out; a passer-by is then not on the map.
+            waits: Whether the robot waits for the path to become free.
         """
         now_s = self._clock.now_s
         for walker in self._senses.walkers:
@@ -97,7 +97,7 @@ class DetourMap:
         self._note_waiting(waits_for)
         if now_s - self._renewed_s >= RENEWS_S - 1e-9:
             people = self._mapped(visited, lets_by)
-            noise_m = 0.0 if waits else 3.0 * self._senses.noise_m  # it may be noise that it waits for
+            noise_m = 0.0 if waits else 3.0 * self._senses.noise_m  # it may be waiting because of noise
             if differ(people, self.map.surroundings.people, MOVED_M + noise_m):
                 self.map = RouteMap(self.map.surroundings.with_people(people))
                 self._renewed_s = now_s
@@ -127,7 +127,7 @@ class DetourMap:
                 self._counted.add(name)
 
     def movers(self, visited: str) -> list[Walker]:
-        """People of the scene who are not on the map, or walked a moment ago, without the visited person."""
+        """People of the scene, except the visited person, who are not on the map or walked recently."""
         mapped = {person.name for person in self.map.surroundings.people}
         walking = {walker.person.name: walker for walker in self._senses.walkers}
         mapped -= {*walking, *(name for name in self._walked_s if self._has_just_walked(name))}
@@ -138,14 +138,14 @@ class DetourMap:
         ]
 
     def everybody(self) -> RouteMap:
-        """The map with all people of known position, wherever they are just now."""
+        """The map with all people whose position is known."""
         people = (*self._senses.present, *(self._loiterers.look() if self._loiterers else ()))
         if not differ(people, self.map.surroundings.people, 0.0):
             return self.map
         return RouteMap(self.map.surroundings.with_people(people))
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Know that other things stand still from now on."""
+        """Replace the static obstacles."""
         self.map = RouteMap(replace(self.map.surroundings, plan=plan))
 
     def _mapped(self, visited: str, lets_by: str | None) -> tuple[Person, ...]:
@@ -164,7 +164,7 @@ class DetourMap:
 
 
 def differ(some: tuple[Person, ...], others: tuple[Person, ...], tolerance_m: float) -> bool:
-    """Whether people are others, turned, moved farther than that or are passed at another distance."""
+    """Whether two sets of people differ in name, heading, passing distance, or position by a tolerance."""
     if len(some) != len(others):
         return True
     return any(_differs(one, other, tolerance_m) for one, other in zip(some, others, strict=True))
@@ -179,16 +179,16 @@ def _differs(one: Person, other: Person, tolerance_m: float) -> bool:
 
 
 def _kept(person: Person) -> tuple[object, ...]:
-    """What of a person the space depends on that routes keep, but for the place."""
+    """The attributes of a person that determine the space routes keep, except the position."""
     return person.name, person.heading_rad, person.personal_distance_m, person.margin_m
 
 
 class Loiterers:
-    """Those of the passers-by who stand.
+    """The passers-by who stand.
 
     Args:
-        passers_by: All of them; where they are is read again at every look.
-        clock: The ticks.
+        passers_by: All passers-by; their positions are read again at every call.
+        clock: Simulated time.
     """
 
     def __init__(self, passers_by: PassersByKnown, clock: Clock) -> None:
@@ -201,11 +201,11 @@ class Loiterers:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of all passers-by."""
+        """Names of all passers-by."""
         return self._passers_by.names
 
     def look(self) -> tuple[Person, ...]:
-        """Those who stand now, where they came to stand; the same tuple as long as the same people stand."""
+        """Passers-by who stand, at their places; the same tuple as long as the same people stand."""
         if self._clock.tick < self._due:
             return self._people
         self._due = self._clock.tick + EVERY_TICKS

@@ -1,9 +1,9 @@
-"""Meeting a walking person: the robot waits ahead of them, in view and next to their path, and asks once.
+"""Meeting a walking person: the robot waits ahead, in view and next to their path, and offers once.
 
 A person who stops is approached like any other. One who passes by, turns away, speeds up or draws back has
-declined. The robot goes along only with a person who agreed to that, and never at their back. The rule that
-robots come into view from the front is from Satake et al. 2009, "How to approach humans? Strategies for
-social robots to initiate interaction", HRI; the rest is our choice.
+declined. The robot accompanies only a person who agreed to it, and never from behind. That robots should come
+into view from the front is from Satake et al. 2009, "How to approach humans? Strategies for social robots to
+initiate interaction", HRI; the rest is our choice.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ from comity_sim2d.senses.sensing import SensedPeople
 from comity_sim2d.senses.visibility_memory import Numbers
 
 WALK_M = 0.3
-"""A person who has moved by less has made a step, and does not walk [m] (our choice)."""
+"""A person who has moved by less than this has made a step, and does not walk [m] (our choice)."""
 OFFER_M = 1.5
 """Distance before a walker at which the robot offers to talk, and stands [m]: within the close phase of
 social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
 COME_M = 0.1
-"""The robot has come up to a person once it is this near to the distance of the visit [m] (our choice)."""
+"""The robot has reached a person when this near to the distance of the visit [m] (our choice)."""
 LEAVES_M = 0.5
 """Additional distance at which a walker has turned away [m] (our choice)."""
 LOST_DEG = 120.0
 """Beyond this bearing from a walker's facing an accompanying robot has fallen behind [deg] (our choice)."""
 SETTLES_S, FASTER, FASTER_M_S = 1.0, 1.5, 0.3
-"""A walker speeds up if their mean speed over `SETTLES_S` exceeds that of their first such time by the factor
-`FASTER` and by `FASTER_M_S` (our choice)."""
+"""A walker speeds up if their mean speed over `SETTLES_S` [s] exceeds their initial one by the factor
+`FASTER` and by `FASTER_M_S` [m/s] (our choice)."""
 TURNED_COS = math.cos(math.radians(45.0))
-"""A walker who faces elsewhere by more has turned (our choice)."""
+"""A walker whose heading has changed by more than 45 degrees has turned away (our choice)."""
 ALONG_M_S, SIDE_DEG = 0.5, 90.0
 """Maximum speed of a person that the robot accompanies [m/s], and its bearing at their side [deg]."""
 AHEAD_S, LONGEST_M, STEP_M = 10.0, 8.0, 0.5
@@ -64,12 +64,12 @@ class _Offer:
     """A walker has seen the robot before them."""
 
     heading_rad: float
-    """How they faced when it began."""
+    """Their heading at the start [rad]."""
     mark: XY
-    """Where they were at the end of the last whole `SETTLES_S`."""
+    """Their position at the end of the last full `SETTLES_S` [m]."""
     mark_s: float
     pace_m_s: float | None = None
-    """How fast they walked at first; None before that is known."""
+    """Their initial speed [m/s]; None before it is known."""
 
 
 class WalkersMet:
@@ -77,17 +77,17 @@ class WalkersMet:
 
     Args:
         spec: The robot's body.
-        senses: Where it believes people to be.
-        clock: The ticks.
+        senses: Believed positions of people.
+        clock: Simulated time.
     """
 
     def __init__(self, spec: RobotBody, senses: SensedPeople, clock: Clock) -> None:
         self._spec, self._senses, self._clock = spec, senses, clock
         self.declined: dict[str, str] = {}
-        """People who declined, and how: the robot goes to none of them again."""
+        """People who declined, and how: the robot does not approach them again."""
         self._person = ""
         self._stood: XY | None = None
-        """Where the person stood last, or was seen first."""
+        """Where the person last stood, or was first seen [m]."""
         self._walks = self._along = False
         self._offer: _Offer | None = None
         self._retreat = Retreat(clock)
@@ -95,19 +95,19 @@ class WalkersMet:
         self._chosen_s = -math.inf
 
     def look(self, name: str, distance_m: float, robot: Pose, ways: RouteMap) -> XY | None:
-        """Where to wait for a person now; None where the robot may go up to them. Called in every tick.
+        """Where to wait for a person [m]; None if the robot may approach them. Call it in every tick.
 
         Args:
-            name: The person that the robot is to go to.
-            distance_m: At which it is to stop before them, between the surfaces.
-            robot: Where it is.
-            ways: Its routes around those who stand.
+            name: The person to visit.
+            distance_m: Target distance at which it stops before them, between the surfaces [m].
+            robot: Pose of the robot.
+            ways: Its routes around standing people.
         """
         if name != self._person:
             self._person, self._stood, self._along, self._offer = name, None, False, None
             self._retreat.forget()
         walker = self._walker(name)
-        if walker is None:  # they stopped, or turn round: an offer that was made still stands
+        if walker is None:  # they stopped or turned round: an offer still stands
             self._place = None
             self._note_pause(name, distance_m, robot)
             return None
@@ -134,11 +134,11 @@ class WalkersMet:
         return self._place or (robot.xy if gap_m <= SOCIAL_M else None)
 
     def _seen(self, name: str) -> Walker | None:
-        """The person where they move."""
+        """The person, if they move."""
         return next((each for each in self._senses.walkers if each.person.name == name), None)
 
     def _walker(self, name: str) -> Walker | None:
-        """The person where they walk and have left the place where they stood, not aside or backwards."""
+        """The person, if they walk forwards and have left the place where they stood."""
         walker = self._seen(name)
         if walker is None or self._stood is None:
             self._walks, self._stood = False, self._senses.person(name).xy
@@ -148,7 +148,7 @@ class WalkersMet:
         return walker if self._walks else None
 
     def _note_offer(self, walker: Walker, stands: Docked) -> None:
-        """Take note of a walker who sees the robot before them, and of how they decline."""
+        """Record that a walker sees the robot ahead, and how they decline."""
         person, now_s, offer = walker.person, self._clock.now_s, self._offer
         if offer is None:
             if _is_near(stands) and self._senses.sees(person.name):
@@ -167,10 +167,10 @@ class WalkersMet:
             self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
 
     def _note_pause(self, name: str, distance_m: float, robot: Pose) -> None:
-        """Take note of a person who does not walk now.
+        """Record that a person does not walk now.
 
-        An offer stands. To a person who pauses on a walk the robot makes one by coming up to them, so that
-        they decline if they walk on. Anybody declines by drawing back.
+        An offer stays valid. To a person who pauses on a walk the robot makes one by approaching, so they
+        decline by walking on. Anyone declines by drawing back.
         """
         person, now_s, offer = self._senses.person(name), self._clock.now_s, self._offer
         stands = docked(robot, self._spec.radius_m, person)
@@ -189,7 +189,7 @@ class WalkersMet:
     def _choose(self, walker: Walker, aside_m: float, xy: XY, ways: RouteMap) -> XY | None:
         """The waiting place that the robot reaches earliest; None where there is none.
 
-        It is next to the walker's path ahead of them, where the robot is in time. Else it is next to the line
+        It is next to the walker's path ahead of them, if the robot gets there in time; else next to the line
         on which they walk, at a distance: a person who walks to and fro comes by there.
         """
         ahead_m, spots = self._beside(walker, aside_m, ways.surroundings)
@@ -205,9 +205,9 @@ class WalkersMet:
         return None
 
     def _beside(self, walker: Walker, aside_m: float, place: Surroundings) -> tuple[Numbers, Points]:
-        """Free places next to a walking person's line, and how far ahead; shapes (n,) and (n, 2) [m].
+        """Free places next to a walker's line, and how far ahead they are; shapes (n, 2) and (n,) [m].
 
-        People are taken to walk on straight, and to have come straight, from thing to thing.
+        People are assumed to walk in a straight line between obstacles.
         """
         person, (vx, vy) = walker.person, walker.velocity
         speed_m_s = math.hypot(vx, vy)
@@ -229,7 +229,7 @@ class WalkersMet:
 
 
 def _is_beside(place: XY, walker: Walker, aside_m: float) -> bool:
-    """Whether a walker who walks on straight comes by a place, as far from it as the robot is to wait."""
+    """Whether a walker who goes straight on passes a place at the waiting distance."""
     x, y = place[0] - walker.person.x_m, place[1] - walker.person.y_m
     vx, vy = walker.velocity
     speed_m_s = math.hypot(vx, vy)
@@ -248,7 +248,7 @@ def _goes_where_they_face(walker: Walker) -> bool:
 
 
 def pose_at_side(stands: Docked, wish: Wish) -> DockingPose:
-    """The pose in which the robot goes along: as far away as was wished, on the side where it is."""
+    """The docking pose while accompanying: at the wished distance, on the robot's current side."""
     side, widest_deg = math.copysign(1.0, stands.bearing_deg or wish.bearing_deg), wish.widest_deg
     bearing_deg = side * min(SIDE_DEG, widest_deg)
     reason = f"{wish.person} walks: the robot goes along at their side"
@@ -256,8 +256,8 @@ def pose_at_side(stands: Docked, wish: Wish) -> DockingPose:
 
 
 def goes_along(robot: RobotBody, person: Person) -> bool:
-    """Whether the robot goes along with a person who walks: they agreed, and it can face them meanwhile.
+    """Whether the robot accompanies a walking person: they agreed, and it can face them meanwhile.
 
-    Next to a person it drives past, a base on two wheels faces where it drives; to face them it has to stand.
+    A two-wheeled base faces its direction of travel; to face a person next to it, it has to stop.
     """
     return robot.drive == "omnidirectional" and person.walk is not None and person.walk.accompanied

@@ -29,7 +29,7 @@ class Location:
     x_m: float
     y_m: float
     heading_rad: float | None = None
-    """Which way one faces there; None: no matter."""
+    """Heading of a person there [rad]; None: any."""
 
     def __post_init__(self) -> None:
         require_text("location", "name", self.name)
@@ -40,5 +40,5 @@ class Location:
 
     @property
     def xy(self) -> XY:
-        """Where it is."""
+        """Position [m]."""
         return (self.x_m, self.y_m)

@@ -8,9 +8,9 @@ from comity_fis.learning.signals import SIGNALS, Signal
 from comity_sim2d.scene_error import SceneError, require_between, require_tuple
 
 NEAREST_M, FARTHEST_M = (0.0, 10.0), 20.0
-"""Where the nearer end of an interval can be, and how far out the farther one (our choice)."""
+"""Range of the near end of an interval, and maximum of its far end [m] (our choice)."""
 NARROWEST_M = 0.05
-"""No interval is narrower: it would be left by the noise of standing (our choice)."""
+"""Minimum width of an interval [m]: the sway of standing would leave a narrower one (our choice)."""
 SEATED: tuple[Signal, ...] = ("ask_farther", "turn_away", "ask_closer")
 """Signals of a seated person, who does not step."""
 
@@ -20,13 +20,13 @@ class Comfort:
     """The distances at which a person is at ease, between the nearest points of the two bodies."""
 
     near_m: float
-    """Nearer is too close."""
+    """Smaller distances are too close [m]."""
     far_m: float
-    """Farther is too far."""
+    """Larger distances are too far [m]."""
     shows: tuple[Signal, ...] = SIGNALS[:-1]
-    """What this person does about a discomfort; nothing for one of which none of these speaks."""
+    """Signals that this person gives; no reaction to a discomfort without a matching signal."""
     chance: float = 1.0
-    """Of doing anything about a discomfort at all, in [0, 1]."""
+    """Probability of reacting to a discomfort at all, in [0, 1]."""
 
     def __post_init__(self) -> None:
         require_between("comfort", "near_m", self.near_m, *NEAREST_M)

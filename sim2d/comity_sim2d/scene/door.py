@@ -16,7 +16,7 @@ LEAF_M = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Door:
-    """A straight gap in a wall. Open, it lets pass, and its leaf takes no room; shut, it is a wall."""
+    """A straight gap in a wall. Open, it is passable and its leaf takes no room; shut, it is a wall."""
 
     name: str
     start: XY
@@ -42,7 +42,7 @@ class Door:
 
     @property
     def shut_name(self) -> str:
-        """What a message calls it when it is in the way."""
+        """Name of the shut door in messages."""
         return f"the closed door {self.name!r}"
 
     def _refusal(self, field: str, expected: str, got: str) -> SceneError:

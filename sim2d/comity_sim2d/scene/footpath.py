@@ -16,24 +16,24 @@ if TYPE_CHECKING:
 
 NEAR_THINGS_M = 0.05
 EASE_M = (0.20, NEAR_THINGS_M, 0.0)
-"""How far people like to stay clear of things where there is room, tried in this order (our choice)."""
+"""Preferred clearances from obstacles [m], tried in this order (our choice)."""
 
 BESIDE_M = 0.3
-"""A person who stands too near to things by less than this still finds a path [m] (our choice)."""
+"""A person whose clearance is too small by less than this still finds a path [m] (our choice)."""
 
 Disc = tuple[float, float, float]
 """Centre and radius [m]."""
 Parts = list[Ways]
-"""The free floor, in pieces that hang together."""
+"""The free floor in connected pieces."""
 
 
 class Footpaths:
-    """The ways of people of one size on one floor plan; what was computed once is kept.
+    """The paths of people of one size on one floor plan, with caches.
 
     Args:
-        plan: What stands still.
-        radius_m: Of these people.
-        around: People who stand, and what groups keep open: walked around where there is another way.
+        plan: The static obstacles.
+        radius_m: Radius of these people [m].
+        around: Standing people and o-spaces of groups, avoided if there is another path.
     """
 
     def __init__(self, plan: FloorPlan, radius_m: float, around: tuple[Disc, ...] = ()) -> None:
@@ -41,12 +41,12 @@ class Footpaths:
         self._parts = lru_cache(maxsize=None)(self._build)
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Find ways on another floor plan from now on."""
+        """Replace the floor plan."""
         self._plan = plan
         self._parts.cache_clear()
 
     def between(self, start: XY, goal: XY) -> list[XY] | None:
-        """The points where the way bends, without the start and with the goal; None where there is no way."""
+        """Bends of the path without the start, including the goal; None if there is no path."""
         for ease in EASE_M:
             way = _way(self._parts(ease), start, goal)
             if way is None and ease == NEAR_THINGS_M and self._around:
@@ -56,14 +56,14 @@ class Footpaths:
         return self.past(None, start, goal)
 
     def _from_beside(self, start: XY, goal: XY) -> list[XY] | None:
-        """The path around all people if it starts or ends too near to them, over the nearest free places."""
+        """The path around all people if it starts or ends too near to them, via the nearest free places."""
         parts = self._parts(NEAR_THINGS_M)
         first, last = _beside(parts, start), _beside(parts, goal)
         way = None if first is None or last is None else _way(parts, first, last)
         return way and [*([start] if first != start else []), *way, *([goal] if last != goal else [])]
 
     def past(self, thing: Disc | None, start: XY, goal: XY) -> list[XY] | None:
-        """The same for a person close to walls, and to one more thing; None where there is no path."""
+        """The same for a person close to walls, and around one more object; None if there is no path."""
         parts = self._parts(0.0) if thing is None else self._build(0.0, thing)
         beside = _beside(parts, start)
         return None if beside is None else _way(parts, beside, goal)
@@ -74,16 +74,16 @@ class Footpaths:
 
 
 def clear_pieces(plan: FloorPlan, clearance_m: float, around: tuple[Disc, ...] = ()) -> list[Polygon]:
-    """The floor at a distance from what stands still, and from more, in connected pieces.
+    """The floor that keeps a clearance from static and further obstacles, in connected pieces.
 
     Args:
-        plan: What stands still.
-        clearance_m: How far.
-        around: What else to keep away from.
+        plan: The static obstacles.
+        clearance_m: The clearance [m].
+        around: Further discs to keep clear of.
     """
     from shapely import Point, Polygon, difference, get_parts, prepare, union_all
 
-    clear_m = round(clearance_m - 1e-3, 6)  # who touches a thing is clear of it
+    clear_m = round(clearance_m - 1e-3, 6)  # touching an obstacle counts as clear
     free = plan.clear_space(clear_m)
     if around:
         discs = [Point(x, y).buffer(radius + clear_m, quad_segs=4) for x, y, radius in around]
@@ -105,7 +105,7 @@ def _way(parts: Parts, start: XY, goal: XY) -> list[XY] | None:
 
 
 def _beside(parts: Parts, place: XY) -> XY | None:
-    """The nearest free place, for a person who touches a thing: polygons lie around round corners."""
+    """The nearest free place for a person who touches an obstacle."""
     from shapely import Point, shortest_line
 
     here = Point(place)

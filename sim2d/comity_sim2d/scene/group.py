@@ -13,7 +13,7 @@ from comity_sim2d.scene_error import SceneError, require_text, require_tuple
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """At least two people, by their names; the space that they keep open follows from where they stand."""
+    """At least two people, by name; the o-space that they keep open follows from their poses."""
 
     name: str
     members: tuple[str, ...]
@@ -31,7 +31,7 @@ class Group:
             )
 
     def o_space(self, people: Iterable[Person]) -> OSpace:
-        """The space between the members, where those people stand now."""
+        """The o-space of the members at their current poses."""
         return o_space(self.those_of(people))
 
     def those_of(self, people: Iterable[Person]) -> tuple[Person, ...]:
@@ -39,25 +39,25 @@ class Group:
         return tuple(person for person in people if person.name in self.members)
 
     def of_those_left(self, before: Iterable[Person], now: Iterable[Person]) -> Group | None:
-        """The group that is left when members have gone elsewhere; None of one alone."""
+        """The group without members who have left; None if fewer than two remain."""
         left = tuple(person.name for person in those_left(self.those_of(before), now))
         return replace(self, members=left) if len(left) > 1 else None
 
     def without(self, names: Container[str]) -> Group | None:
-        """The group that is left when some people are gone; None of one alone."""
+        """The group without some people; None if fewer than two remain."""
         left = tuple(member for member in self.members if member not in names)
         return replace(self, members=left) if len(left) > 1 else None
 
 
 def check_members(groups: Iterable[Group], names: Collection[str]) -> None:
-    """Refuse groups of people who are not there, or who are in two groups.
+    """Reject groups of unknown people, and people in two groups.
 
     Args:
         groups: The groups.
-        names: Of the people who are there.
+        names: Names of the people in the scene.
 
     Raises:
-        SceneError: about the first such group.
+        SceneError: For the first such group.
     """
     grouped: dict[str, str] = {}
     for group in groups:

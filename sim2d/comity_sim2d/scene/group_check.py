@@ -1,6 +1,6 @@
 """Check that people who stand together see each other, with doors as at the start.
 
-As with walks, this is no check of the scene itself: a door may shut between them later.
+Like the check of walks, it is not part of the scene itself: a door may shut between them later.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def check_groups(scene: Scene) -> None:
-    """Refuse groups with a wall or a shut door between two of their members.
+    """Reject groups with a wall or a shut door between two of their members.
 
     Raises:
         SceneError: For the first invalid group.

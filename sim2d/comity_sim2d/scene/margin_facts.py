@@ -12,15 +12,15 @@ OLDEST_YEARS = 150.0
 
 @dataclass(frozen=True, slots=True)
 class MarginFacts:
-    """What a person declared; the defaults, for a person without known facts, refuse."""
+    """Declared facts of a person; the defaults, for unknown facts, refuse the reduced margin."""
 
     age_years: float | None = None
-    """The least where a range was declared; None: not disclosed."""
+    """Age [years], the minimum if a range was declared; None: not disclosed."""
     walks_unaided: bool = False
     hears_well: bool = False
     sees_well: bool = False
     stands: bool = True
-    """Whether no other posture is declared, for now or for later."""
+    """Whether no other posture is declared, for now or later."""
 
     def __post_init__(self) -> None:
         if self.age_years is not None:

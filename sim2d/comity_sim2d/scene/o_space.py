@@ -16,12 +16,12 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene.person import Person
 
 OPEN = 0.5
-"""Members whose looks, as unit vectors, have a longer mean than this stand open to others (our choice): two
-side by side have 1, two who look to the corner between them 0.7, people in a circle 0."""
+"""A group is open if the mean of its members' facing vectors (unit vectors) is longer than this (our choice):
+it is 1 for two people side by side, 0.7 for two facing the corner between them, 0 in a circle."""
 
 
 LEFT_M = 0.5
-"""Distance from their place at which a member has left the group [m] (our choice: a step)."""
+"""Distance from their original place at which a member has left the group [m] (our choice: a step)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,25 +33,25 @@ class OSpace:
     radius_m: float
     members: tuple[str, ...] = ()
     is_closed: bool = False
-    """Whether there is no place before a member that is not among them."""
+    """Whether the group leaves no place in front of it for another person."""
 
     @property
     def words(self) -> str:
-        """As it reads in a sentence."""
+        """Its name in a sentence."""
         *others, last = self.members
         return f"the space between {', '.join(others)} and {last}"
 
     @property
     def xy(self) -> XY:
-        """Its middle."""
+        """Its centre [m]."""
         return (self.x_m, self.y_m)
 
     def grown(self, by_m: float) -> OSpace:
-        """The disc that the centre of a body of that radius keeps out of."""
+        """The disc that the centre of a body of this radius keeps out of."""
         return replace(self, radius_m=self.radius_m + by_m)
 
     def leaving_out(self, xy: XY, slack_m: float) -> OSpace:
-        """The same disc, shrunk until a place is outside of it by the slack."""
+        """The same disc, shrunk until a point is outside it by the slack."""
         return replace(self, radius_m=min(self.radius_m, max(0.0, math.dist(self.xy, xy) - slack_m)))
 
     def is_beyond(self, box: Box) -> bool:
@@ -69,30 +69,30 @@ class OSpace:
         return np.asarray(np.array(self.xy) + reach * np.stack([np.cos(angle), np.sin(angle)], axis=1))
 
     def depth_m(self, points: Points) -> NDArray[np.float64]:
-        """How far each point is inside; negative outside; shape (n,)."""
+        """Depth of each point inside [m], negative outside; shape (n,)."""
         return np.asarray(self.radius_m - np.hypot(points[:, 0] - self.x_m, points[:, 1] - self.y_m))
 
 
 def o_space(members: Sequence[Person]) -> OSpace:
     """The o-space of people who stand together.
 
-    Its middle is the mean of a point before each member, as far ahead as the members stand from their own
-    middle; it ends at the nearest body. (Setti et al. 2015, "F-formation detection", PLoS ONE 10(5), let
-    each member vote for a point at a fixed stride; the stride by the group's own size is our choice.)
+    Its centre is the mean of one point in front of each member, as far ahead as the members stand from their
+    own centre; it ends at the nearest body. (In Setti et al. 2015, "F-formation detection", PLoS ONE 10(5),
+    each member votes for a point at a fixed stride; a stride that depends on the group's size is our choice.)
 
     Raises:
-        ValueError: Of less than two people.
+        ValueError: For fewer than two people.
     """
     require_each("o-space", "members", members, Person)
     if len(members) < 2:
         got, remedy = f"{len(members)}", "Add the others who stand there."
         raise WrongValueError(expected="members: at least two people", got=got, remedy=remedy)
-    # Kendon's o-space is where the transactional segments of the members overlap, the ground before each
-    # that they look at. Each member votes for a point before them (Setti et al. 2015), and the mean of the
-    # votes is the middle. A fixed stride would put the votes of a large circle short of its middle and
-    # those of a small one past it, so the stride is the mean distance of the members from their own middle:
-    # in a circle all votes then coincide, whatever its size. The nearest body bounds the disc, so that it
-    # never covers a member. The mean of the looks tells shapes apart: in a circle they cancel out, side by
+    # Kendon's o-space is the overlap of the members' transactional segments, the ground in front of each that
+    # they look at. Each member votes for a point in front of them (Setti et al. 2015), and the mean of the
+    # votes is the centre. With a fixed stride, the votes of a large circle would fall short of its centre and
+    # those of a small one beyond it. So the stride is the mean distance of the members from their own centre:
+    # in a circle of any size all votes then coincide. The nearest body bounds the disc, so that it never
+    # covers a member. The mean of the facing vectors tells shapes apart: in a circle they cancel out, side by
     # side they add up.
     count = len(members)
     middle = (sum(p.x_m for p in members) / count, sum(p.y_m for p in members) / count)
@@ -107,7 +107,7 @@ def o_space(members: Sequence[Person]) -> OSpace:
 
 
 def those_left(members: Sequence[Person], people: Iterable[Person]) -> list[Person]:
-    """The members who have not left a group, each as they stood together; see `o_space_of_those_left`."""
+    """The members who have not left a group, at their original poses; see `o_space_of_those_left`."""
     at = {person.name: person.xy for person in people}
     return [one for one in members if one.name in at and math.dist(one.xy, at[one.name]) <= LEFT_M]
 
@@ -115,11 +115,11 @@ def those_left(members: Sequence[Person], people: Iterable[Person]) -> list[Pers
 def o_space_of_those_left(members: Sequence[Person], people: Iterable[Person]) -> OSpace | None:
     """The o-space of the members who have not left a group; None with fewer than two of them.
 
-    A small step or a turn of the head leaves it where it is; a member who comes back belongs to it again.
+    A small step or a turn of the head does not change it; a member who comes back belongs to it again.
 
     Args:
-        members: As they stood together.
-        people: All people where they are now; a missing member has left.
+        members: The members at their original poses.
+        people: All people at their current poses; a missing member has left.
     """
     left = those_left(members, people)
     return o_space(left) if len(left) > 1 else None

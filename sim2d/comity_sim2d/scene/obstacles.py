@@ -1,4 +1,4 @@
-"""Obstacles: the floor plan as shapes, which stand still, and the people on it as discs."""
+"""Obstacles: the floor plan as static shapes, and the people on it as discs."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 WALL_MARGIN_M = 0.05
-"""The robot stays this far from walls and furniture (our choice: ten times the error of the drive)."""
+"""Clearance of the robot from walls and furniture [m] (our choice: ten times the error of the drive)."""
 FREE_FROM_M = PERSON_MARGIN_M + 0.005
-"""Gap to a bystander at which a place is free [m]: the path to it, round the same person, comes millimetres
+"""Gap to a bystander at which a place is free [m]: the path to it, around the same person, comes millimetres
 nearer."""
 KEPT = 256
-"""Places and lines of which it is remembered what is in the way: the same poses are asked for again."""
+"""Size of the caches of blockers of discs and lines: the same poses recur."""
 ROOM = "the room's outer wall"
 FEW_LINES = 3
-"""Number up to which one by one is faster (as measured)."""
+"""Number of lines up to which a loop is faster (measured)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Blocker:
-    """What is in the way of a disc."""
+    """An obstacle that a disc overlaps."""
 
     name: str
-    """As it reads in a sentence: `the table`, `table 2`, `wall 2`, `marta`, `the room's outer wall`."""
+    """Its name in a sentence: `the table`, `table 2`, `wall 2`, `marta`, `the room's outer wall`."""
     gap_m: float
-    """Between the disc and the thing; negative where they overlap."""
+    """Gap between the disc and the obstacle [m]; negative if they overlap."""
 
     @property
     def relation(self) -> str:
-        """The rest of a sentence that begins with the disc."""
+        """The relation of the disc to the obstacle, as the end of a sentence."""
         if self.name == ROOM and self.gap_m < 0.0:
             return "is not inside the room"
         return f"is {self.gap_m:.2f} m from {self.name}" if self.gap_m >= 0.0 else f"overlaps {self.name}"
@@ -51,16 +51,16 @@ class Blocker:
 
 @dataclass(frozen=True, slots=True)
 class Segments:
-    """Straight lines with a thickness: outlines of the floor and of furniture, inner walls, shut doors."""
+    """Thick line segments: outlines of the floor and of furniture, inner walls, shut doors."""
 
     ends: NDArray[np.float64]
     """Shape (n, 2, 2): line, start or end, x or y [m]."""
     half_m: NDArray[np.float64]
-    """Shape (n,): half the thickness, which is round about the ends."""
+    """Half the thickness, with round ends [m]; shape (n,)."""
 
 
 class FloorPlan:
-    """The room, its walls, shut doors among them, and its furniture: all that stands still."""
+    """All static obstacles: the room, its walls with shut doors, and its furniture."""
 
     def __init__(self, room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> None:
         from shapely import LineString, Polygon, STRtree, prepare
@@ -71,7 +71,7 @@ class FloorPlan:
         prepare(self._edge)
         lines = [LineString([wall.start, wall.end]) for wall in walls]
         pieces = [Polygon(piece.corners) for piece in furniture]
-        # Solid i is at most reach[i] wider than its shape: walls are lines with half their thickness around.
+        # Solid i is at most reach[i] wider than its shape: walls are lines plus half their thickness.
         self._shapes: list[BaseGeometry] = [*lines, *pieces]
         self._reach = np.array([wall.thickness_m / 2 for wall in walls] + [0.0] * len(pieces))
         self._names: list[str] = [wall.name or f"wall {i}" for i, wall in enumerate(walls, start=1)]
@@ -81,26 +81,26 @@ class FloorPlan:
         self._tree = STRtree(self._shapes)
         self._clear = lru_cache(maxsize=None)(self._clear_space)
         self.blocker = lru_cache(maxsize=KEPT)(self._find_blocker)
-        """What a disc (its centre, its radius) overlaps, the nearest first; None: it is free in the room."""
+        """The nearest obstacle that a disc (centre, radius) overlaps; None if it is free inside the room."""
         self.wall_between = lru_cache(maxsize=KEPT)(self._find_wall_between)
-        """The name of a wall or shut door in a straight line (its ends); furniture is looked over."""
+        """Name of a wall or shut door that crosses a line (its ends); furniture does not block the view."""
         self._outlines = (*room.outlines, *(piece.corners for piece in furniture))
         self._walls = walls
         self._made_of = room, walls, furniture
 
     def __reduce__(self) -> tuple[type[FloorPlan], tuple[Room, tuple[Wall, ...], tuple[Furniture, ...]]]:
-        """What it is made of is pickled; shapes and caches are made again."""
+        """Only the inputs are pickled; shapes and caches are rebuilt."""
         return FloorPlan, self._made_of
 
     @cached_property
     def bare(self) -> FloorPlan:
-        """The same without furniture: where people may sit."""
+        """The floor plan without furniture, on which people may sit."""
         room, walls, _ = self._made_of
         return _floor_plan(room, walls, ())
 
     @cached_property
     def segments(self) -> Segments:
-        """All of it as straight lines."""
+        """All obstacles as line segments."""
         edges = [
             pair
             for outline in self._outlines
@@ -111,7 +111,7 @@ class FloorPlan:
         return Segments(np.array(ends), np.array(half_m))
 
     def is_floor(self, xy: XY) -> bool:
-        """Whether a point is in the room, its edge included, whatever stands there; NaN is not."""
+        """Whether a point is in the room, edge included, whatever stands there; False for NaN."""
         from shapely import intersects_xy
 
         return bool(intersects_xy(self.room, *xy))
@@ -130,11 +130,11 @@ class FloorPlan:
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
 
     def within(self, region: BaseGeometry, xy: XY) -> Blocker | None:
-        """What is in a region, the nearest to a point first, and how far it is from there; None: nothing.
+        """The obstacle in a region that is nearest to a point, with its distance; None if there is none.
 
         Args:
             region: Any shape.
-            xy: The point, such as the middle of a robot whose arms sweep the region.
+            xy: The point, such as the centre of a robot whose arms sweep the region.
         """
         from shapely import Point
 
@@ -154,13 +154,13 @@ class FloorPlan:
         if not self.room.covers(line):
             return ROOM
         for i in sorted(self._tree.query(line, predicate="dwithin", distance=self._widest_m).tolist()):
-            # With their thickness: between the line of a wall and that of a shut door there is a seam.
+            # With their thickness: there is a seam between the lines of a wall and a shut door.
             if i < self._wall_count and self._shapes[i].distance(line) <= self._reach[i]:
                 return self._names[int(i)]
         return None
 
     def are_free(self, points: NDArray[np.float64], radius_m: float) -> NDArray[np.bool_]:
-        """Whether discs stand free inside the room: `blocker`, of many at once; shape (n, 2) to (n,)."""
+        """Whether discs are free inside the room: `blocker` for many at once; shape (n, 2) to (n,)."""
         from shapely import contains_xy, distance
         from shapely import points as as_points
 
@@ -172,7 +172,7 @@ class FloorPlan:
         return np.asarray(free)
 
     def are_in_view(self, start: XY, ends: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Whether no wall is between a point and others: `wall_between`, of many; shape (n, 2) to (n,)."""
+        """Whether no wall is between a point and others: `wall_between` for many; shape (n, 2) to (n,)."""
         from shapely import covers, distance, linestrings
 
         lines = np.asarray(linestrings(np.stack([np.broadcast_to(start, ends.shape), ends], axis=1)))
@@ -184,7 +184,7 @@ class FloorPlan:
         return seen
 
     def view_blockers(self) -> NDArray[np.float64]:
-        """The lines that block the view, shape (n, 2, 2): inner walls; a hollow outline."""
+        """Lines that block the view: inner walls, and outlines of a non-convex room; shape (n, 2, 2)."""
         lines = [_with_ends(wall) for wall in self._walls]
         if self.room.convex_hull.area > self.room.area + 1e-9:
             for ring in (self.room.exterior, *self.room.interiors):
@@ -192,11 +192,11 @@ class FloorPlan:
         return np.array(lines).reshape(-1, 2, 2)
 
     def clear_space(self, clearance_m: float, *, at_least: bool = True) -> BaseGeometry:
-        """The points at a distance from everything that stands still: polygons, round corners included.
+        """The region that keeps a clearance from all static obstacles, as polygons with rounded corners.
 
         Args:
-            clearance_m: How far.
-            at_least: Whether all of its points are that far; otherwise all points that far are in it.
+            clearance_m: The clearance [m].
+            at_least: True: all its points keep the clearance; False: it contains all points that do.
         """
         return self._clear(clearance_m, at_least)
 
@@ -210,11 +210,11 @@ class FloorPlan:
         return difference(offset(self.room, -clearance_m, at_least=at_least), union_all(solids))
 
     def leave_clear(self, lines: Sequence[NDArray[np.float64]], clearance_m: float) -> NDArray[np.bool_]:
-        """Whether lines through points are inside the room and at a distance from all that stands still.
+        """Whether polylines are inside the room and keep a clearance from all static obstacles.
 
         Args:
-            lines: Each of shape (n, 2), two points at least.
-            clearance_m: How far.
+            lines: Each of shape (n, 2), with at least two points [m].
+            clearance_m: The clearance [m].
 
         Returns:
             Shape (number of lines,).
@@ -227,7 +227,7 @@ class FloorPlan:
             which = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
             shapes = np.asarray(linestrings(np.concatenate(lines), indices=which))
         first = np.array([line[0] for line in lines])
-        # A line that the edge is not near is inside with any of its points.
+        # A line far from the edge is inside if any of its points is.
         clear = contains_xy(self.room, first[:, 0], first[:, 1]) & ~dwithin(self._edge, shapes, clearance_m)
         if not clear.any():
             return np.asarray(clear)
@@ -246,13 +246,13 @@ def _with_ends(wall: Wall) -> NDArray[np.float64]:
 
 
 CORNER_SEGMENTS = 8
-"""Straight pieces to a quarter circle."""
+"""Number of straight pieces per quarter circle."""
 
 
 def offset(shape: BaseGeometry, distance_m: float, *, at_least: bool = True) -> BaseGeometry:
-    """A shape grown (or shrunk) by at least, or by at most, the distance.
+    """A shape grown (or shrunk) by at least, or at most, a distance.
 
-    Its round corners are polygons around the arcs, or inside them.
+    Its rounded corners are polygons outside or inside the arcs.
     """
     outside = 1.0 / math.cos(math.pi / (4 * CORNER_SEGMENTS)) if at_least else 1.0
     return shape.buffer(distance_m * outside, quad_segs=CORNER_SEGMENTS)
@@ -264,7 +264,7 @@ def _floor_plan(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture,
 
 
 class Floor(Protocol):
-    """What a floor plan is made of: a scene has it, and a map."""
+    """The parts of a floor plan, as in a scene or a map."""
 
     @property
     def room(self) -> Room:
@@ -273,22 +273,22 @@ class Floor(Protocol):
 
     @property
     def walls(self) -> tuple[Wall, ...]:
-        """Inside the room."""
+        """The inner walls."""
         ...
 
     @property
     def furniture(self) -> tuple[Furniture, ...]:
-        """What stands on the floor."""
+        """The furniture."""
         ...
 
     @property
     def doors(self) -> tuple[Door, ...]:
-        """Each in a gap of the walls."""
+        """The doors, each in a gap of the walls."""
         ...
 
 
 def floor_plan(place: Floor, doors: Iterable[Door] | None = None) -> FloorPlan:
-    """The floor plan of a place; with other doors than its own, where they are given."""
+    """The floor plan of a place, optionally with its doors in other states."""
     return floor_plan_of(place.room, place.walls, place.furniture, place.doors if doors is None else doors)
 
 

@@ -1,4 +1,4 @@
-"""Passers-by: anonymous people who come and go, in no plan and placed at random."""
+"""Passers-by: anonymous people placed at random who walk about; no plan includes them."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from comity_sim2d.scene.walk import SPEED_M_S
 from comity_sim2d.scene_error import SceneError, require_between, require_points, require_whole
 
 SLOWEST_M_S, FASTEST_M_S = 0.6, 2.0
-"""Limits of the speeds of passers-by, however they are spread [m/s] (our choice)."""
+"""Limits of the random speeds of passers-by [m/s] (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class PassersBy:
-    """A number of people who walk about as long as the world runs; in frames and metrics, but in no plan."""
+    """A number of people who walk about while the world runs; in frames and metrics, but in no plan."""
 
     count: int
     between: tuple[XY, ...] = ()
-    """The points that they walk between, to within `SPREAD_M`; anywhere where this is empty. On each of them
-    one could stand, and a way leads from each to each."""
+    """Points between which they walk, to within `SPREAD_M` [m]; empty: anywhere. Each must have room to
+    stand, and all must be connected."""
     speed_m_s: float = SPEED_M_S
-    """The mean; it differs from one to the next by `SPEED_SPREAD_M_S`."""
+    """Mean speed [m/s]; individuals differ with standard deviation `SPEED_SPREAD_M_S`."""
     reacts: RobotReaction = "regular"
     radius_m: float = 0.20
 
@@ -43,5 +43,5 @@ class PassersBy:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What they are called in frames."""
+        """Their names in frames."""
         return tuple(f"passer-by {number}" for number in range(1, self.count + 1))

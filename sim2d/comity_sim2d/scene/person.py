@@ -1,4 +1,4 @@
-"""A person in a scene: where they stand and face, how they move, and what they like."""
+"""A person in a scene: pose, movement, and preferences."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ PERSON_RADIUS_M = 0.20
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """Someone in the room, as a disc that faces somewhere."""
+    """A person in the room, as a disc with a heading."""
 
     name: str
     x_m: float
@@ -37,23 +37,25 @@ class Person:
     posture: str = "standing"
     """One of `POSTURES`; a seated person's disc stands for the chair as well, or is on furniture."""
     personal_distance_m: float | None = None
-    """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
+    """Distance that a passing robot should keep, between surfaces, if possible [m]; None: the default."""
     approach_speed_m_s: float | None = None
-    """How fast a robot may move within 1.5 m of the body, as the person asked; None: the limit for all."""
+    """Maximum speed of a robot within 1.5 m of the body, as the person asked [m/s]; None: the general
+    limit."""
     comfort: Comfort | None = None
-    """What the person likes and shows, hidden from the robot; None: they do not react."""
+    """Preferred distances and their signals, hidden from the robot; None: the person does not react."""
     walk: Walk | None = None
-    """Where the person walks; None: they stay where they are."""
+    """The person's walk; None: they stay where they are."""
     reacts: RobotReaction | None = None
     """The person's reaction to the robot; None: a walking person takes it for another person."""
     steps_aside: bool = False
     """Whether the person steps out of the way of a robot that asks to pass."""
     lets_pass: bool = False
-    """Whether the person says yes to it; both are hidden from the robot."""
+    """Whether the person agrees to such a request; both are hidden from the robot."""
     margin_facts: MarginFacts = field(default_factory=MarginFacts)
-    """What the person declared about being passed at a reduced margin."""
+    """Declared facts about being passed at a reduced margin."""
     margin_m: float = PERSON_MARGIN_M
-    """Clearance of routes past the person now, between surfaces [m]; a robot with leave to pass lowers it."""
+    """Current clearance of routes past the person, between surfaces [m]; lower while the robot has
+    permission."""
 
     def __post_init__(self) -> None:
         require_text("people", "name", self.name)
@@ -100,12 +102,12 @@ class Person:
 
     @property
     def xy(self) -> XY:
-        """Where the person stands."""
+        """Position [m]."""
         return (self.x_m, self.y_m)
 
     @property
     def pose(self) -> Pose:
-        """Where the person stands and faces."""
+        """Pose of the person."""
         return Pose(self.x_m, self.y_m, self.heading_rad)
 
 

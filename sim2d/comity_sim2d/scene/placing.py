@@ -1,4 +1,4 @@
-"""Where the passers-by of a scene start and where they go, drawn by the seed."""
+"""Random starts and destinations of the passers-by of a scene."""
 
 from __future__ import annotations
 
@@ -21,22 +21,23 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 APART_M = 0.10
-"""Between the bodies of people at the start, at least; three times as much to the robot."""
+"""Minimum gap between people's bodies at the start [m]; three times as much to the robot."""
 DESTINATIONS = 4
 """Default number of places that a passer-by walks through before coming back to the start."""
 SPREAD_M = 1.0
 """Maximum distance of passers-by's destinations from a given point [m], so that not all stand on it."""
 TRIES = 400
 ROUNDS = 100
-"""Number of further draws where no place was free: few are on a narrow lane across a large place."""
+"""Number of further batches of draws while no place was free: few points fall on a narrow lane in a large
+place."""
 
 Places = NDArray[np.complex128]
-"""In the plane, x + iy [m]."""
+"""Positions in the plane, x + iy [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """Where one passer-by starts and goes."""
+    """Start and destinations of one passer-by."""
 
     at: complex
     speed_m_s: float
@@ -44,10 +45,10 @@ class Placed:
 
 
 def place(scene: Scene, seed: int) -> tuple[Placed, ...]:
-    """Put the passers-by of a scene into it, clear of all things and people.
+    """Place the passers-by of a scene, clear of all obstacles and people.
 
     Raises:
-        SceneError: Where there is no room for them, or a point to walk to that cannot be walked to.
+        SceneError: If there is no room for them, or a destination cannot be reached.
     """
     who, rng = scene.passers_by, np.random.Generator(np.random.PCG64([seed, 2]))
     if who is None:
@@ -62,7 +63,7 @@ def place(scene: Scene, seed: int) -> tuple[Placed, ...]:
 
 
 class _Floor:
-    """Where the passers-by of a scene can be."""
+    """The free floor for the passers-by of a scene."""
 
     def __init__(self, scene: Scene, who: PassersBy, rng: np.random.Generator) -> None:
         plan, radius_m = floor_plan(scene), who.radius_m
@@ -71,7 +72,7 @@ class _Floor:
         for point in who.between:
             self._check(point, plan.blocker(point, radius_m))
         free = _outside_groups(plan.clear_space(round(radius_m + APART_M, 6)), scene, radius_m + APART_M)
-        # No one starts behind a shut door without a path to where they all go.
+        # No one starts in a part of the floor without a path to the common destinations.
         self._free = self._joined(free, complex(*who.between[0])) if who.between else free
         self._radius_m, self._rng = radius_m, rng
         people, robot = scene.people, scene.robot
@@ -81,7 +82,7 @@ class _Floor:
         self._others = len(self._taken)
 
     def free_place(self) -> complex:
-        """A place clear of all people so far, which is taken from then on."""
+        """A random place clear of all people placed so far; it is then taken."""
         taken, reach = np.array(self._taken), np.array(self._reach)
         for place in self._anywhere(TRIES, self._free):
             if np.all(np.abs(taken - place) >= reach):
@@ -97,7 +98,7 @@ class _Floor:
         )
 
     def destinations(self, start: complex) -> tuple[complex, ...]:
-        """Where a passer-by who starts there goes to, one place after the other."""
+        """Destinations of a passer-by who starts there, in order."""
         between = self._between
         if not between:
             around = self._joined(self._free, start)
@@ -105,7 +106,7 @@ class _Floor:
         return tuple(self._near(complex(*between[i])) for i in self._rng.permutation(len(between)))
 
     def _check(self, point: XY, blocker: Blocker | None) -> None:
-        """Refuse a destination without room to stand, or without a path from the start."""
+        """Reject a destination without room to stand, or without a path from the start."""
         first = self._between[0]
         if blocker is None and self._piece(complex(*point)) is self._piece(complex(*first)):
             return
@@ -124,12 +125,12 @@ class _Floor:
         return min(self._pieces, key=here.distance, default=None)
 
     def _joined(self, free: BaseGeometry, place: complex) -> BaseGeometry:
-        """What of the free floor can be walked to from a place."""
+        """The part of the free floor that can be reached from a place."""
         piece = self._piece(place)
         return free if piece is None or len(self._pieces) == 1 else free.intersection(piece)
 
     def _near(self, point: complex) -> complex:
-        """A free place near a point; near the nearest free one, where a group keeps the point open."""
+        """A free place near a point; if a group keeps the point open, near the nearest free one."""
         from shapely import Point, shortest_line
 
         foot = shortest_line(Point(point.real, point.imag), self._free).coords[-1]
@@ -153,7 +154,7 @@ class _Floor:
 
 
 def _outside_groups(free: BaseGeometry, scene: Scene, clear_m: float) -> BaseGeometry:
-    """The free floor at a distance from the space that groups keep open, where no one stands or goes."""
+    """The free floor that keeps a clearance from the o-spaces of groups."""
     from shapely import Polygon, difference, union_all
 
     spaces = [Polygon(space.grown(clear_m).outline()) for space in scene.o_spaces]

@@ -20,23 +20,23 @@ DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M = 0.25
 """Default radius of the disc [m]: a robot like Pepper, 0.48 m across."""
 SIGHT_M = 0.50
-"""Minimum range of sight from its body [m]: where people talk with it (our choice)."""
+"""Minimum range of sight from its body [m]: conversational distance (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sensor:
-    """How the robot's knowledge of where people stand differs from the truth; by default it does not."""
+    """Errors of the robot's measurement of people's positions; by default there are none."""
 
     sigma_m: float = 0.0
-    """Standard deviation of Gaussian noise on each coordinate of a person's place."""
+    """Standard deviation of Gaussian noise on each coordinate of a person's position [m]."""
     delay_s: float = 0.0
-    """Age of what is known."""
+    """Delay of measurements [s]."""
     range_m: float = FARTHEST_M
-    """People are seen up to here, from the robot's centre to their bodies."""
+    """Maximum distance from the robot's centre to the body of a person it sees [m]."""
     field_of_view_deg: float = 360.0
-    """About the robot's heading, half of it to either side."""
+    """Field of view, centred on the robot's heading [deg]."""
     hidden_by_walls: bool = False
-    """Whether a wall hides who is behind it."""
+    """Whether walls hide people."""
 
     def __post_init__(self) -> None:
         require_between("sensor", "sigma_m", self.sigma_m, 0.0, 1.0)
@@ -48,7 +48,7 @@ class Sensor:
 
 @dataclass(frozen=True, slots=True)
 class RobotBody:
-    """The robot where it starts: a disc that drives in one way or the other, with limits."""
+    """The robot at its start: a disc with one kind of drive and its limits."""
 
     x_m: float
     y_m: float
@@ -57,23 +57,24 @@ class RobotBody:
     radius_m: float = ROBOT_RADIUS_M
     max_speed_m_s: float = 0.7
     max_acceleration_m_s2: float = 0.5
-    """For speeding up, slowing down and changing direction alike."""
+    """Limit of the acceleration in every direction, braking and turning included [m/s^2]."""
     max_jerk_m_s3: float = 20.0
-    """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default.
+    """Limit of the jerk [m/s^3]; at 20 Hz and 0.5 m/s^2 the commands alone keep the default.
 
-    Below `max_acceleration_m_s2` a second, the robot accelerates less than its limit, by this jerk times 1 s.
+    If it is below `max_acceleration_m_s2` per second, the robot accelerates less than its limit: by this jerk
+    times 1 s.
     """
     emergency_deceleration_m_s2: float = 2.0
-    """How hard it brakes while its emergency stop is pressed, whatever the jerk.
+    """Deceleration while its emergency stop is pressed, whatever the jerk [m/s^2].
 
-    Our choice, below where a body tips whose centre of mass stands 0.6 m above wheels that reach 0.15 m out
-    (9.81 * 0.15 / 0.6 = 2.5). It never brakes more softly than by `max_acceleration_m_s2`.
+    Our choice, below the value at which a body tips whose centre of mass is 0.6 m above wheels that reach
+    0.15 m out (9.81 * 0.15 / 0.6 = 2.5). It never brakes more softly than `max_acceleration_m_s2`.
     """
     drive: str = "omnidirectional"
     """One of `DRIVES`."""
     sensor: Sensor = field(default_factory=Sensor)
     margin_m: float = PERSON_MARGIN_M
-    """Clearance from people who stood aside or said yes, and only from those, between surfaces [m]."""
+    """Clearance only from people who stepped aside or agreed, between surfaces [m]."""
 
     def __post_init__(self) -> None:
         require_text("robot", "name", self.name)
@@ -99,5 +100,5 @@ class RobotBody:
 
     @property
     def pose(self) -> Pose:
-        """Where the robot starts."""
+        """Initial pose of the robot."""
         return Pose(self.x_m, self.y_m, self.heading_rad)

@@ -16,23 +16,24 @@ from typing import Literal, get_args
 from comity_sim2d.scene_error import require_one_of
 
 RobotReaction = Literal["regular", "impassive", "curious", "surprised", "scared", "threatening"]
-"""They take the robot for a person, for a thing, go up to it, stop and look, keep away, or get in its way."""
+"""In order: they take the robot for a person, take it for an object, approach it, stop and look, keep away,
+or block it."""
 REACTIONS: tuple[RobotReaction, ...] = get_args(RobotReaction)
 
 SEEN_M = {"curious": 10.0, "surprised": 4.0, "scared": 3.0, "threatening": 4.0}
-"""How near the robot is when they react; the trees know no distance for surprise, where it is our choice."""
+"""Distance of the robot at which they react [m]; the behaviour trees give none for surprise (our choice)."""
 SEEN_RAD = math.pi / 2 + 0.17
-"""Bearing from their facing up to which they see it [rad]."""
+"""Maximum bearing from their facing at which they see it [rad]."""
 LASTS_S = 40.0
-"""Total time after which they are used to it, and go on as with another person [s]."""
+"""Total time after which they are used to it, and treat it like another person [s]."""
 CURIOUS_STOP_M, CURIOUS_M_S = 1.5, 1.8
 """Distance at which they stop [m], and their speed at 10 m, which falls with the distance [m/s]."""
 SCARED_M_S2, SCARED_REACH_M = 20.0, 0.2
-"""The additional force is `SCARED_M_S2` times `SCARED_REACH_M` over the distance."""
+"""The additional acceleration is `SCARED_M_S2` [m/s^2] times `SCARED_REACH_M` [m] over the distance."""
 THREATENING_AHEAD_M, THREATENING_M_S = 1.4, 2.0
-"""Distance of the place before the robot that they make for [m], and their maximum speed [m/s]."""
+"""Distance ahead of the robot of the place that they head for [m], and their maximum speed [m/s]."""
 ADDRESSED_M, ADDRESSED_RAD = 2.0, math.radians(45.0)
-"""Distance [m] and bearing [rad] within which a robot has come up to a walker (our choice)."""
+"""Distance [m] and bearing [rad] within which a robot has approached a walker (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,22 +48,22 @@ class RobotSeen:
 
 @dataclass(frozen=True, slots=True)
 class Intent:
-    """A person's momentary reaction instead of their walk."""
+    """A person's current reaction in place of their walk."""
 
     goal: complex | None = None
-    """Where to go; None: stand."""
+    """Goal as x + iy [m]; None: stand."""
     speed_m_s: float = 0.0
     push: complex = 0j
     """An additional acceleration [m/s^2]."""
     keeps_walking: bool = False
-    """Whether the walk goes on all the same."""
+    """Whether the walk continues nevertheless."""
 
 
 def require_reaction(entity: str, reaction: str) -> None:
-    """Refuse what is no reaction.
+    """Reject an unknown reaction.
 
     Raises:
-        SceneError: with the nearest that is one.
+        SceneError: With the nearest known reaction.
     """
     require_one_of(entity, "reacts", reaction, REACTIONS, what="reaction")
 
@@ -73,12 +74,12 @@ def is_seen(robot: RobotSeen, at: complex, heading_rad: float, distance_m: float
 
 
 def off_rad(robot: RobotSeen, at: complex, heading_rad: float) -> float:
-    """Bearing of the robot from a person's facing, positive to the left."""
+    """Bearing of the robot from a person's facing, positive to the left [rad]."""
     return cmath.phase((robot.at - at) * cmath.rect(1.0, -heading_rad))
 
 
 def comes_up(robot: RobotSeen, at: complex) -> bool:
-    """Whether the robot is near a person and turned to them."""
+    """Whether the robot is near a person and faces them."""
     apart = at - robot.at
     bearing = cmath.phase(apart * cmath.rect(1.0, -robot.heading_rad))
     return abs(apart) <= ADDRESSED_M and abs(bearing) <= ADDRESSED_RAD

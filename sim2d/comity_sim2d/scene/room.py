@@ -18,17 +18,17 @@ from comity_sim2d.scene_error import (
 )
 
 CIRCLE_CORNERS = 24
-"""Of round furniture, which is up to 0.9 % wider than written (our choice)."""
+"""Number of corners of round furniture, which is up to 0.9 % wider than specified (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Room:
-    """The floor that can be walked on, as a polygon; its outline is a wall."""
+    """The walkable floor as a polygon; its outline is a wall."""
 
     corners: tuple[XY, ...]
     """In order, either way round, the first not repeated [m]."""
     holes: tuple[tuple[XY, ...], ...] = ()
-    """What is no floor inside it, such as a courtyard: the corners of each, none of them outside."""
+    """Holes in the floor, such as a courtyard: the corners of each, all inside the room [m]."""
 
     def __post_init__(self) -> None:
         require_tuple("room", "holes", self.holes, tuple, "outlines, each of points `(x, y)`")
@@ -38,7 +38,7 @@ class Room:
 
     @property
     def outlines(self) -> tuple[tuple[XY, ...], ...]:
-        """The outer one, then that of every hole."""
+        """The outer outline, then that of every hole."""
         return (self.corners, *self.holes)
 
     @classmethod
@@ -57,7 +57,7 @@ class Wall:
     end: XY
     thickness_m: float = 0.10
     name: str = ""
-    """Only for messages and pictures; without one it is called by its number in the scene."""
+    """Name for messages and pictures; unnamed walls go by their number in the scene."""
 
     def __post_init__(self) -> None:
         require_kinds("wall", name=(self.name, str))
@@ -76,7 +76,7 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Furniture:
-    """Something to go around: a simple polygon with a name."""
+    """An obstacle: a simple polygon with a name."""
 
     name: str
     corners: tuple[XY, ...]
@@ -88,9 +88,9 @@ class Furniture:
 
     @property
     def called(self) -> str:
-        """What a sentence calls it: `the low table`, a kind of thing; `t1` and `Billy`, names of their own.
+        """Its name in a sentence: `the low table` for a kind of thing, `t1` and `Billy` for proper names.
 
-        Plain words in small letters are taken for a kind of thing (our choice).
+        Lower-case words are taken for a kind of thing (our choice).
         """
         is_a_kind = re.fullmatch(r"(?!(?:the|an?) )[a-z]+(?:[ -][a-z]+)*", self.name) is not None
         return f"the {self.name}" if is_a_kind else self.name
@@ -99,7 +99,7 @@ class Furniture:
     def box(
         cls, name: str, x_m: float, y_m: float, *, width_m: float, depth_m: float, angle_rad: float = 0.0
     ) -> Furniture:
-        """A rectangle by its middle: `width_m` along x and `depth_m` along y, then turned by `angle_rad`."""
+        """A rectangle by its centre: `width_m` along x and `depth_m` along y, turned by `angle_rad`."""
         require_text("furniture", "name", name)
         require_finite(name, x_m=x_m, y_m=y_m, angle_rad=angle_rad)
         require_between(name, "width_m", width_m, 0.01, 1000.0)
@@ -110,7 +110,7 @@ class Furniture:
 
     @classmethod
     def circle(cls, name: str, x_m: float, y_m: float, *, radius_m: float) -> Furniture:
-        """A disc by its middle, as the regular polygon of `CIRCLE_CORNERS` corners around it."""
+        """A disc given by its centre, as the circumscribed regular polygon of `CIRCLE_CORNERS` corners."""
         require_text("furniture", "name", name)
         require_finite(name, x_m=x_m, y_m=y_m)
         require_between(name, "radius_m", radius_m, 0.01, 500.0)

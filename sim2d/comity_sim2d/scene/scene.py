@@ -24,10 +24,10 @@ SIDES: tuple[Side, ...] = get_args(Side)
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """Everything a world starts from.
+    """The initial state of a world.
 
     Raises:
-        SceneError: Where something cannot stand where it is put; its `entity` says what.
+        SceneError: If an entity cannot stand at its place; its `entity` says which.
     """
 
     room: Room
@@ -40,11 +40,11 @@ class Scene:
     passers_by: PassersBy | None = None
     """The passers-by."""
     keep_to: Side = "right"
-    """The side on which people who walk evade one another where both are as good."""
+    """Side on which people evade one another if both are equally good."""
     doors: tuple[Door, ...] = ()
-    """As they are at the start, each in a gap of the walls."""
+    """Doors in their initial state, each in a gap of the walls."""
     areas: tuple[Area, ...] = ()
-    """Named parts of the floor; nothing stands there because of them."""
+    """Named parts of the floor; they are no obstacles."""
     locations: tuple[Location, ...] = ()
     """Named points."""
 
@@ -76,11 +76,11 @@ class Scene:
 
     @property
     def o_spaces(self) -> tuple[OSpace, ...]:
-        """What the groups keep open between them at the start, in their order."""
+        """The o-spaces of the groups at the start, in their order."""
         return tuple(group.o_space(self.people) for group in self.groups)
 
     def o_spaces_among(self, people: Iterable[Person]) -> tuple[OSpace, ...]:
-        """What is left of them with people elsewhere: of those who have not left their group."""
+        """The o-spaces for other positions of people: only of members who have not left their group."""
         there = tuple(people)
         left = (o_space_of_those_left(group.those_of(self.people), there) for group in self.groups)
         return tuple(space for space in left if space is not None)
@@ -89,6 +89,6 @@ class Scene:
         """The person of that name.
 
         Raises:
-            ValueError: Where there is none.
+            ValueError: If there is none.
         """
         return find_person(self.people, name)

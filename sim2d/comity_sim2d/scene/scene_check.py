@@ -1,4 +1,4 @@
-"""Checks of a scene: people and things in impossible places, found before anything moves."""
+"""Checks of a scene: finds people and objects in impossible places before anything moves."""
 
 from __future__ import annotations
 
@@ -21,27 +21,27 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.room import Furniture, Room, Wall
 
 MAX_OBSTACLES = 1000
-"""Walls, doors and furniture together (our choice: for routes, see `ways.MOST_CORNERS`)."""
+"""Maximum number of walls, doors and furniture together (our choice: for routes, see `ways.MOST_CORNERS`)."""
 MAX_PEOPLE = 1000
 """Maximum number of people in a scene, without passers-by, who have a limit of their own (our choice)."""
 
 PLACES_KEPT = 64
-"""Places of which it is remembered that they can be: planning again builds the same with people elsewhere."""
+"""Number of places cached as valid: replanning builds the same ones with people elsewhere."""
 LEAST_AREA_M2 = 1e-4
-"""Of a room or a piece of furniture (our choice: less is a slip of the pen)."""
+"""Minimum area of a room or a piece of furniture [m^2] (our choice: less is a typo)."""
 
 
 class Filled(Floor, Protocol):
-    """A place with a robot and people in it."""
+    """A place with a robot and people."""
 
     @property
     def robot(self) -> RobotBody:
-        """Where it starts."""
+        """The robot at its start."""
         ...
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """Where they start."""
+        """The people at their starts."""
         ...
 
     @property
@@ -51,10 +51,10 @@ class Filled(Floor, Protocol):
 
 
 def check_scene(scene: Filled) -> None:
-    """Refuse a scene that cannot be.
+    """Reject an invalid scene.
 
     Raises:
-        SceneError: For the first thing that is wrong.
+        SceneError: For the first problem found.
     """
     _check_count(scene)
     _check_names(scene)
@@ -94,10 +94,10 @@ def _check_margins(people: Iterable[Person]) -> None:
 
 
 def check_count(obstacles: int) -> None:
-    """Refuse more obstacles than routes can be found around in bounded time.
+    """Reject more obstacles than routes can be planned around in bounded time.
 
     Raises:
-        SceneError: about the `scene`.
+        SceneError: With the entity `scene`.
     """
     if obstacles > MAX_OBSTACLES:
         raise SceneError(
@@ -116,14 +116,14 @@ def _check_names(scene: Filled) -> None:
 
 
 def check_own_names(names: Iterable[str], bearers: str) -> None:
-    """Refuse a name that stands twice.
+    """Reject duplicate names.
 
     Args:
-        names: Each as often as something bears it.
-        bearers: What bears them, for the message.
+        names: The names, with repetitions.
+        bearers: What has these names, for the message.
 
     Raises:
-        SceneError: About the first such name.
+        SceneError: For the first such name.
     """
     for name, times in Counter(names).items():
         if times > 1:
@@ -161,10 +161,10 @@ def _check_holes(room: Room) -> None:
 
 
 def check_simple(entity: str, corners: tuple[XY, ...]) -> None:
-    """Refuse an outline that crosses itself or has no area.
+    """Reject an outline that crosses itself or has no area.
 
     Raises:
-        SceneError: about the entity.
+        SceneError: With this entity.
     """
     from shapely import Polygon
     from shapely.validation import explain_validity
@@ -185,7 +185,7 @@ def check_simple(entity: str, corners: tuple[XY, ...]) -> None:
 
 
 def _in_words(reason: str) -> str:
-    """`Self-intersection[5 5]` as the rest of a sentence."""
+    """A reason such as `Self-intersection[5 5]` as the end of a sentence."""
     kind, _, at = reason.lower().rstrip("]").partition("[")
     return f"a {kind} at ({at.replace(' ', ', ')})" if at else kind
 
@@ -202,10 +202,10 @@ def _without_area(entity: str, area_m2: float) -> SceneError:
 
 @lru_cache(maxsize=PLACES_KEPT)
 def check_on_floor(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> None:
-    """Refuse walls and furniture that stand wholly outside the room.
+    """Reject walls and furniture that are entirely outside the room.
 
     Raises:
-        SceneError: About the first of them; a wall without a name is called by its number, from 1.
+        SceneError: For the first of them; an unnamed wall goes by its number, from 1.
     """
     from shapely import LineString, Polygon
 

@@ -1,4 +1,4 @@
-"""Random places to stand: drawn evenly over the free floor, clear of things and people.
+"""Random places to stand: uniform over the free floor, clear of obstacles and people.
 
 Drawn points that are not free are rejected and drawn again, at most `MOST_DRAWS` times.
 """
@@ -20,10 +20,10 @@ from comity_sim2d.scene_error import FARTHEST_M, require_between, require_points
 
 MOST_DRAWS = 10_000
 BATCH = 250
-"""Points that are drawn and looked at together."""
+"""Number of points drawn and tested together."""
 
 Body = tuple[XY, float]
-"""A disc that is there already: its centre and radius [m]."""
+"""An existing disc: its centre and radius [m]."""
 
 
 def random_spot(
@@ -34,17 +34,17 @@ def random_spot(
     *,
     within: Area | None = None,
 ) -> XY | None:
-    """A place for a disc, clear of walls and furniture by as much as a robot needs, and of bodies by 0.30 m.
+    """A random place for a disc, with the robot's clearance from obstacles and 0.30 m from bodies [m].
 
     Args:
-        plan: What stands still.
-        bodies: People who are there already.
-        radius_m: Of the disc.
-        rng: What is drawn with.
-        within: The room that the place is to be in; None: anywhere.
+        plan: The static obstacles.
+        bodies: People already there.
+        radius_m: Radius of the disc [m].
+        rng: The random generator.
+        within: Room of the place; None: anywhere.
 
     Returns:
-        None where `MOST_DRAWS` points were not free.
+        None if `MOST_DRAWS` points were not free.
     """
     from shapely import Polygon, contains_xy, intersection, prepare
 
@@ -70,7 +70,7 @@ def random_spot(
 
 
 def _taken(bodies: Iterable[Body]) -> list[Body]:
-    """The discs, each looked at: a place and a radius."""
+    """The discs, each checked to be a position and a radius."""
     require_kinds("spot", bodies=(bodies, Iterable))
     taken = list(bodies)
     for body in taken:

@@ -1,4 +1,4 @@
-"""The surroundings of a robot of some size: the floor plan, and the people where they are now."""
+"""The surroundings of a robot of a given size: the floor plan, and the people at their current poses."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from comity_sim2d.scene.scene import Scene
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """The floor plan with the people where they stand now, as a robot of that size meets them."""
+    """The floor plan with people at their current poses, for a robot of a given size."""
 
     plan: FloorPlan
     people: tuple[Person, ...]
     robot_radius_m: float
     o_spaces: tuple[OSpace, ...] = ()
-    """Between people who stand together: nothing goes through."""
+    """O-spaces of groups, which nothing crosses."""
     groups: tuple[tuple[Person, ...], ...] = ()
-    """People who stand together, each where they stood at the start."""
+    """Members of each group at their original poses."""
 
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
@@ -35,7 +35,7 @@ class Surroundings:
         return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces, groups)
 
     def with_people(self, people: tuple[Person, ...]) -> Surroundings:
-        """The same with people elsewhere: the space of a group is of those who have not left it."""
+        """The same with other poses of people; o-spaces are those of members who have not left."""
         left = (o_space_of_those_left(members, people) for members in self.groups)
         return replace(self, people=people, o_spaces=tuple(space for space in left if space is not None))
 
@@ -44,7 +44,7 @@ class Surroundings:
         return find_person(self.people, name)
 
     def blocker(self, xy: XY, visited: str | None = None) -> str | None:
-        """What keeps the robot, with margins, from standing somewhere; the visited person does not count."""
+        """What blocks the robot, with margins, at a position, in words; the visited person does not count."""
         found = self.plan.blocker(xy, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
         if found is not None:
             return found.name
@@ -55,7 +55,7 @@ class Surroundings:
         return self._group_around(xy)
 
     def are_free(self, points: Sequence[XY], *, visited: str) -> NDArray[np.bool_]:
-        """Which places next to a person are free and in their view; shape (n,). One alone: `pose_blocker`."""
+        """Whether places next to a person are free and in their view; shape (n,). For one: `pose_blocker`."""
         at = np.array(points, dtype=float).reshape(-1, 2)
         free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
         for person in self.people:
@@ -71,7 +71,7 @@ class Surroundings:
         return free
 
     def _group_around(self, xy: XY) -> str | None:
-        """The group among which the robot would stand; before an open group it may stand."""
+        """The group among which the robot would stand; the place in front of an open one is allowed."""
         for space in self.o_spaces:
             if space.is_closed and math.dist(space.xy, xy) < space.radius_m + self.robot_radius_m - 1e-9:
                 return space.words

@@ -9,25 +9,25 @@ from comity_sim2d.pose import XY
 from comity_sim2d.scene_error import NUMBERS, SceneError, require_between, require_points, require_tuple
 
 SPEED_M_S, SPEED_SPREAD_M_S = 1.29, 0.19
-"""How fast people walk who are alone: mean and standard deviation (Moussaid et al. 2009, "Experimental study
-of the behavioural mechanisms underlying self-organization in human crowds", Proceedings of the Royal Society
-B 276, 2755-2762)."""
+"""Walking speed of people who are alone: mean and standard deviation [m/s] (Moussaid et al. 2009,
+"Experimental study of the behavioural mechanisms underlying self-organization in human crowds", Proceedings
+of the Royal Society B 276, 2755-2762)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Walk:
-    """A person walks from where they stand to every point in turn, around walls and furniture."""
+    """A walk from the person's position to every point in turn, around walls and furniture."""
 
     route: tuple[XY, ...]
     loop: bool = False
-    """Whether the first point follows the last; else the person stays at the last."""
+    """Whether the walk repeats; otherwise the person stays at the last point."""
     speed_m_s: float = SPEED_M_S
     pauses_s: tuple[float, ...] = ()
-    """How long the person stands at each point; none where this is empty."""
+    """Pause at each point [s]; empty: none."""
     stops: bool = False
-    """Whether the person stops for a robot that comes up to them, and looks at it."""
+    """Whether the person stops for a robot that approaches them, and looks at it."""
     accompanied: bool = False
-    """Whether the person agreed that the robot goes along with them."""
+    """Whether the person agreed to be accompanied by the robot."""
 
     def __post_init__(self) -> None:
         require_points("walk", "route", self.route)
@@ -49,7 +49,7 @@ class Walk:
 
     @property
     def stops_s(self) -> tuple[float, ...]:
-        """The pause at every point."""
+        """The pause at every point [s]."""
         return self.pauses_s or (0.0,) * len(self.route)
 
 

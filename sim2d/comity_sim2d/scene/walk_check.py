@@ -1,7 +1,7 @@
-"""Check that people can walk where a scene has them walk, with its doors as they set out.
+"""Check that people can follow the walks of a scene, with its doors in their initial state.
 
-This is no check of the scene itself: after a door has shut, a person's walk leads through it, and the scene
-of that moment can still be planned in and drawn.
+It is not part of the scene itself: after a door has shut, a walk may lead through it, and that scene can
+still be planned in and drawn.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 def check_walks(scene: Scene) -> None:
-    """Refuse walks that lead into things, through walls or through shut doors.
+    """Reject walks that lead into obstacles, through walls or through shut doors.
 
     Raises:
-        SceneError: For the first point that cannot be walked to.
+        SceneError: For the first point that cannot be reached.
     """
     plan = floor_plan(scene)
     walkers = [(person, person.walk) for person in scene.people if person.walk is not None]

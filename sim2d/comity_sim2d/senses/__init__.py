@@ -1,1 +1,1 @@
-"""What the robot knows about people: seen, tracked, missing, and a little late."""
+"""What the robot knows about people: detection, tracking, missing people, sensor delay."""

@@ -1,9 +1,9 @@
-"""Faults that are active now, by what they concern; their effects follow from them.
+"""Currently active faults, by subject; their effects follow from them.
 
-A robot whose `BASE` has a fault stands where it is, whatever the wheels receive. One whose `VOICE` has a
-fault falls silent in mid-word. One whose `SENSORS` have a fault sees no person, and stands until it does: it
-could not see what it drives into. A fault on the `PATH`, of a person or of a door changes nothing by itself:
-it is stored so that the robot can name the cause of a disturbance.
+A robot with a fault of its `BASE` stands, whatever its wheels are commanded. With a fault of its `VOICE` it
+falls silent at once. With a fault of its `SENSORS` it sees no one, and stands until it does: it could not see
+what it drives into. A fault of the `PATH`, of a person or of a door has no effect of its own: it is stored so
+that the robot can name the cause of a disturbance.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Literal
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """What a fault concerns. A person or a door may be called anything, `base` included."""
+    """The subject of a fault. A person or a door may have any name, `base` included."""
 
     kind: Literal["part", "person", "door"]
     name: str
@@ -40,24 +40,24 @@ def door(name: str) -> Subject:
 
 
 class ActiveFaults:
-    """Those of now; a subject may have several, and the same one twice."""
+    """The active faults; a subject may have several, and the same one twice."""
 
     def __init__(self) -> None:
         self._texts: dict[Subject, list[str]] = {}
 
     def begin(self, subject: Subject, text: str) -> None:
-        """Something is wrong with a subject from now on; the text says what."""
+        """Begin a fault of a subject, described by a text."""
         self._texts.setdefault(subject, []).append(text)
 
     def end(self, subject: Subject, text: str) -> None:
-        """It is over.
+        """End a fault.
 
         Raises:
-            ValueError: if it did not begin.
+            ValueError: If it has not begun.
         """
         self._texts.get(subject, []).remove(text)
 
     def of(self, subject: Subject) -> str | None:
-        """What is wrong with a subject, in words; None where nothing is."""
+        """The faults of a subject, in words; None if there are none."""
         texts = self._texts.get(subject)
         return "; ".join(dict.fromkeys(texts)) if texts else None

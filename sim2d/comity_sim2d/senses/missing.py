@@ -1,8 +1,8 @@
-"""Missing people: their believed place lies in plain view and is empty, which is evidence like any other.
+"""Missing people: their believed place is in plain view and empty, which counts as evidence.
 
-The robot believes a person who is merely out of view to be where they were seen last. After several empty
-looks there in a row it drops that belief: then it does not know where they are. A place at the edge of the
-view, at the end of the range or partly behind a wall proves nothing, nor does a look without sight.
+A person who is merely out of view is believed to be where they were last seen. After several empty looks at
+that place in a row the robot drops this belief, and does not know where they are. A place at the edge of the
+view, at the limit of the range or partly behind a wall proves nothing, nor does a look without sight.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.senses.sight import Sight
 
 LOOKS = 5
-"""Number of empty looks in a row that are no accident: a quarter of a second at 20 Hz (our choice)."""
+"""Number of empty looks in a row that are no coincidence: a quarter of a second at 20 Hz (our choice)."""
 
 
 class MissingTrack(Protocol):
-    """What is known of where one person is."""
+    """The tracking state of one person."""
 
     @property
     def is_seen(self) -> bool:
-        """In the newest measurement."""
+        """Whether the person is in the newest measurement."""
         ...
 
     def ahead(self, time_s: float, /) -> Person:
-        """Where they are after a time."""
+        """The predicted person after a time [s]."""
         ...
 
 
@@ -37,17 +37,17 @@ class Unseen:
     """A person who is not in the newest measurement."""
 
     last_s: float | None
-    """When they were seen last; None: never."""
+    """Time when they were last seen [s]; None: never."""
     empty: int = 0
-    """How often in a row their place was in plain view, and empty; once they are lost, in all."""
+    """Number of consecutive empty looks in plain view; once they are lost, the total."""
 
 
 class Missing:
-    """Keeps account of who is not seen.
+    """Keeps track of unseen people.
 
     Args:
-        sight: What the robot can see.
-        noise_m: The standard deviation of one measurement, on each axis.
+        sight: The robot's sight.
+        noise_m: Standard deviation of one measurement per axis [m].
     """
 
     def __init__(self, sight: Sight, noise_m: float) -> None:
@@ -56,15 +56,15 @@ class Missing:
         self.unseen: dict[str, Unseen] = {}
         """People who are not in the newest measurement."""
         self.lost: dict[str, float | None] = {}
-        """When those who are lost were seen last; None: never."""
+        """Time when each lost person was last seen [s]; None: never."""
 
     def take_in(self, tracks: Mapping[str, MissingTrack], eye: Pose | None, before_s: float | None) -> bool:
-        """Take in the people of a measurement; returns whether a person was lost or found.
+        """Process a measurement; returns whether a person was lost or found.
 
         Args:
-            tracks: Of all people, with the measurement.
-            eye: From where it was made; None where the robot saw nothing.
-            before_s: When the measurement before it was made.
+            tracks: Tracks of all people, updated with the measurement.
+            eye: Pose from which it was made; None if the robot saw nothing.
+            before_s: Time of the previous measurement [s].
         """
         if not self.unseen and all(track.is_seen for track in tracks.values()):
             return False
@@ -76,7 +76,7 @@ class Missing:
             if eye is not None and self._sight.is_plain(eye, track.ahead(0.0), self._noise_m):
                 unseen.empty += 1
             elif unseen.empty < LOOKS:
-                unseen.empty = 0  # who is lost stays so until they are seen
+                unseen.empty = 0  # a lost person stays lost until seen
         lost = {name: unseen.last_s for name, unseen in self.unseen.items() if unseen.empty >= LOOKS}
         changed, self.lost = lost != self.lost, lost
         return changed

@@ -1,4 +1,4 @@
-"""Overlap resolution: possible places of people near their believed ones, which noise makes overlap."""
+"""Overlap resolution: moves people's noisy believed positions apart until no bodies overlap."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 
 ROUNDS = 50
-"""Number of rounds, each moving people off what they overlap then: in a corner once is not enough."""
+"""Maximum number of rounds; in a corner, one is not enough."""
 NEAR_M = 1.0
-"""Distance beyond which no one is moved onto a person [m] (our choice: they move by centimetres)."""
+"""Distance beyond which pairs of people are ignored [m] (our choice: people move by centimetres)."""
 SPARE_M = 1e-6
-"""Resulting gap [m], more than numbers are rounded by."""
+"""Resulting gap [m], above rounding errors."""
 
 
 def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> tuple[Person, ...]:
-    """The same people, moved a little, so that none overlaps another, the robot or a thing.
+    """The people, moved slightly so that none overlaps another person, the robot or an obstacle.
 
-    Two people move by half of what they overlap each. Where there is no room for all, some still overlap.
+    Two people each move by half of their overlap. If there is no room for all, some still overlap.
 
     Args:
-        people: Where they are believed to be.
-        robot: Where it is: that is known.
-        plan: What stands still.
+        people: People at their believed poses.
+        robot: The robot, whose pose is known.
+        plan: The static obstacles.
     """
     at = [person.xy for person in people]
     near = [
@@ -58,7 +58,7 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
 
 
 def off_things(xy: XY, radius_m: float, plan: FloorPlan) -> XY:
-    """The nearest place where a disc is clear of walls and furniture; the same where it is already."""
+    """The nearest place where a disc is clear of walls and furniture; `xy` itself if it is."""
     if plan.blocker(xy, radius_m) is None:
         return xy
     from shapely import Point
@@ -83,7 +83,7 @@ def _off_one_another(one: XY, other: XY, reach_m: float) -> tuple[XY, XY]:
 
 
 def _beside(centre: XY, xy: XY, away_m: float) -> XY:
-    """The point at a distance from a centre towards a place; along x where that is the centre."""
+    """The point at a distance from a centre in the direction of `xy`; along x if both coincide."""
     x, y = xy[0] - centre[0], xy[1] - centre[1]
     length_m = math.hypot(x, y)
     x, y = (x / length_m, y / length_m) if length_m else (1.0, 0.0)

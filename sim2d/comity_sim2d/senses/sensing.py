@@ -1,4 +1,4 @@
-"""The robot's knowledge about people: where they stand by its sensors, filtered, and a little late."""
+"""The robot's knowledge about people: filtered, delayed estimates of their poses."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from comity_sim2d.senses.tracking import Track
 from comity_sim2d.senses.visibility_memory import Numbers, VisibilityMemory, WalkedOut
 
 DRIFTS_M_S = 0.05
-"""A person who seems to go more slowly may stand [m/s]: noise, or a shuffle of the feet (our choice)."""
+"""A person who seems to move more slowly than this may stand [m/s]: noise, or shuffling feet (our choice)."""
 
 
 class SensedPeople:
@@ -31,12 +31,12 @@ class SensedPeople:
 
     Args:
         sensor: Noise and delay.
-        sight: The people it can see.
-        mapped: Everybody as the map of the scene has them.
-        people: Everybody where they truly stand; the world replaces those who move.
-        clock: The ticks.
-        seed: For the noise.
-        faults: With a fault of its sensors the robot sees no person.
+        sight: Determines which people it can see.
+        mapped: All people as on the map of the scene.
+        people: All people at their true poses; the world replaces those who move.
+        clock: Simulated time.
+        seed: Seed of the noise.
+        faults: Active faults; with a sensor fault the robot sees no one.
     """
 
     def __init__(
@@ -61,7 +61,7 @@ class SensedPeople:
         self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
         self._missing = Missing(sight, sensor.sigma_m)
         self._told: dict[str, dict[str, float | None]] = {}
-        """What people said of how the robot should move near them, in place of what the map has."""
+        """What people asked of the robot's movement near them, replacing the values of the map."""
         self._margin_m: dict[str, float] = {}
         """Margins of the people with less than the full margin [m]."""
         self._believed = self._present = mapped
@@ -70,38 +70,38 @@ class SensedPeople:
         self._floor = VisibilityMemory(sensor)
         self._looked_at = VisibilityMemory(sensor) if self._lag else self._floor
         self.sees_all_round = sensor.field_of_view_deg >= 360.0
-        """Whether its field of view leaves nothing out; where it does, it remembers what it saw."""
+        """Whether its field of view is 360 deg; otherwise it remembers what it saw."""
 
     @property
     def stamp_s(self) -> float | None:
-        """When the newest known measurement was made; None before the first arrived."""
+        """Time of the newest available measurement [s]; None before the first."""
         return self._stamp_s
 
     @property
     def noise_m(self) -> float:
-        """The standard deviation of one measurement, on each axis."""
+        """Standard deviation of one measurement per axis [m]."""
         return self._sensor.sigma_m
 
     @property
     def people(self) -> tuple[Person, ...]:
         """All people at their believed positions now; before the first measurement, as mapped.
 
-        A lost person stands where they were seen last.
+        A lost person is placed where they were last seen.
         """
         return self._believed
 
     @property
     def present(self) -> tuple[Person, ...]:
-        """Those of them whose places it knows, each with the margin that it keeps from them now."""
+        """People whose positions are known, each with the current margin to them."""
         return self._present
 
     @property
     def walkers(self) -> tuple[Walker, ...]:
-        """Those of them who are under way."""
+        """People who walk."""
         return self._walkers
 
     def observe(self, robot: Pose, felt: Collection[str] = ()) -> None:
-        """Measure all people in view from there, or just touched; take in what arrives now."""
+        """Measure all people in view, or just touched, and process the measurements that arrive now."""
         people = tuple(self._people.values())
         eye = None if self._faults.of(SENSORS) else robot
         seen = zip(people, self._sight.sees(robot, people), strict=True)
@@ -126,7 +126,7 @@ class SensedPeople:
             self._doubt_floor()
 
     def _doubt_floor(self) -> None:
-        """Those who walked out of view may by now be where the floor was free."""
+        """Invalidate free floor that people who walked out of view may have reached."""
         for name, unseen in self._missing.unseen.items():
             track = self._tracks[name]
             if unseen.last_s is not None and is_walking(track.last_velocity):
@@ -135,7 +135,7 @@ class SensedPeople:
                     floor.doubt(out, self._clock.now_s)
 
     def _believe(self) -> None:
-        """The positions of all people now, after what the tracks have taken in."""
+        """Update the believed positions of all people from their tracks."""
         ahead_s, lost = self._lag * self._clock.step_s, self._missing.lost
         self._believed = tuple(self._as_told(track.ahead(ahead_s)) for track in self._tracks.values())
         moving = zip(self._believed, self._tracks.values(), strict=True)
@@ -157,16 +157,16 @@ class SensedPeople:
         return person if margin_m is None else replace(person, margin_m=margin_m)
 
     def learn(self, name: str, *, distance_m: float, speed_m_s: float | None) -> None:
-        """Know from now on how a person wants the robot to move near them, wherever they are.
+        """Store how a person wants the robot to move near them, wherever they are.
 
         Args:
-            name: Of the person.
-            distance_m: At which it passes them, between the surfaces [m].
-            speed_m_s: The most within 1.5 m of their body [m/s], as they asked; None: they did not.
+            name: Name of the person.
+            distance_m: Distance for passing them, between the surfaces [m].
+            speed_m_s: Maximum speed within 1.5 m of their body, as they asked [m/s]; None: they did not.
 
         Raises:
-            SceneError: Where it is no distance or no speed.
-            ValueError: Where there is no such person.
+            SceneError: For an invalid distance or speed.
+            ValueError: If there is no such person.
         """
         told = {"personal_distance_m": distance_m, "approach_speed_m_s": speed_m_s}
         _as(self.person(name), told)  # refuses invalid values
@@ -174,7 +174,7 @@ class SensedPeople:
         self._believe()
 
     def keep(self, name: str, margin_m: float) -> None:
-        """Keep another margin from a person from now on, between the surfaces [m], wherever they are."""
+        """Change the margin to a person, between the surfaces [m], wherever they are."""
         if margin_m < PERSON_MARGIN_M:
             self._margin_m[name] = margin_m
         else:
@@ -182,14 +182,14 @@ class SensedPeople:
         self._believe()
 
     def sees(self, name: str) -> bool:
-        """Whether the newest known measurement shows that person; who is out of view is believed to stay."""
+        """Whether the newest available measurement shows a person; if not, they are believed to stay."""
         return self._stamp_s is not None and self._tracks[name].is_seen
 
     def too_short_for(self, apart_m: float) -> str | None:
-        """Why its sensor would not surely show a person at a distance; None where it would.
+        """Why its sensor might not show a person at a distance, in words; None if it would.
 
         Args:
-            apart_m: From the robot's centre to the surface of the person's body [m].
+            apart_m: Distance from the robot's centre to the surface of the person's body [m].
         """
         return too_short_for(self._sensor, apart_m)
 
@@ -201,9 +201,9 @@ class SensedPeople:
         return self._sight.is_plain(Pose(*robot, direction_to(robot, person.xy)), person, self.noise_m)
 
     def has_to_watch(self, name: str, robot: XY) -> bool:
-        """Whether it has to face a person from there to notice that they go, as it does not see all round.
+        """Whether it has to face a person from there to notice that they leave (no all-round view).
 
-        Where passers-by are it knows wherever it looks.
+        Passers-by are known in all directions.
         """
         if self.sees_all_round or name not in self._tracks:
             return False
@@ -215,32 +215,32 @@ class SensedPeople:
         return frozenset(self._missing.lost)
 
     def has_lost(self, name: str) -> bool:
-        """Whether that person is."""
+        """Whether a person is lost."""
         return name in self._missing.lost
 
     def last_seen_s(self, name: str) -> float | None:
-        """When a person who is lost was seen last; None: never."""
+        """Time when a lost person was last seen [s]; None: never."""
         return self._missing.lost[name]
 
     def unseen_floor(self, xy: XY, for_s: float, within_m: float) -> Numbers:
-        """The places around one that were not in view for a time, as far as is known; shape (n, 2) [m]."""
+        """Places around a point that were not in view for some time; shape (n, 2) [m]."""
         since_s = self._clock.now_s - self._lag * self._clock.step_s - for_s
         return self._floor.unseen(xy, since_s, within_m)
 
     def floor_to_look_at(self, xy: XY, for_s: float, within_m: float) -> Numbers:
-        """Those of them that were not even looked at: of the others it will be known."""
+        """Those of them for which no measurement is pending either; shape (n, 2) [m]."""
         return self._looked_at.unseen(xy, self._clock.now_s - for_s, within_m)
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Look at another floor plan from now on."""
+        """Replace the floor plan."""
         self._sight.use_plan(plan)
 
     def person(self, name: str) -> Person:
-        """One person where the robot believes them to be."""
+        """One person at their believed pose."""
         return find_person(self._believed, name)
 
     def heading_rad(self, name: str) -> float:
-        """Where a person faces, as it believes [rad]."""
+        """Believed heading of a person [rad]."""
         return self.person(name).heading_rad
 
     def velocity(self, name: str) -> tuple[XY, float]:
@@ -249,7 +249,7 @@ class SensedPeople:
         return track.velocity, track.turn_rad_s
 
     def walks(self, name: str) -> bool:
-        """Whether a person is believed to be going somewhere."""
+        """Whether a person is believed to be walking."""
         return math.hypot(*self._tracks[name].velocity) >= DRIFTS_M_S
 
     def velocity_beside(self, name: str, spot: XY) -> XY:

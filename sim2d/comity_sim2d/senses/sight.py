@@ -1,4 +1,4 @@
-"""People the robot can see: not too far away, in its field of view, and, where walls count, none between."""
+"""Which people the robot can see: within range and field of view, and not hidden by walls."""
 
 from __future__ import annotations
 
@@ -14,21 +14,22 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import Sensor
 
 PLAIN_M = 0.1
-"""Distance of plain view inside the view [m], with the noise on top: people shift their feet (our choice)."""
+"""Margin by which a place must be inside the view to be in plain view [m], in addition to noise: people shift
+their feet (our choice)."""
 PLAIN_SIGMAS = 3.0
 PLAIN_SHARE = 0.5
-"""Share of the field of view, its middle, that is plain view however near a person is (our choice)."""
+"""Central share of the field of view that is plain view however near a person is (our choice)."""
 
 SPARE_M = 0.05
-"""Reserve on plain view [m]: the robot stops a little off its mark (our choice)."""
+"""Reserve on plain view [m]: the robot stops slightly off its target (our choice)."""
 
 
 def too_short_for(sensor: Sensor, apart_m: float) -> str | None:
-    """Why a sensor would not surely show a person at a distance; None where it would.
+    """Why a sensor might not show a person at a distance, in words; None if it would.
 
     Args:
         sensor: Its range and noise.
-        apart_m: From the robot's centre to the surface of the person's body [m].
+        apart_m: Distance from the robot's centre to the surface of the person's body [m].
     """
     needed_m = apart_m + SPARE_M + PLAIN_M + PLAIN_SIGMAS * sensor.sigma_m
     if needed_m <= sensor.range_m:
@@ -44,7 +45,7 @@ class Sight:
 
     Args:
         sensor: Its range and field of view.
-        plan: Its walls may hide people; furniture is looked over.
+        plan: The floor plan; its walls may hide people, furniture does not.
     """
 
     def __init__(self, sensor: Sensor, plan: FloorPlan) -> None:
@@ -54,11 +55,11 @@ class Sight:
         self.use_plan(plan)
 
     def use_plan(self, plan: FloorPlan) -> None:
-        """Look at other walls from now on."""
+        """Replace the floor plan."""
         self._walls = plan.view_blockers()
 
     def sees(self, robot: Pose, people: Sequence[Person]) -> list[bool]:
-        """Which of the people are seen from a pose."""
+        """Whether each person is seen from a pose."""
         if not (self._hidden_by_walls and len(self._walls)):
             return [self._is_in_view(robot, person) for person in people]
         hidden = self._are_hidden(robot, people)
@@ -68,12 +69,12 @@ class Sight:
         ]
 
     def is_plain(self, robot: Pose, person: Person, noise_m: float) -> bool:
-        """Whether a person would surely be seen from a pose, if they were there or beside it.
+        """Whether a person would certainly be seen from a pose, if at or next to their believed place.
 
         Args:
             robot: The pose.
-            person: Where they are believed to be.
-            noise_m: The standard deviation of where that is, on each axis.
+            person: The person at their believed pose.
+            noise_m: Standard deviation of that position per axis [m].
         """
         spare_m = PLAIN_M + PLAIN_SIGMAS * noise_m
         (x, y), apart = person.xy, math.dist(robot.xy, person.xy)

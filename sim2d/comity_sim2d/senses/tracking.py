@@ -1,12 +1,11 @@
-"""Tracking of one person from noisy measurements: a straight walk at one speed, until that ends.
+"""Tracking of one person from noisy measurements: constant velocity until a change is detected.
 
-A Kalman filter of constant velocity that forgets: it settles into the fading-memory filter (Morrison 1969,
-"Introduction to Sequential Smoothing and Prediction"), whose one constant is how much of the old estimate is
-kept. Such a filter lags behind a person who turns round. So it watches the error of measurements against its
-prediction: where that is more than noise, the person has changed direction, and the earlier estimate of their
-velocity has little weight (adjustable process noise: Bar-Shalom, Li and Kirubarajan 2001, "Estimation with
-Applications to Tracking and Navigation", chapter 11). Without noise nothing is kept, and the estimate is the
-measurement.
+A constant-velocity Kalman filter that converges to the fading-memory filter (Morrison 1969, "Introduction to
+Sequential Smoothing and Prediction"), whose one constant is the weight of the old estimate. Such a filter
+lags behind a person who turns round. So it monitors the innovations: if they exceed the noise, the person has
+changed direction, and the earlier velocity estimate gets little weight (adjustable process noise: Bar-Shalom,
+Li and Kirubarajan 2001, "Estimation with Applications to Tracking and Navigation", chapter 11). Without noise
+nothing is kept, and the estimate equals the measurement.
 """
 
 from __future__ import annotations
@@ -19,27 +18,28 @@ from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import Sensor
 
 FADING = 0.95
-"""Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
+"""Weight of the old estimate per tick if there is noise: about one second of memory at 20 Hz (our choice)."""
 FARTHEST_STEP_M = 0.3
-"""A larger jump between two measurements, noise aside, is a person put elsewhere and not a very fast walk."""
+"""Maximum movement between two measurements, apart from noise [m]; after a larger jump the person was put
+elsewhere."""
 CHANGE_M_S = 1.0
-"""The standard deviation of a velocity, on each axis, of which nothing is known any more (our choice)."""
+"""Standard deviation per axis of a velocity that is entirely unknown [m/s] (our choice)."""
 SURPRISE_KEPT = 0.7
-"""Of the mean of what measurements were off, per tick: about three ticks of memory (our choice)."""
+"""Weight of the old mean of the innovations per tick: about three ticks of memory (our choice)."""
 NOTICED_TICKS = 3
 """Delay of the detection that a person changed direction [ticks] (our choice: the memory of that mean)."""
 SURPRISE = 5.0
-"""Standard deviations beyond which that mean is no accident: once in 270,000 looks (our choice)."""
+"""Number of standard deviations beyond which that mean is significant: once in 270,000 looks (our choice)."""
 SURPRISE_SQUARE = SURPRISE**2 * (1.0 - SURPRISE_KEPT) / (1.0 + SURPRISE_KEPT)
-"""Compared with the square of the mean: without the factor `SURPRISE**2`, the variance of each part."""
+"""Threshold for the squared mean: `SURPRISE**2` times the variance of each component."""
 
 
 class Covariance:
-    """How well place and velocity are known, on each axis, as multiples of the variance of a measurement.
+    """Covariance of position and velocity per axis, as multiples of the variance of a measurement.
 
     Args:
-        sigma_m: The standard deviation of a measurement; positive.
-        step_s: From one measurement to the next.
+        sigma_m: Standard deviation of a measurement [m]; positive.
+        step_s: Time between measurements [s].
     """
 
     def __init__(self, sigma_m: float, step_s: float) -> None:
@@ -48,19 +48,19 @@ class Covariance:
         self.restart()
 
     def restart(self) -> None:
-        """Know the place from one measurement, and the velocity as well as of a person who was long seen."""
+        """Restart: position from one measurement, velocity as certain as after long tracking."""
         self._place, self._both = 1.0, 0.0
         self._velocity = (1.0 - FADING) ** 3 / (FADING * self._step_s**2)
 
     def doubt(self) -> None:
-        """Know little of the velocity since a few ticks ago, and so of the place."""
+        """Increase the uncertainty of the velocity since a few ticks ago, and so of the position."""
         since_s = NOTICED_TICKS * self._step_s
         self._velocity += self._change
         self._both += since_s * self._change
         self._place += since_s**2 * self._change
 
     def expect(self) -> float:
-        """Let a tick pass; the variance of the next measurement about what is expected."""
+        """Predict one tick ahead; returns the variance of the next innovation."""
         dt = self._step_s
         self._place = (self._place + dt * (2.0 * self._both + dt * self._velocity)) / FADING
         self._both = (self._both + dt * self._velocity) / FADING
@@ -68,7 +68,7 @@ class Covariance:
         return self._place + 1.0
 
     def take(self) -> tuple[float, float]:
-        """Take a measurement in; the gains for the place and for the velocity [1/s]."""
+        """Update with a measurement; returns the gains for the position and for the velocity [1/s]."""
         gain, rate_gain = self._place / (self._place + 1.0), self._both / (self._place + 1.0)
         self._velocity -= rate_gain * self._both
         self._place, self._both = gain, rate_gain
@@ -76,11 +76,11 @@ class Covariance:
 
 
 class Gains:
-    """The gains of the filter for a sensor, and what they are after a measurement that was off.
+    """The filter gains for a sensor, adapted after significant innovations.
 
     Args:
-        sensor: Noise.
-        step_s: From one measurement to the next.
+        sensor: Sensor with its noise.
+        step_s: Time between measurements [s].
     """
 
     def __init__(self, sensor: Sensor, step_s: float) -> None:
@@ -96,7 +96,7 @@ class Gains:
             self._covariance.restart()
 
     def after(self, dx: float, dy: float) -> tuple[float, float]:
-        """Gains for the place and for the velocity [1/s], by a measurement's error from the prediction."""
+        """Gains for the position and for the velocity [1/s], given an innovation [m]."""
         covariance = self._covariance
         if covariance is None:
             return self._exact
@@ -116,12 +116,12 @@ class Gains:
 
 
 class Track:
-    """The filtered place and velocity of one person.
+    """The filtered position and velocity of one person.
 
     Args:
-        sensor: Noise.
-        step_s: From one measurement to the next.
-        mapped: Where they are taken to be before the first.
+        sensor: Sensor with its noise.
+        step_s: Time between measurements [s].
+        mapped: Assumed pose before the first measurement.
     """
 
     def __init__(self, sensor: Sensor, step_s: float, mapped: Person) -> None:
@@ -133,24 +133,24 @@ class Track:
         self.velocity: XY = (0.0, 0.0)
         self.turn_rad_s = 0.0
         self.last_velocity: XY = (0.0, 0.0)
-        """How they went when they were seen last."""
+        """Velocity when they were last seen [m/s]."""
 
     @property
     def is_seen(self) -> bool:
-        """In the last measurement."""
+        """Whether the person is in the last measurement."""
         return self._seen is not None
 
     def update(self, seen: Person | None) -> bool:
-        """Take in a measurement, or that there is none; returns whether the estimate changed."""
+        """Process a measurement or its absence; returns whether the estimate changed."""
         last, self._seen = self._seen, seen
         if seen is None:
             moved = not self._rests
             if last is not None:
                 self.last_velocity = self.velocity
-            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # as far as is known they stay there
+            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # assume that they stay there
             return moved
         if seen is last and self._rests:
-            return False  # without noise: it is where it was, and taken in
+            return False  # without noise nothing has changed
         if last is None or math.dist(self._person.xy, seen.xy) > self._farthest_m:
             known, self._person = self._person, seen
             self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0
