@@ -1,4 +1,4 @@
-"""A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
+"""Executes a plan as a behaviour tree, and records what it did and why."""
 
 from comity_executor.execution import Execution, ExecutionStatus
 from comity_executor.live.heartbeat import Heartbeat

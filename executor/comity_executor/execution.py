@@ -1,4 +1,4 @@
-"""The execution of a plan: tick it in the world's time, and read the outcome."""
+"""Execution of a plan: ticks its tree in the world's time, and reports the outcome."""
 
 from __future__ import annotations
 
@@ -53,27 +53,27 @@ NOBODY: Mapping[str, str] = MappingProxyType({})
 
 
 class Execution:
-    """A plan under way. The caller owns time: it steps the world and calls `tick` in turn.
+    """A plan in execution. The caller owns time: it steps the world and calls `tick` in turn.
 
     Args:
-        plan: Per person a Reach_user and then a Greet_person.
-        robot: Who carries it out.
+        plan: For each person a Reach_user, then a Greet_person.
+        robot: The robot that executes it.
         values: Everyone's parameters, by name.
-        limits: How patient and how exact.
-        interventions: Results to hold, to see what depends on them; none in earnest.
-        planner: Whom to ask when things change and when the tree fails; None: the plan stays as it is, and a
-            tree that fails has failed.
-        unserved: People left out because no plan can serve them, and why: with a planner, they are
-            looked at again when the rest is done.
-        acts: Behaviours of your own in place of the robot's acts, by the act's name (`say` or a gesture):
-            what makes one from the name of its node, `juggle(johanna)`, and the person.
-        emergency: Says why the robot must stand still, in place of the robot's own call: in real time the
+        limits: Timeouts, attempts and tolerances.
+        interventions: Results to hold fixed, for counterfactual runs; empty in normal use.
+        planner: Asked when things change and when the tree fails; None: the plan stays fixed, and a failed
+            tree has failed for good.
+        unserved: People left out because no plan can serve them, and why; a planner considers them again when
+            the rest is done.
+        acts: Custom behaviours in place of the robot's acts, by the act's name (`say` or a gesture): a
+            function of the node's name, such as `juggle(johanna)`, and the person.
+        emergency: Returns why the robot must stand still, replacing the robot's own call: in real time, the
             `read` of a `Heartbeat`.
-        speaker: What the robot says, and how it addresses people.
+        speaker: Chooses the wordings and forms of address.
 
     Raises:
-        RobotError: The robot lacks a call, or says what it may not (see `check_robot`).
-        ValueError: The plan cannot be executed (see `build_tree`).
+        RobotError: If the robot lacks a call, or returns an invalid value (see `check_robot`).
+        ValueError: If the plan cannot be executed (see `build_tree`).
     """
 
     def __init__(
@@ -100,12 +100,12 @@ class Execution:
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
         self._actions: list[Action] = []
-        """Leaves that do something: of the tree under way, and those that are still to be ended again."""
+        """Action leaves of the current tree, and earlier ones that still have to be ended again."""
         self._has_to_rest = False
         self._ended_s = 0.0
         self._has_resumed = False
         self._looks: GoalId | None = None
-        """The turn to a person while no plan is under way."""
+        """The goal of turning to a person while no plan is in execution."""
         self._base_rest = Rest(robot, limits.cruise_speed_m_s)
         self._senses = Senses(robot, emergency)
         self._memory = Memory(self._senses.now_s)
@@ -113,31 +113,31 @@ class Execution:
         self._faults = LeafFaults()
         self._recovery = Recovery(planner, limits) if planner else None
         self._deeds = 0
-        """People who were served, and what else was done of agendas."""
+        """Number of people served and of other agenda items done."""
         self._next: PlanUpdate | None = None
         self._no_more: str | None = None
-        """Why no other plan took over after the last failure."""
+        """Why no other plan took over after the last failure; None if one did."""
         self._trees: list[Tree] = []
-        """One for every plan that took over."""
+        """The trees of all plans so far."""
         self._unserved: Mapping[str, str] = NOBODY
-        """People left out of the plan under way, and why."""
+        """People left out of the current plan, and why."""
         self._revisions: list[PlanUpdate] = []
         self._recorder = Recorder(self._senses.now_s)
         self.tree = BehaviourTree(self._begin(plan, values, unserved if planner else NOBODY))
-        """The behaviour tree; its root is another one with every new plan. It takes visitors and handlers."""
+        """The behaviour tree; each new plan replaces its root. Visitors and handlers can be added."""
         self.tree.add_visitor(self._recorder)
         self.tree.add_pre_tick_handler(self._faults.arm)
         self.tree.add_post_tick_handler(self._faults.disarm)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted, or declined. `failure`: the visits say who was not. `stopped`: by
-        `stop`, or something raised that no leaf fails with. `stop_unconfirmed`: the base was told to stop, by
-        a press or at the end, and has not said in time that it rests; it is told so with every further
-        `tick`."""
+        `stop`, or by an exception outside the leaves. `stop_unconfirmed`: the base was commanded to stop, by
+        the emergency stop or at the end, and has not confirmed in time that it is at rest; every further
+        `tick` repeats the command."""
 
     def go_on_from(self, halted: Execution) -> None:
-        """Do nothing again that a halted execution has said or shown; to be called before the first tick.
+        """Skip what a halted execution has already said or shown; call it before the first tick.
 
-        A stop that was pressed then and not resumed holds here, too.
+        An emergency stop that was pressed then and not resumed still holds.
         """
         self._senses.stop_button.hold(halted.stopped_by)
         for person, visit in halted._memory.visits.items():
@@ -145,10 +145,10 @@ class Execution:
                 self._memory.visits[person].done_before = (*visit.done_before, *visit.performed)
 
     def tick(self) -> ExecutionStatus:
-        """Tick the tree once, at the world's time now; after the end only what could not be stopped is.
+        """Tick the tree once, at the world's current time; after the end, only repeat pending stops.
 
-        Nothing that a call of the robot or a leaf raises leaves it: what no leaf fails with ends the
-        execution as `stopped`, with the text.
+        No exception of a robot call or a leaf leaves this method: one outside the leaves ends the execution
+        as `stopped`, with its text.
         """
         if self.status == "running":
             self._end_what_goes_on()
@@ -162,19 +162,19 @@ class Execution:
 
     @property
     def stopped_by(self) -> str | None:
-        """Why the robot stands still: its stop was pressed, and not resumed. None where it may go."""
+        """Why the robot stands still: its stop was pressed, and not resumed; None if it may move."""
         return self._senses.stop_button.reason
 
     @property
     def is_at_rest(self) -> bool:
-        """Whether the base had to rest in the last tick, and said that it does."""
+        """Whether the base had to be at rest in the last tick, and confirmed it."""
         return self._base_rest.is_confirmed
 
     def resume(self) -> bool:
-        """Go on after a stop that was released: in the next tick, which senses and plans everything again.
+        """Resume after a released stop: the next tick senses and plans everything again.
 
         Returns:
-            Whether it goes on; False while the stop is pressed.
+            Whether execution resumes; False while the stop is pressed.
         """
         if self.stopped_by is not None:
             self._has_resumed = self._senses.stop_button.resume()
@@ -191,7 +191,7 @@ class Execution:
             self._renew_goal()
 
     def _end_what_goes_on(self) -> None:
-        """End those leaves again whose end raised an exception; after the end of all, the base, too."""
+        """Retry ending leaves whose end raised an exception; after the end of all, stop the base, too."""
         for leaf in self._actions:
             if leaf.has_to_end_again:
                 leaf.try_to_end()
@@ -199,7 +199,7 @@ class Execution:
             self._rest()
 
     def _watch_rest(self) -> None:
-        """Say so where the base has not come to rest in time."""
+        """Report a base that has not come to rest in time."""
         rest = self._base_rest
         has_to_rest = self.status != "running" or self.stopped_by is not None
         t = self._senses.look_at_clock() if has_to_rest else self._senses.now_s()
@@ -209,38 +209,38 @@ class Execution:
             self.status = "stop_unconfirmed"
 
     def _rest_if_left(self) -> None:
-        """Stop the goal whose leaf has ended, where no other leaf has taken the base."""
+        """Stop a goal whose leaf has ended, unless another leaf has taken the base."""
         holder = self._memory.shared.base
         if holder is None or any(leaf.id == holder.id and leaf.is_under_way for leaf in self._actions):
             return
-        with suppress(Exception):  # it is tried again at the end of the next tick
+        with suppress(Exception):  # retried at the end of the next tick
             if holder.goal is not None or not has_stopped(self._robot):
                 self._robot.stop(holder.goal)
             self._memory.shared.base = None
 
     def _renew_goal(self) -> None:
-        """Let the base go on: this tick has read the stop, and its tree wants the goal still."""
+        """Renew the base's goal: this tick has read the stop, and its tree still wants the goal."""
         holder = self._memory.shared.base
         goal = holder.goal if holder else self._looks
         if goal is not None and self.stopped_by is None:
-            with suppress(Exception):  # then the base stops by itself, and the leaf hears of it
+            with suppress(Exception):  # then the base stops by itself, and the leaf notices
                 self._robot.renew(goal)
 
     def _rest(self) -> None:
-        """Leave the base without a goal; in every tick again, until it says that it has stopped."""
+        """Stop the base, again in every tick until it confirms that it has stopped."""
         self._has_to_rest = True
         with suppress(Exception):
             self._robot.stop()
             self._has_to_rest = not has_stopped(self._robot, self._ended_s)
 
     def _step_held(self, t: float) -> Status:
-        """The same with results that are held."""
+        """The same with results held by interventions."""
         known = [each for each in self._interventions if each.path < len(self._behaviours)]
         with held(known, self._behaviours, self._senses):
             return self._step(t)
 
     def _step(self, t: float) -> Status:
-        """Look at the plan and tick its tree; the status of the root."""
+        """Review the plan and tick its tree; returns the root's status."""
         if self.stopped_by is not None:
             return self._tick_tree()
         if self._has_resumed:
@@ -260,10 +260,10 @@ class Execution:
         return root
 
     def _take_up_again(self, t: float) -> None:
-        """After a stop nothing goes on as it was planned before: the plan is looked at again."""
+        """After a stop nothing continues as planned: the plan is reviewed."""
         self._has_resumed = False
         if self._recovery and self._recovery.is_waiting:
-            with suppress(Exception):  # the wait goes on, and a new plan comes of it
+            with suppress(Exception):  # the wait continues until there is a new plan
                 self.tree.root.stop(Status.INVALID)
         elif self._planner:
             self._review(t, self._planner, (RESUMED,))
@@ -273,25 +273,25 @@ class Execution:
         return self.tree.root.status
 
     def raise_in(self, leaf: str, error: FaultError, *, times: int = 1) -> None:
-        """Have a leaf raise an exception when it is ticked next: a failure, and never a traceback.
+        """Make a leaf raise an exception at its next tick, which becomes a failure.
 
         Args:
-            leaf: Its name, `say(johanna)`, or without the person, `say`.
-            error: What to raise.
-            times: In so many of its ticks.
+            leaf: Its name, `say(johanna)`, or its action alone, `say`.
+            error: The exception.
+            times: Number of its ticks that raise.
         """
         self._faults.add(leaf, error, times)
 
     def stop(self, text: str, *, halt: Halt = "emergency") -> None:
-        """Stop everything now: the robot comes to rest and breaks its acts off.
+        """Stop everything now: the robot comes to rest and aborts its acts.
 
         Args:
-            text: Why, for the trace.
-            halt: What kind of halt this is: `timed_out` where the time is up.
+            text: The reason, for the trace.
+            halt: The kind of halt: `timed_out` if the time is over.
         """
         if self.status == "running":
             self.status = "stopped"
-            with suppress(Exception):  # of a behaviour of the user's own: all others are ended all the same
+            with suppress(Exception):  # of a custom behaviour: all others are still ended
                 self.tree.root.stop(Status.INVALID)
             for leaf in self._actions:
                 leaf.terminate(Status.INVALID)
@@ -299,7 +299,7 @@ class Execution:
             self._conclude(text)
 
     def _conclude(self, *reasons: str) -> None:
-        """All is over: no visit stays open, every one that failed has its reason, and the base rests."""
+        """End the execution: every open visit is closed with its reason, and the base rests."""
         for visit in self.visits:
             if visit.outcome == "pending" and visit.person in self._memory.visits:
                 self._memory.visits[visit.person].give_up("; ".join(reasons))
@@ -309,24 +309,24 @@ class Execution:
 
     @property
     def plan(self) -> Plan:
-        """The plan under way."""
+        """The current plan."""
         return self._trees[-1].plan
 
     @property
     def steps(self) -> tuple[PlanStep, ...]:
-        """What was planned for everybody, by the last plan that had them."""
+        """The steps planned for each person, from the last plan that included them."""
         plans = (plan for tree in self._trees for plan in tree.plans)
         stops = {(step.action, step.person): step for plan in plans for step in plan.steps}
         return tuple(stops.values())
 
     @property
     def revisions(self) -> tuple[PlanUpdate, ...]:
-        """What took over so far: one for every event `rebound` or `replanned`, in their order."""
+        """All plan updates so far: one per event `rebound` or `replanned`, in order."""
         return tuple(self._revisions)
 
     @property
     def values(self) -> Mapping[str, Inference]:
-        """Everyone's parameters as they are now."""
+        """Everyone's current parameters."""
         return self._values
 
     @property
@@ -341,7 +341,7 @@ class Execution:
 
     @property
     def visits(self) -> tuple[Visit, ...]:
-        """What came of every visit so far, in the order in which people were first planned for."""
+        """The outcome of every visit so far, in the order in which people were first planned for."""
         found: dict[str, Visit] = {}
         for tree in self._trees:
             found |= {visit.person: visit for meeting in tree.meetings for visit in meeting.visits()}
@@ -351,12 +351,12 @@ class Execution:
 
     @property
     def blackboard(self) -> tuple[Shared, ...]:
-        """What the leaves share as it is now, with who reads and who writes it."""
+        """The current entries of the blackboard, with their readers and writers."""
         return tuple(self._memory.space.shared().values())
 
     @property
     def writes(self) -> tuple[Write, ...]:
-        """Every value that an entry of the blackboard got so far, with when and from which leaf."""
+        """Every value written to the blackboard so far, with time and leaf."""
         return tuple(self._memory.space.history)
 
     @property
@@ -373,15 +373,15 @@ class Execution:
         return _trace.trace_sha256(self.trace_lines())
 
     def btcpp_xml(self) -> str:
-        """The tree of the plan under way for BehaviorTree.CPP and Groot2.
+        """The current plan's tree as XML for BehaviorTree.CPP and Groot2.
 
         Raises:
-            ValueError: for a name that cannot be said there.
+            ValueError: For a name that cannot be expressed there.
         """
         return btcpp_xml(self.tree.root)
 
     def _review(self, t: float, planner: Planner, because: tuple[Cause, ...] = ()) -> None:
-        """Ask whether the plan still holds, and say because of what; new numbers are taken over at once."""
+        """Ask whether the plan still holds, and why; updated parameters take effect at once."""
         course = self._course(t)
         try:
             revision = planner.review(course)
@@ -402,9 +402,10 @@ class Execution:
             self._note("rebound", revision.because)
 
     def _permitted(self, course: ExecutionState, planner: Planner) -> PlanUpdate | None:
-        """What a planner that broke down leaves of the plan: all that is permitted.
+        """The permitted part of the plan after the planner raised an exception.
 
-        Where it cannot even tell that, the plan must not go on: the tree fails, and the robot rests.
+        If the planner cannot determine even that, the plan must not continue: the tree fails, and the robot
+        rests.
         """
         try:
             return planner.permitted(course)
@@ -415,33 +416,33 @@ class Execution:
             return None
 
     def _recover(self, t: float, recovery: Recovery) -> Status:
-        """The tree has failed: go on with another plan, wait for one, or end."""
+        """After a failure of the tree: continue with another plan, wait for one, or end."""
         course = self._course(t)
         if self._is_everybody_served():
             return Status.SUCCESS
         return self._take(t, recovery.after_failure(course))
 
     def _take(self, t: float, answer: PlanUpdate | Later | NoPlanUpdate | None) -> Status:
-        """Do what was said after a failure; the status of the whole."""
+        """Apply the planner's answer after a failure; returns the overall status."""
         if isinstance(answer, PlanUpdate):
             self._renew(t, answer)
         elif answer is not None:
             self._note("not_replanned", answer.because)
             self._no_more = answer.because[-1].text if answer.because else None
         if isinstance(answer, Later) and answer.look_for is not None:
-            with suppress(Exception):  # a robot that cannot turn waits all the same
+            with suppress(Exception):  # a robot that cannot turn still waits
                 self._memory.shared.base = None  # the turn replaces the last command
                 self._senses.require_fresh()
                 self._looks = self._robot.go(MotionGoal("face", answer.look_for))
         return Status.FAILURE if isinstance(answer, NoPlanUpdate) else Status.RUNNING
 
     def _is_everybody_served(self) -> bool:
-        """Whether the tree failed although there is nothing left to do: one of its leaves broke down."""
+        """Whether the tree failed although nothing is left to do: one of its leaves raised an exception."""
         served = all(visit.outcome in PROPER_OUTCOMES for visit in self.visits)
         return served and not self._unserved
 
     def _renew(self, t: float, revision: PlanUpdate) -> None:
-        """Another plan takes over."""
+        """Switch to another plan."""
         self._next, self._looks = None, None
         self._asking.forget(revision.moved)
         for step in revision.plan.steps:
@@ -454,7 +455,7 @@ class Execution:
         self._note("replanned", revision.because)
 
     def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> Behaviour:
-        """Take a plan over; the root of its tree, which the recorder watches from now on."""
+        """Build the tree of a plan, watched by the recorder; returns its root."""
         self._values, self._unserved = values, unserved
         for person in unserved.keys() & self._memory.visits.keys():
             self._memory.visits[person].give_up(unserved[person])
@@ -480,7 +481,7 @@ class Execution:
         return tree.root
 
     def _note(self, status: EventStatus, because: tuple[Cause, ...]) -> None:
-        """Put on record what became of the plan itself; it stands at `plan_holds?`."""
+        """Record what became of the plan itself, at the node `plan_holds?`."""
         self._recorder.note(self._trees[-1].holds, status, because)
 
     def _meetings(self) -> Iterator[VisitContext]:

@@ -14,7 +14,7 @@ from comity_fis.inference.value import Inference
 
 @dataclass(frozen=True, slots=True)
 class ExecutionState:
-    """How far an execution is."""
+    """The progress of an execution."""
 
     t: float
     """The world's time [s]."""
@@ -23,22 +23,22 @@ class ExecutionState:
     values: Mapping[str, Inference]
     """Everyone's parameters, as the tree has them."""
     done: tuple[str, ...]
-    """Who was served, or declined: not to be approached again."""
+    """People who were served or declined: not to be approached again."""
     failures: Mapping[str, str]
-    """Whose visit was given up, and why."""
+    """Reasons of the visits that were given up, by person."""
     may_replan: bool
-    """Whether another plan because of a change would be within the cap."""
+    """Whether another plan because of a change is within the cap."""
     progress: Mapping[str, VisitProgress] = field(default_factory=dict)
-    """How far the visits are that are not over, of everybody with an agenda."""
+    """Progress of unfinished visits, of all people with an agenda."""
     unserved: Mapping[str, str] = field(default_factory=dict)
-    """Who is left and not in the plan, and why."""
+    """People who are left but not in the plan, and why."""
     in_pause: bool = False
-    """Whether this is asked before a pause is over, only because there is news: a planner need not answer
-    with another plan where the news bears on nobody who is left."""
+    """Whether this is asked during a pause because of news: no new plan is needed if the news concerns no one
+    who is left."""
     asked: tuple[str, ...] = ()
-    """Who was asked to let the robot pass: it bears on the way whether they still stand there."""
+    """People who were asked to make way: whether they still stand there affects the routes."""
     refused: tuple[str, ...] = ()
-    """Those of them who were asked as often as anybody is, in vain: no plan is to count on them."""
+    """Those asked the maximum number of times without success: no plan may rely on them."""
 
     @property
     def failed(self) -> tuple[Cause, ...]:
@@ -50,21 +50,21 @@ class ExecutionState:
 
 @dataclass(frozen=True, slots=True)
 class PlanUpdate:
-    """What is to hold from now on."""
+    """The update that takes effect."""
 
     plan: Plan
-    """For those who are left. The same choices with new numbers, or a new plan."""
+    """The plan for those who are left: the same choices with updated parameters, or a new plan."""
     values: Mapping[str, Inference]
     replanned: bool
     """Whether it is a new plan: the tree is then built again."""
     because: tuple[Cause, ...]
-    """What changed, how the choice is known to stand or to fall, and the numbers before and after."""
+    """What changed, how this affects the choice, and the values before and after."""
     unserved: Mapping[str, str] = field(default_factory=dict)
-    """Who is left and cannot be served as things stand, and why."""
+    """People who currently cannot be served, and why."""
     was_asked_for: bool = False
-    """Whether a person said what it follows from: then it is not held against the cap."""
+    """Whether it follows from a person's request: then it does not count against the cap."""
     moved: tuple[str, ...] = ()
-    """Who stands elsewhere than before: they may be asked again to let the robot pass."""
+    """People who have moved: they may be asked again to make way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,19 +73,18 @@ class NoPlanUpdate:
 
     because: tuple[Cause, ...]
     may_pass: bool = False
-    """Whether it is worth asking again although nothing changed: something broke or overlaps."""
+    """Whether asking again may help although nothing changed: an exception or overlapping people."""
     awaits: str | None = None
-    """What may still give a route to people who have none, in words: then the route is waited for.
+    """What may still open a route to people who have none, in words: then the execution waits for it.
 
-    None where nothing is known that would.
+    None if nothing is known.
     """
     look_for: str | None = None
-    """Who may stand otherwise than the robot believes, or go unnoticed, while it looks elsewhere: it turns to
-    them."""
+    """A person who may have moved or go unnoticed while the robot looks elsewhere: it turns to them."""
 
 
 class Planner(Protocol):
-    """Who knows what to do when things change. An implementation need not import this module."""
+    """Decides what to do when things change. Implementations need not import this module."""
 
     def has_news(self, t: float) -> bool:
         """Asked before every tick: is it time to review the plan?"""

@@ -1,12 +1,12 @@
-"""Recovery from a failure: replanning at once, replanning after a pause, a wait for the path, or the end.
+"""Recovery from a failure: replan at once or after a pause, wait for the path, or end.
 
-What broke may mend and who stood in the way may go: so the robot asks more than once, and waits twice as
-long each time. A cap on the new plans ends the run; it counts from when a person was last served. New plans
-because the world changed have a cap of the same size to themselves: a door that flaps uses up no attempt to
-go on after a failure.
+Faults may be repaired and obstructing people may leave, so the robot replans more than once, doubling the
+pause each time. A cap on new plans ends the run; it counts from when a person was last served. New plans
+because of changes of the world have a separate cap of the same size: a door that keeps opening and shutting
+uses up no attempt to recover from a failure.
 
-Where the way is known to be shut there is nothing to attempt: the robot waits for it to open. That uses up
-patience, which has an end of its own, and no attempts.
+If the path is known to be shut, the robot waits for it to open. That uses up a limited waiting time
+(`patience_s`), and no attempts.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ from comity_executor.plan_update import ExecutionState, NoPlanUpdate, Planner, P
 from comity_executor.robots.raised import raised
 
 LONGEST_PAUSE_S = 30.0
-"""Nobody is made to wait longer than this for a robot that could go on by now (our choice)."""
+"""Maximum pause: people should not wait longer for a robot that could continue [s] (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Later:
-    """There is no other plan yet; it is asked for again."""
+    """There is no other plan yet; ask again later."""
 
     because: tuple[Cause, ...]
     look_for: str | None = None
-    """To where a person is believed to be the robot is to look meanwhile."""
+    """Person to whose believed place the robot turns meanwhile."""
 
 
 class Recovery:
@@ -47,11 +47,11 @@ class Recovery:
         self._changes = 0
         self._ask_s: float | None = None
         self._waits_since_s: float | None = None
-        """Since when it waits for the way; None while it does not."""
+        """Start of the wait for the path [s]; None while not waiting."""
         self._looks = 0
-        """How often it has looked in this wait."""
+        """Number of looks in this wait."""
         self._waited_s = 0.0
-        """In the waits before this one."""
+        """Total time of earlier waits [s]."""
 
     @property
     def is_waiting(self) -> bool:

@@ -15,7 +15,7 @@ class Act(BodyAct):
     """Speak or gesture once; the visit remembers an act that came to its end.
 
     Args:
-        meeting: Whose branch it belongs to.
+        meeting: Context of the visit.
         act: `say`, or the name of a gesture.
     """
 
@@ -24,25 +24,25 @@ class Act(BodyAct):
         self._meeting = meeting.seen_by(self, reads=("greet", "values"), writes=("performed", "performed_s"))
 
     def words(self) -> Utterance | None:
-        """Only an utterance has words."""
+        """The utterance; None for a gesture."""
         meeting = self._meeting
         return (
             meeting.speaker.greeting(meeting.greet.people, meeting.values) if self._act == SAY_ACT else None
         )
 
     def goal(self) -> ActGoal:
-        """In the manner that suits the person."""
+        """The act, in the manner that suits the person."""
         meeting, words = self._meeting, self.words()
         if words is None:
             return ActGoal(self._act, meeting.person, manner=meeting.manner)
         return speech(self._act, meeting.person, words, manner=meeting.manner)
 
     def remember(self) -> None:
-        """In the memory of the visit."""
+        """Record the act in the visit's memory."""
         self._meeting.note_done(self._act)
 
     def explain(self) -> Account | None:
-        """That the act is over, or was broken off."""
+        """Whether the act is over, or was aborted."""
         if self._act == SAY_ACT:
             others = self.told((*ABOUT_SPEECH, *ABOUT_WORDS))
             return Account(

@@ -1,4 +1,4 @@
-"""Telling a person who does not see, in words, that the robot comes, has stopped, and leaves."""
+"""Announcements to a person who cannot see: the robot approaches, has stopped, or leaves."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ from comity_executor.speech.utterance import Utterance
 from comity_fis.inference.value import Inference
 
 MARGIN_M = 0.15
-"""So much earlier than it must the robot halts to speak: for noise and the tick's length (our choice)."""
+"""Extra distance at which the robot halts to speak [m]: covers noise and the tick's length (our choice)."""
 REACTS_S = 0.1
-"""From the reading to the brakes: two control ticks (our choice)."""
+"""Time from the reading to braking [s]: two control ticks (our choice)."""
 GONE_M = 1.0
-"""So much farther away than where it was told, the robot is told of again (our choice)."""
+"""Additional distance after which the robot announces itself again [m] (our choice)."""
 
 
 def is_announced(meeting: VisitContext) -> bool:
-    """Whether the plan has the robot tell this person that it comes."""
+    """Whether the plan includes announcing the approach to this person."""
     return ANNOUNCED in meeting.reach.parameters
 
 
 def halting_m(meeting: VisitContext, speed_m_s: float) -> float:
-    """The distance at which a robot of this speed has to brake so as to rest before it is `SPOKEN_TO_M` near.
+    """Distance at which a robot of this speed must brake to rest `SPOKEN_TO_M` before the person [m].
 
-    It is the sum of that, the way during the base's latency, v^2 / (2 a) of braking, and a margin [m].
+    The sum of that distance, the path during the base's latency, v^2 / (2 a) of braking, and a margin [m].
     """
     base = meeting.robot.capabilities
     braking_m = speed_m_s**2 / (2.0 * base.braking_m_s2)
@@ -48,7 +48,7 @@ def halting_m(meeting: VisitContext, speed_m_s: float) -> float:
 
 
 class IsComingTold(Condition):
-    """`coming_told?`: was the person told that the robot comes, and has it not been far away since?"""
+    """`coming_told?`: has the approach been announced, and has the robot not been far away since?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("coming_told?", meeting.person), meeting.reach_grounds)
@@ -57,11 +57,11 @@ class IsComingTold(Condition):
 
     @property
     def ports(self) -> Ports:
-        """The person it is about."""
+        """The person concerned."""
         return {"person": self._meeting.person}
 
     def check(self) -> bool:
-        """It was so once the words were spoken; a person who went far away is told again."""
+        """True once the words were spoken, until the robot has been far away."""
         meeting, person = self._meeting, self._meeting.person
         reading = meeting.senses.read(person)
         far_m = halting_m(meeting, meeting.limits.cruise_speed_m_s) + GONE_M
@@ -79,20 +79,20 @@ class IsComingTold(Condition):
 
 
 class ComeNear(NavigateToUser):
-    """Set out to the person, and halt before the robot is nearer than `SPOKEN_TO_M`."""
+    """Approach the person, and halt before the robot is nearer than `SPOKEN_TO_M`."""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(meeting, verb="Come_near")
 
     def begin(self) -> None:
-        """Set out, unless the robot is near already: then it does not move until it has spoken."""
+        """Start, unless the robot is near already: then it stays until it has spoken."""
         if self._is_near():
             MotionAction.begin(self)
         else:
             super().begin()
 
     def step(self) -> Status:
-        """SUCCESS where the robot has to halt, or is close to its pose; FAILURE as on any way."""
+        """SUCCESS when the robot must halt or is close to its pose; FAILURE as for any path."""
         return Status.SUCCESS if self._is_near() else super().step()
 
     def _is_near(self) -> bool:
@@ -106,12 +106,12 @@ class ComeNear(NavigateToUser):
 
 
 class Announcement(BodyAct):
-    """Words about what the robot does.
+    """An announcement of what the robot does.
 
     Args:
-        verb: Names the node.
-        meeting: Whose branch it belongs to.
-        reads: What it reads on the blackboard.
+        verb: Verb in the node's name.
+        meeting: Context of the visit.
+        reads: Entries of the blackboard that it reads.
     """
 
     def __init__(self, verb: str, meeting: VisitContext, *, reads: tuple[str, ...] = ()) -> None:
@@ -120,7 +120,7 @@ class Announcement(BodyAct):
         self._meeting = meeting.seen_by(self, reads=("values", *reads), writes=("announced", "stopped_s"))
 
     def goal(self) -> ActGoal:
-        """In the manner that suits the person."""
+        """The act, in the manner that suits the person."""
         meeting = self._meeting
         return speech(SAY_ACT, meeting.person, self.words(), manner=meeting.manner)
 
@@ -129,7 +129,7 @@ class Announcement(BodyAct):
         """What is said."""
 
     def explain(self) -> Account | None:
-        """What was said, and that the person does not see."""
+        """The words said, and that the person cannot see."""
         return Account(
             f"{self.how_it_went()}: {self._meeting.person} does not see, and is told “{self.words().latin}”",
             parameter=ANNOUNCED,
@@ -149,7 +149,7 @@ class SayComing(Announcement):
         return self._meeting.speaker.coming(self._meeting.person, self._meeting.values)
 
     def remember(self) -> None:
-        """From now on the person is to be told, too, when the robot leaves."""
+        """Record that leaving must be announced, too."""
         self._meeting.shared.announced = self._meeting.person
 
 
@@ -160,20 +160,20 @@ class SayStopped(Announcement):
         super().__init__("Say_stopped", meeting, reads=("reach", "docked_at", "docked_s"))
 
     def words(self) -> Utterance:
-        """As the person would see it: in front, to the left."""
+        """The position as the person would see it: in front, to the left."""
         meeting = self._meeting
         docked_at = meeting.memory.docked_at
         bearing_deg = meeting.wanted.bearing_deg if docked_at is None else docked_at.bearing_deg
         return meeting.speaker.stopped(meeting.person, bearing_deg, meeting.values)
 
     def remember(self) -> None:
-        """Of this docking; the next one is told again."""
+        """Record it for this docking; the next one is announced again."""
         self._meeting.shared.stopped_s = self._meeting.memory.docked_s
         self._meeting.shared.announced = self._meeting.person
 
 
 class IsStopTold(Condition):
-    """`stop_told?`: was the person told that, and where, the robot has stopped?"""
+    """`stop_told?`: has it been announced that, and where, the robot has stopped?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("stop_told?", meeting.person), meeting.reach_grounds)
@@ -181,7 +181,7 @@ class IsStopTold(Condition):
 
     @property
     def ports(self) -> Ports:
-        """The person it is about."""
+        """The person concerned."""
         return {"person": self._meeting.person}
 
     def check(self) -> bool:
@@ -195,13 +195,13 @@ class IsStopTold(Condition):
 
 
 class IsLeaveTold(Condition):
-    """`leave_told?`: is there nobody who does not see and is still to be told that the robot leaves them?
+    """`leave_told?`: has the robot's leaving been announced to everyone who needs it?
 
     Args:
-        meeting: Whose branch it belongs to.
-        about: What the node's name has in brackets.
-        provenance: The step for which the robot leaves.
-        goes_to: The person whom it goes to, who is not left; None: it goes to a place.
+        meeting: Context of the visit.
+        about: Arguments in the node's name.
+        provenance: The plan step for which the robot leaves.
+        goes_to: The person it goes to, who is not left; None: it goes to a place.
     """
 
     def __init__(
@@ -217,7 +217,7 @@ class IsLeaveTold(Condition):
         return {"goes_to": self._goes_to or ""}
 
     def check(self) -> bool:
-        """Ask who was told last that the robot comes."""
+        """Look up who was last told that the robot approaches."""
         return self._meeting.shared.announced in (None, self._goes_to)
 
     def explain(self) -> Account | None:
@@ -229,12 +229,12 @@ class IsLeaveTold(Condition):
 
 
 class SayLeaving(Action):
-    """Tell the person beside whom the robot stands that it leaves.
+    """Tell the person next to the robot that it leaves.
 
     Args:
-        meeting: Whose branch it belongs to.
-        about: What the node's name has in brackets.
-        provenance: The step for which the robot leaves.
+        meeting: Context of the visit.
+        about: Arguments in the node's name.
+        provenance: The plan step for which the robot leaves.
         values: Everyone's parameters, by name.
     """
 
@@ -266,7 +266,7 @@ class SayLeaving(Action):
         self._performing.begin(speech(SAY_ACT, self._who, words, manner=manner_of(values)), values)
 
     def step(self) -> Status:
-        """SUCCESS when it is said, FAILURE when it was broken off from elsewhere."""
+        """SUCCESS when the words are said, FAILURE if interrupted by another program."""
         self._performing.look()
         if self._performing.is_lost:
             return Status.FAILURE
@@ -287,7 +287,7 @@ class SayLeaving(Action):
 
 
 class LeaveUntold(Action):
-    """SUCCESS at once: a robot that cannot speak does not stand beside the person for ever."""
+    """SUCCESS at once: a robot that cannot speak does not stay next to the person forever."""
 
     def __init__(self, meeting: VisitContext, about: tuple[str, ...], provenance: Provenance) -> None:
         super().__init__(NodeId("Leave_untold", about, meeting.person), provenance)
@@ -300,10 +300,10 @@ class LeaveUntold(Action):
         return {"goes_to": self._meeting.person}
 
     def step(self) -> Status:
-        """Nobody is to be told any more."""
+        """Clear the pending announcement."""
         self._who, self._meeting.shared.announced = self._meeting.shared.announced, None
         return Status.SUCCESS
 
     def explain(self) -> Account | None:
-        """Who was left without a word."""
+        """The person left without an announcement."""
         return Account(f"{self._who} does not see, and could not be told that the robot leaves")

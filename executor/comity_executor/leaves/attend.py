@@ -1,4 +1,4 @@
-"""Attend_to: see how the person takes the robot's coming, and leave them the distance they choose."""
+"""Attend_to: observe the person's reaction to the approach, and respect the distance they choose."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from comity_executor.robots.robot import Reading
 from comity_fis.learning.signals import SAID, SIGNALS
 
 A_LITTLE_M = 0.10
-"""What `a little closer` and `a little farther` mean (our choice)."""
+"""Meaning of `a little closer` and `a little farther` [m] (our choice)."""
 SETTLED_S = 1.5
-"""For so long after a signal the person may still be moving."""
+"""Time after a signal in which the person may still be moving [s]."""
 
 
 class AttendTo(Action):
-    """Watch and listen for a few seconds; the visit remembers the first signal, or that there was none.
+    """Watch and listen for a few seconds; the visit stores the first signal, or that there was none.
 
-    A person who moves has chosen a distance: the pose to hold becomes the one that they left the robot in, so
-    that no gap is closed again uninvited. A person who asks gets a little of what they ask for. Either holds
-    for the rest of the visit, also when the robot goes away and comes back.
+    A person who moves has chosen a distance: the resulting pose becomes the one to hold, so that no gap is
+    closed again uninvited. A person who asks gets a little of what they ask for. Both hold for the rest of
+    the visit, even if the robot leaves and returns.
     """
 
     def __init__(self, meeting: VisitContext) -> None:
@@ -38,18 +38,18 @@ class AttendTo(Action):
 
     @property
     def ports(self) -> Ports:
-        """To whom, and how long."""
+        """The person and the duration."""
         return {"person": self._meeting.person, "for_s": self._meeting.limits.attend_s}
 
     def begin(self) -> None:
-        """Note how things are; a signal that was noticed before, in this visit, stands."""
+        """Record the initial reading; an earlier signal of this visit remains valid."""
         meeting = self._meeting
         self._began_s = meeting.senses.now_s()
         self._first = None
         self._heard_before = len(meeting.robot.heard(meeting.person))
 
     def step(self) -> Status:
-        """SUCCESS when there was time enough for a reaction."""
+        """SUCCESS after the time for a reaction."""
         meeting = self._meeting
         now_s, reading = meeting.senses.now_s(), meeting.senses.read(meeting.person)
         if reading is not None:
@@ -66,7 +66,7 @@ class AttendTo(Action):
         return Status.SUCCESS
 
     def explain(self) -> Account | None:
-        """What was noticed."""
+        """The noticed signal."""
         seen = self._meeting.memory.noticed
         if seen is None:
             return None
@@ -84,7 +84,7 @@ class AttendTo(Action):
         meeting.note_shown(distance_m)
 
     def _follow(self, seen: Noticed, now: Reading, now_s: float) -> None:
-        """Keep the pose in which a person who moves leaves the robot, until they have settled."""
+        """Update the pose while a person moves, until they have settled."""
         if seen.kind in _MOVES and now_s - seen.t <= SETTLED_S:
             self._meeting.memory.pose = _moved(self._meeting.pose, now.distance_m, now.bearing_deg)
             if seen.kind in _MOVES_TO:
@@ -92,11 +92,11 @@ class AttendTo(Action):
 
 
 def _moved(pose: RelativePose, distance_m: float, bearing_deg: float) -> PlannedPose:
-    """Where the robot stands from now on, and why it came to stand elsewhere than it wanted."""
+    """The new pose of the robot, with the reason for the deviation."""
     return PlannedPose(distance_m, bearing_deg, pose.pose_free, pose.deviation_reason, unverified(pose))
 
 
 _FARTHER_M = {"ask_farther": A_LITTLE_M, "ask_closer": -A_LITTLE_M}
 _MOVES_TO = frozenset({"step_back", "lean_in"})
-"""Who turns away has chosen no other distance."""
+"""Signals that choose another distance; turning away does not."""
 _MOVES = frozenset(SIGNALS) - _FARTHER_M.keys() - {"nothing"}

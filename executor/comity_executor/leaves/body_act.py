@@ -1,4 +1,4 @@
-"""Speaking, gesturing, handing over: begun once, and remembered once any leaf notices its end."""
+"""Speech, gestures, handing over: started once, and recorded once any leaf notices the end."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from comity_executor.speech.utterance import Utterance
 
 
 class BodyAct(Action):
-    """An act of the robot towards the person of a meeting.
+    """An act of the robot towards the visited person.
 
     Args:
-        node_id: The act and the person, as the node is called.
-        meeting: Whose branch it belongs to.
+        node_id: The act and the person.
+        meeting: Context of the visit.
         act: `say`, or another act by its name.
         provenance: The plan step that it carries out.
     """
@@ -37,28 +37,28 @@ class BodyAct(Action):
 
     @property
     def ports(self) -> Ports:
-        """Which act, what is said in it, and how."""
+        """The act, its text and its manner."""
         manner = self._meeting.manner
         how: Ports = {"volume": manner.volume, "rate": manner.rate, "amplitude": manner.amplitude}
         return {"act": self._act, "person": self._meeting.person, "text": self.text, **how}
 
     @property
     def text(self) -> str:
-        """What is said, in the script of its language; empty where nothing is."""
+        """The text in the script of its language; empty if nothing is said."""
         words = self.words()
         return words.text if isinstance(words, Utterance) else words or ""
 
     @abstractmethod
     def words(self) -> Utterance | str | None:
-        """What is said, by our wordings or in words of the plan's own; None where nothing is."""
+        """Our wordings or the plan's own text; None if nothing is said."""
 
     @abstractmethod
     def goal(self) -> ActGoal:
-        """What the robot is to do."""
+        """The goal for the robot."""
 
     @abstractmethod
     def remember(self) -> None:
-        """The act is over."""
+        """Record the end of the act."""
 
     def begin(self) -> None:
         """Start the act."""
@@ -66,7 +66,7 @@ class BodyAct(Action):
         self._performing.begin(self.goal(), self._meeting.values)
 
     def step(self) -> Status:
-        """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
+        """SUCCESS when the robot reports the end, FAILURE if interrupted by another program."""
         self._performing.look()
         if self._performing.is_lost:
             self._again = self._next_attempt()
@@ -77,28 +77,28 @@ class BodyAct(Action):
         return Status.SUCCESS
 
     def end(self) -> None:
-        """Break the act off unless it is over; it may have ended since the last tick."""
+        """Abort the act unless it is over; it may have ended since the last tick."""
         was_done = self._performing.is_done
         self._performing.end()
         if self._performing.is_done and not was_done:
             self.remember()
 
     def how_it_went(self) -> str:
-        """That it is over, or was broken off, and when it is tried again."""
+        """Whether it is over or was aborted, and when it is retried, in words."""
         return (
             f"{self._act} is done" if self._performing.is_done else f"{self._act} was broken off{self._again}"
         )
 
     def _next_attempt(self) -> str:
-        """What follows, in words; nothing where this was the last attempt."""
+        """The next attempt, in words; empty after the last one."""
         again = self.parent.next_attempt() if isinstance(self.parent, ActTimeout) else None
         return f", it pauses before attempt {again[0]} until t={again[1]:.2f} s" if again else ""
 
     def trouble(self) -> str | None:
-        """What is wrong with the voice, where it broke the act off."""
+        """The fault of the voice, if it aborted the act."""
         return trouble_of(self._meeting.robot, VOICE) if self._performing.is_lost else None
 
     def told(self, names: Iterable[str]) -> tuple[str, ...]:
-        """Those of some parameters that say more than their neutral value."""
+        """The parameters whose values differ from neutral."""
         values = self._meeting.values
         return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")

@@ -1,4 +1,4 @@
-"""The questions of the tree; each looks at the world or at what the visit remembers of it."""
+"""The conditions of the tree; each checks the world or the visit's memory."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from comity_fis.listing import listed
 
 
 class IsDocked(Condition):
-    """`docked?`: does the robot rest at its pose, or hold it well enough since?"""
+    """`docked?`: does the robot rest at its pose, or hold it within the loose band since?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("docked?", meeting.person), meeting.reach_grounds)
@@ -30,10 +30,10 @@ class IsDocked(Condition):
         self._enter: DockingBand
         self._leave: DockingBand
         self._band: DockingBand
-        """The band that was asked last."""
+        """The band that was last checked."""
 
     def check(self) -> bool:
-        """Ask the tight band until docked, the loose one from then on."""
+        """Check the tight band until docked, the loose one from then on."""
         meeting, memory = self._meeting, self._meeting.memory
         if (pose := meeting.pose) is not self._pose:
             self._choose_bands(pose)
@@ -50,7 +50,7 @@ class IsDocked(Condition):
         return memory.docked
 
     def explain(self) -> Account | None:
-        """The quantity that is outside the band, or the whole docking."""
+        """The quantity outside the band, or all of them if docked."""
         robot, person = self._meeting.robot, self._meeting.person
         if self._reading is None:
             return Account(f"{person} is not seen", fault=trouble_of(robot, SENSORS))
@@ -68,7 +68,7 @@ class IsDocked(Condition):
 
 
 class IsGreeted(Condition):
-    """`greeted?`: is every act of the greeting done, and did the robot see how it was taken?"""
+    """`greeted?`: are all acts of the greeting done, and has the robot observed the reaction?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("greeted?", meeting.person), meeting.greet_grounds)
@@ -76,11 +76,11 @@ class IsGreeted(Condition):
         self._acts = meeting.acts
 
     def check(self) -> bool:
-        """An act that was done stays done."""
+        """Once true, it stays true."""
         return all(map(self._meeting.is_done, self._acts)) and self._meeting.is_attended
 
     def explain(self) -> Account | None:
-        """What is missing."""
+        """The missing acts."""
         missing = [act for act in self._acts if not self._meeting.is_done(act)]
         if not missing and not self._meeting.is_attended:
             return Account(f"{self._meeting.person} has had no time to react", parameter="greeting_modality")
@@ -98,11 +98,11 @@ class IsActDone(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Which act."""
+        """The act."""
         return {"act": self._act, "person": self._meeting.person}
 
     def check(self) -> bool:
-        """An act that was done stays done."""
+        """Once true, it stays true."""
         return self._meeting.is_done(self._act)
 
     def explain(self) -> Account | None:
@@ -121,11 +121,11 @@ class IsGivenUp(Condition):
 
     @property
     def ports(self) -> Ports:
-        """The person it is about."""
+        """The person concerned."""
         return {"person": self._person}
 
     def check(self) -> bool:
-        """A visit that was given up stays so; a new plan may try again."""
+        """True once the visit is given up; a new plan may try again."""
         return self._memory.is_over
 
     def explain(self) -> Account | None:
@@ -143,11 +143,11 @@ class AreAllGreeted(Condition):
 
     @property
     def ports(self) -> Ports:
-        """All who are to be greeted, as a list of BehaviorTree.CPP."""
+        """All people to greet, as a BehaviorTree.CPP list."""
         return {"people": ";".join([*(meeting.person for meeting in self._meetings), *self._unserved])}
 
     def check(self) -> bool:
-        """Nobody was given up but those who declined, and the plan could serve everybody."""
+        """True if only people who declined were given up, and the plan could serve everyone."""
         return not self._given_up() and not self._unserved
 
     def explain(self) -> Account | None:

@@ -1,7 +1,7 @@
-"""A behaviour of the user's own as an act of a greeting or of an agenda.
+"""A custom behaviour as an act of a greeting or of an agenda.
 
-The tree around it stays: it is done once, within the time for acts, and tried again where it fails. It may
-have children of its own. As in a leaf of ours, an exception in one of its behaviours is a FAILURE with the
+The surrounding tree is unchanged: the act is done once, within the timeout for acts, and retried on failure.
+The behaviour may have children. As in our leaves, an exception in one of its behaviours is a FAILURE with the
 exception's text.
 """
 
@@ -22,16 +22,16 @@ _RESULTS = (Status.RUNNING, Status.SUCCESS, Status.FAILURE)
 
 
 class CustomAct(Decorator):
-    """Its child's result; a SUCCESS is remembered, so that a second docking does not repeat the act.
+    """Returns its child's result; a SUCCESS is recorded, so that a second docking does not repeat the act.
 
     Args:
         act: The name of the act.
-        about: What the node's name has in brackets.
+        about: Arguments in the node's name.
         make: Makes the behaviour.
-        of: The greeting or the task that it belongs to, which remembers it.
+        of: The greeting or task that it belongs to, which records it.
 
     Raises:
-        TypeError: `make` gave something else than a behaviour.
+        TypeError: If `make` returns something other than a behaviour.
     """
 
     def __init__(self, act: str, about: tuple[str, ...], make: MakeAct, of: VisitContext | Task) -> None:
@@ -63,7 +63,7 @@ class CustomAct(Decorator):
 
 
 class _Guard:
-    """Turns an exception in a behaviour into a FAILURE: nothing that it raises leaves the tick."""
+    """Turns an exception in a behaviour into a FAILURE, so that none leaves the tick."""
 
     def __init__(self, node: Behaviour) -> None:
         self._node = node

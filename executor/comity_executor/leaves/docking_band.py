@@ -1,8 +1,7 @@
-"""When docking counts as reached, and when as lost: bands around the pose, tight to enter, loose to leave.
+"""Bands around a docking pose: tight to enter, loose to leave (hysteresis).
 
-What the robot states as its tolerance widens them outwards, never inwards: too near is worse than too far.
-Between them lies hysteresis: a robot that docked stays docked while the person shuffles or the sensor is
-noisy.
+The tolerance stated by the robot widens them outwards, never inwards: too near is worse than too far. Due to
+the hysteresis a docked robot stays docked while the person shuffles or the sensor is noisy.
 """
 
 from __future__ import annotations
@@ -19,20 +18,20 @@ from comity_executor.robots.robot import Reading, is_seen
 
 @dataclass(frozen=True, slots=True)
 class DockingBand:
-    """What still counts as standing at a pose."""
+    """Limits within which a reading counts as standing at a pose."""
 
     pose: RelativePose
     verb: str
-    """How a reading fails the band, in words: it `left` it, or `is not in` it."""
+    """How a reading outside the band is described: it `left` it, or `is not in` it."""
     nearest_m: float
     farthest_m: float
     bearing_deg: float
-    """On both sides of the pose's bearing."""
+    """Allowed deviation from the pose's bearing to either side [deg]."""
     facing_deg: float
     speed_m_s: float
 
     def contains_place(self, reading: Reading) -> bool:
-        """Whether the robot stands there, wherever it looks."""
+        """Whether the robot stands there, whatever its heading."""
         return (
             self.nearest_m <= reading.distance_m <= self.farthest_m
             and bearing_error_deg(reading.bearing_deg, self.pose.bearing_deg) <= self.bearing_deg
@@ -40,7 +39,7 @@ class DockingBand:
         )
 
     def contains(self, reading: Reading) -> bool:
-        """Whether the robot stands there and looks at the person."""
+        """Whether the robot stands there and faces the person."""
         return self.contains_place(reading) and reading.facing_error_deg <= self.facing_deg
 
     def account(self, reading: Reading) -> Account:
@@ -66,7 +65,7 @@ class DockingBand:
 
 
 def enter_band(pose: RelativePose, limits: Limits) -> DockingBand:
-    """The robot came to rest at the pose."""
+    """The band for having come to rest at the pose."""
     return DockingBand(
         pose=pose,
         verb="is not in",
@@ -79,7 +78,7 @@ def enter_band(pose: RelativePose, limits: Limits) -> DockingBand:
 
 
 def lost_band(pose: RelativePose, limits: Limits) -> DockingBand:
-    """The robot still turns on its place, whatever its speed and heading."""
+    """The band for turning at the pose, whatever the speed and heading."""
     return DockingBand(
         pose=pose,
         verb="left",
@@ -92,7 +91,7 @@ def lost_band(pose: RelativePose, limits: Limits) -> DockingBand:
 
 
 def leave_band(pose: RelativePose, limits: Limits) -> DockingBand:
-    """The robot can go on holding the pose while it greets."""
+    """The band for holding the pose during the greeting."""
     return DockingBand(
         pose=pose,
         verb="left",

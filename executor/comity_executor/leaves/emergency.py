@@ -29,13 +29,13 @@ from comity_executor.robots.stop_button import StopButton
 
 
 class EmergencyGuard(Selector):
-    """Whatever it halts is halted by an emergency; halted itself, it leaves the base at rest.
+    """Halts the goal in an emergency; if halted itself, it stops the base.
 
     Args:
-        goal: What is carried out while there is none.
-        robot: Whose base is stopped.
-        senses: What it reads, its stop too.
-        memory: Where it stands who has its base.
+        goal: The subtree executed while there is no emergency.
+        robot: The robot whose base is stopped.
+        senses: The readings, including the stop.
+        memory: Records which leaf holds the base.
     """
 
     def __init__(self, goal: Behaviour, robot: Robot, senses: Senses, memory: SharedMemory) -> None:
@@ -48,14 +48,14 @@ class EmergencyGuard(Selector):
         self._robot = robot
 
     def stop(self, new_status: Status = Status.INVALID) -> None:
-        """Halted from above, stop the base: the tree commands it no more."""
+        """Stop the base when halted from above: the tree no longer commands it."""
         super().stop(new_status)
         if new_status is Status.INVALID:
             self._robot.stop()
 
 
 class IsEmergency(Condition):
-    """`emergency?`: whether the robot's stop was pressed, and nobody has resumed since it was released."""
+    """`emergency?`: was the robot's stop pressed, and not resumed since its release?"""
 
     if_it_raises = Status.SUCCESS
 
@@ -64,7 +64,7 @@ class IsEmergency(Condition):
         self._button = button
 
     def check(self) -> bool:
-        """Look at what was read at the start of the tick."""
+        """Use the stop as read at the start of the tick."""
         return self._button.reason is not None
 
     def explain(self) -> Account | None:
@@ -84,7 +84,7 @@ class StandStill(Action):
         self._robot = robot
         self._senses = senses
         self._told_s: float | None = None
-        """When it was told first."""
+        """Time of the first stop command [s]."""
         self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
 
     def begin(self) -> None:

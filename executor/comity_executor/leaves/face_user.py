@@ -15,9 +15,9 @@ from comity_executor.robots.robot import Reading
 class FaceUser(MotionAction):
     """The last part of Reach_user.
 
-    `docked?` is asked before it in every tick, so it usually ends early, when that turned true. It fails when
-    the robot, which does not hold its place while it turns, has lost the pose, or has turned and is beside it
-    for longer than the limits' patience with what blocks a motion: then Reach_user is tried again.
+    `docked?` is checked before it in every tick, so it usually ends early, once that is true. It fails if the
+    robot, which does not hold its position while turning, has lost the pose, or has turned and is off the
+    pose for longer than `blocked_s`: then Reach_user is retried.
     """
 
     def __init__(self, meeting: VisitContext) -> None:

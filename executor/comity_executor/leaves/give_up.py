@@ -13,10 +13,10 @@ from comity_executor.nodes.leaf import Action
 
 
 class GiveUp(Action):
-    """SUCCESS at once: the failure is remembered, and `all_greeted?` answers for it at the end.
+    """SUCCESS at once: the failure is recorded, and `all_greeted?` reports it at the end.
 
     Args:
-        meeting: Whose branch it belongs to.
+        meeting: Context of the visit.
         failed: The branch that failed before this leaf is reached.
     """
 

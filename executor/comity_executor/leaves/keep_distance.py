@@ -16,15 +16,15 @@ from comity_fis.learning.signals import WORDS
 class KeepDistance(MotionAction):
     """Always RUNNING: the robot's controller follows the person's small moves until the greeting ends.
 
-    While the robot attends to how the person takes it, it stands where it docked and only turns: a person who
-    steps back has said something. It moves again when the person asks it to.
+    While the robot observes the person's reaction, it stays where it docked and only turns: a person who
+    steps back has sent a signal. It moves again when the person asks for it.
     """
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Keep_distance", meeting.person), meeting, reads=(*POSE, "noticed"))
         self._granted: RelativePose | None = None
         self._holds = False
-        """Whether it holds the pose; else it stands and turns."""
+        """Whether it holds the pose; otherwise it stands and turns."""
 
     def begin(self) -> None:
         """Hold, or stand."""
@@ -33,10 +33,10 @@ class KeepDistance(MotionAction):
         self._command(holds=self.meeting.limits.attend_s == 0.0)
 
     def step(self) -> Status:
-        """Go on; whether the pose is lost is for `docked?` to say.
+        """Continue; `docked?` decides whether the pose is lost.
 
-        A base that does not take the goal, or loses it, gets it again after a pause: the robot stands at
-        its pose all the while, and the greeting need not end for it.
+        If the base rejects or loses the goal, it is commanded again after a pause: the robot stands at its
+        pose meanwhile, and the greeting need not end.
         """
         seen = self.meeting.memory.noticed
         if self.is_outdated():

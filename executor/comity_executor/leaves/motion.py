@@ -1,4 +1,4 @@
-"""What the leaves that move the base share: they take it, and watch how their goal goes."""
+"""Base class of the leaves that move the base: acquires it, and monitors the goal."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from comity_executor.speech.other_parameters import other_parameters
 
 
 class MotionAction(Action):
-    """A motion goal under way.
+    """A motion goal in execution.
 
     Args:
-        node_id: What it does, and for which person.
-        meeting: Whose branch it belongs to.
-        reads: What it reads on the blackboard.
-        writes: What it writes there, besides that it has the base, and that the person declined.
+        node_id: The action and the person.
+        meeting: Context of the visit.
+        reads: Entries of the blackboard that it reads.
+        writes: Entries that it writes, besides the holder of the base and a refusal by the person.
     """
 
     def __init__(
@@ -40,31 +40,31 @@ class MotionAction(Action):
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
         self._blocked_by: str | None = None
-        """The fault that was there when it was blocked; it may be over before patience is."""
+        """The fault present when it was blocked; it may end before the patience does."""
         self._bindings = 0
         self._goal: GoalId | None = None
         self.commanded_s = 0.0
 
     def begin(self) -> None:
-        """Forget the last round; a subclass then gives its goal."""
+        """Reset the state; a subclass then sends its goal."""
         self._goal = None
         self._bindings = self.meeting.memory.bindings
         self._account = None
         self._blocked_since_s = None
 
     def go(self, goal: MotionGoal) -> None:
-        """Give the base a goal; it may take some time to accept it."""
+        """Send a goal to the base, which may take some time to accept it."""
         self.commanded_s, self._goal = self.meeting.senses.now_s(), None
         self.meeting.senses.require_fresh()
         others = other_parameters(self.meeting.values)
         self._goal = self.meeting.drive.go(self, replace(goal, parameters=others))
 
     def motion(self) -> Motion:
-        """How the goal goes.
+        """Progress of the goal.
 
         Raises:
-            GoalLostError: It will not be reached, the base never took it up, or has fallen silent about it.
-            StateError: The state is an unknown word.
+            GoalLostError: If it will not be reached, the base never accepted it, or stopped reporting it.
+            StateError: If the state is an unknown word.
         """
         motion, limits = known_motion(self.meeting.robot), self.meeting.limits
         now_s = self.meeting.senses.now_s()
@@ -80,31 +80,31 @@ class MotionAction(Action):
         return motion
 
     def explain(self) -> Account | None:
-        """What `say` left."""
+        """The explanation left by `say`."""
         return self._account
 
     def say(self, account: Account) -> None:
-        """Leave a word for the trace on how the step came out."""
+        """Store an explanation of the step's result for the trace."""
         self._account = account
 
     def trouble(self, *parts: str) -> str | None:
-        """What is wrong with the robot or its way, where it is with one of these parts."""
+        """The fault of the robot or its path, among these parts; None if there is none."""
         return trouble_of(self.meeting.robot, *parts)
 
     def is_outdated(self) -> bool:
-        """Whether the numbers that the goal was given with are old; told once."""
+        """Whether the parameters of the goal are outdated; reported once."""
         before, self._bindings = self._bindings, self.meeting.memory.bindings
         return before != self._bindings
 
     def is_stuck(self, *, unasked: bool = False) -> bool:
-        """Whether something has blocked the motion for longer than the limits' patience, or it is declined.
+        """Whether the motion has been blocked for longer than `blocked_s`, or is declined.
 
         Args:
-            unasked: Whether a person who blocks it counts, as nobody asks them to let the robot pass; else
-                that is the business of `passing`.
+            unasked: Whether blocking people count because no one asks them to make way; otherwise `passing`
+                handles them.
 
         Raises:
-            GoalLostError: As `motion` does.
+            GoalLostError: As in `motion`.
         """
         motion = self.motion()
         if motion.state == DECLINED:

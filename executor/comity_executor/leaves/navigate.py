@@ -15,7 +15,7 @@ from comity_executor.robots.goals import MotionGoal
 class NavigateToUser(MotionAction):
     """The first part of Reach_user: the pose is chosen again in every attempt, the robot finds the route.
 
-    And once more where it is stuck: a place before a person who walks is not free for ever.
+    If it is stuck, the pose is chosen once more: a place in front of a walking person may not stay free.
     """
 
     def __init__(self, meeting: VisitContext, *, verb: str = "Navigate_to_user") -> None:

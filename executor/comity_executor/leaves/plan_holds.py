@@ -1,4 +1,4 @@
-"""`plan_holds?`: the first question of the Goal; a plan that is outdated makes the tree fail at once."""
+"""`plan_holds?`: the first condition of the Goal; an outdated plan makes the tree fail at once."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from comity_executor.nodes.leaf import Condition
 
 
 class DoesPlanHold(Condition):
-    """Does the plan still hold? It is for the planner to say that it does not."""
+    """Does the plan still hold? The planner decides."""
 
     def __init__(self, memory: SharedMemory) -> None:
         super().__init__("plan_holds?")

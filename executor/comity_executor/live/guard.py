@@ -1,4 +1,4 @@
-"""A robot under a lease: who holds its base stops it where nothing is heard in time."""
+"""A robot under a lease: its base is stopped if its goal is not renewed in time."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from comity_executor.robots.robot import Robot
 from comity_executor.robots.status import has_stopped
 
 EVERY_S = 0.02
-"""How often the watchdog looks, and tells a base to stop that has not."""
+"""Period of the watchdog, which also repeats unconfirmed stops [s]."""
 STOPS_FOR_S = 60.0
-"""When Comity is gone, a base that does not say that it rests is told to stop for so long (our choice)."""
+"""Time for which an unconfirmed stop is repeated once Comity is gone [s] (our choice)."""
 
 
 class Guard:
-    """Calls come in one thread, `watch` runs in another.
+    """Guards the robot: calls come from one thread, `watch` runs in another.
 
     A lock keeps the watchdog's stop from hitting a goal that is given meanwhile. It is not held during any
     other call of the robot, as that might not return.
 
     Args:
         robot: The robot.
-        lease_s: So long a goal holds that is not renewed.
+        lease_s: Time for which a goal holds without renewal [s].
     """
 
     def __init__(self, robot: Robot, lease_s: float) -> None:
@@ -40,7 +40,7 @@ class Guard:
         """The goal that was stopped because nothing was heard."""
         self._has_to_stop = False
         self._told_s = inf
-        """When the base was told to stop, by the robot's clock."""
+        """Time of the last stop command, by the robot's clock [s]."""
 
     def go(self, goal: MotionGoal) -> GoalId:
         """Begin a lease, and then the goal."""
@@ -91,7 +91,7 @@ class Guard:
             time.sleep(EVERY_S)
 
     def stop_for_good(self) -> None:
-        """Nobody is there any more: end the act, and stop the base until it says that it rests."""
+        """The client is gone: end the act, and stop the base until it confirms rest."""
         ends_s = time.monotonic() + STOPS_FOR_S
         while time.monotonic() < ends_s:
             self._stop()

@@ -1,7 +1,7 @@
-"""The stop as a robot in real time is asked for it: by a thread of its own, so that silence is noticed.
+"""Polls a real robot's emergency stop in a separate thread, so that silence is noticed.
 
-A call that does not return would hold up the tick that makes it, and the stop would not be seen. Here the
-tick reads what was said last, and when that is too long ago the stop counts as pressed.
+A call that does not return would block its tick, and the stop would go unnoticed. Here the tick reads the
+last answer; if that is too old, the stop counts as pressed.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from types import TracebackType
 from comity_executor.robots.raised import raised
 
 SILENT_S = 0.5
-"""A stop of which nothing was heard for so long is pressed (our choice)."""
+"""Age of the last answer above which the stop counts as pressed [s] (our choice)."""
 EVERY_S = 0.02
 
 
 class Heartbeat:
-    """Asks a robot for its stop all the while; give `read` to an `Execution` as its `emergency`.
+    """Polls a robot's stop continuously; pass `read` to an `Execution` as its `emergency`.
 
     Args:
         ask: The robot's `emergency`. It is called in another thread than the robot's other calls.
@@ -30,12 +30,12 @@ class Heartbeat:
         self._ask = ask
         self._clock = clock
         self._said: tuple[float, object] = (clock(), "nothing was heard of the emergency stop yet")
-        """What was said last, and when."""
+        """The last answer and its time [s]."""
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._listen, name="emergency stop", daemon=True)
 
     def read(self) -> object:
-        """What the robot said last; a reason of our own where that is too long ago."""
+        """The last answer of the robot; a reason of our own if it is too old."""
         heard_s, said = self._said
         age_s = self._clock() - heard_s
         return said if age_s <= SILENT_S else f"nothing was heard of the emergency stop for {age_s:.1f} s"

@@ -1,7 +1,7 @@
-"""The loop that ticks an execution in real time: a rate, an account of what was late, and one way out.
+"""The loop that ticks an execution in real time: rate, overruns, and a clean shutdown.
 
-Whatever ends it (the plan is carried out, an error, Ctrl-C, SIGTERM), the base is told to stop and the loop
-goes on until it says that it rests, or until its time for that is over.
+Whatever ends it (completion, an error, Ctrl-C, SIGTERM), the base is commanded to stop, and the loop
+continues until the base confirms rest or the time for that is over.
 """
 
 from __future__ import annotations
@@ -18,9 +18,10 @@ from comity_executor.execution import Execution, ExecutionStatus
 RATE_HZ = 20.0
 """A goal holds for 0.3 s (`LONGEST_LEASE_S`): at this rate five ticks may be late before the base stops."""
 HANGS_S = 1.0
-"""Once the loop is to end, a call that takes longer is broken off (our choice)."""
+"""Maximum duration of a call once the loop is to end [s] (our choice)."""
 WAY_OUT_S = 60.0
-"""A base that cannot be made to stop is told so for so long after the loop's end (our choice)."""
+"""Time for which the stop is repeated after the loop's end if the base does not confirm it [s] (our
+choice)."""
 
 
 class HungError(TimeoutError):
@@ -32,19 +33,19 @@ class Overrun:
     """A tick that took longer than its share of time."""
 
     tick: int
-    """Which one, from 0."""
+    """Number of the tick, from 0."""
     took_s: float
 
 
 @dataclass(frozen=True, slots=True)
 class LoopReport:
-    """How a loop went."""
+    """The result of a loop."""
 
     status: ExecutionStatus
     ticks: int
     overruns: tuple[Overrun, ...]
     interrupted_by: str | None
-    """`SIGINT` or `SIGTERM`; None where it came to its own end."""
+    """`SIGINT` or `SIGTERM`; None if it ended by itself."""
 
     def __str__(self) -> str:
         longest = max((one.took_s for one in self.overruns), default=0.0)

@@ -1,9 +1,9 @@
-"""A robot in a process of its own, for bases that go on until they are told otherwise.
+"""A robot in a separate process, for bases that keep moving until told otherwise.
 
     Comity  --calls-->  watchdog process  --calls-->  base
 
-The process of the watchdog holds the connection to the base. When it has heard no `renew` for the lease,
-because Comity hangs, was stopped or is gone, it stops the base itself, and tells it so until it rests.
+The watchdog process holds the connection to the base. If it has heard no `renew` within the lease, because
+Comity hangs, was stopped or is gone, it stops the base itself, repeating the command until the base rests.
 """
 
 from __future__ import annotations
@@ -29,9 +29,10 @@ from comity_executor.robots.robot import Reading, Words
 from comity_fis.defuzzification.curve import Curve
 
 ANSWER_S = 0.5
-"""A call that has no answer after so long has failed; a stop that cannot be read is pressed (our choice)."""
+"""Time after which a call without an answer has failed [s]; an unreadable stop counts as pressed (our
+choice)."""
 START_S = 30.0
-"""As long as the robot's class may take to connect."""
+"""Maximum time for the robot's class to connect [s]."""
 
 
 class WatchdogError(Exception):
@@ -39,7 +40,7 @@ class WatchdogError(Exception):
 
 
 class Watchdog:
-    """A `Robot` or a `MapRobot` that is another one in a process of its own.
+    """A `Robot` or `MapRobot` that forwards calls to a robot in a separate process.
 
     The base needs no lease of its own. `stop` and `motion` of the robot are called in a second thread there
     when the base has to be stopped, also while another call is under way.
@@ -84,15 +85,15 @@ class Watchdog:
         self.close()
 
     def now_s(self) -> float:
-        """As the robot says."""
+        """Forwarded to the robot."""
         return cast("float", self._call("now_s"))
 
     def read(self, person: str) -> Reading | None:
-        """As the robot says."""
+        """Forwarded to the robot."""
         return cast("Reading | None", self._call("read", person))
 
     def heard(self, person: str) -> Sequence[Words]:
-        """As the robot says."""
+        """Forwarded to the robot."""
         return cast("Sequence[Words]", self._call("heard", person))
 
     def choose_pose(
@@ -104,7 +105,7 @@ class Watchdog:
         distance_desirability: Curve,
         direction_desirability: Curve,
     ) -> RelativePose | None:
-        """As the robot says."""
+        """Forwarded to the robot."""
         return cast(
             "RelativePose | None",
             self._call(
@@ -134,7 +135,7 @@ class Watchdog:
         return cast("GoalId", self._call("perform", act))
 
     def performance(self, act: GoalId) -> GoalStatus:
-        """As the robot says."""
+        """Forwarded to the robot."""
         return cast("GoalStatus", self._call("performance", act))
 
     def stop(self, goal: GoalId | None = None) -> None:
@@ -142,7 +143,7 @@ class Watchdog:
         self._call("stop", goal)
 
     def emergency(self) -> str | bool:
-        """As the robot says."""
+        """Forwarded to the robot."""
         return cast("str | bool", self._call("emergency"))
 
     def __getattr__(self, name: str) -> Callable[..., object]:

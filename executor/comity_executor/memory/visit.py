@@ -1,4 +1,4 @@
-"""One person's visit: what its nodes remember on the blackboard while it goes on, and what came of it."""
+"""One person's visit: its state on the blackboard during execution, and its outcome."""
 
 from __future__ import annotations
 
@@ -20,49 +20,49 @@ PROPER_OUTCOMES: tuple[Outcome, ...] = ("greeted", "declined", "skipped")
 
 @dataclass(frozen=True, slots=True)
 class Deed(Record):
-    """One thing on the agenda of a visit, and what came of it."""
+    """One item of a visit's agenda, and its outcome."""
 
     action: str
     arguments: tuple[str, ...]
     """As in the plan's step."""
     done_s: float | None
-    """When it was done, in the world's time; None: it was not."""
+    """Time when it was done [s]; None: not done."""
 
 
 @dataclass(frozen=True, slots=True)
 class Visit:
-    """What came of one visit, so far."""
+    """The outcome of one visit so far."""
 
     person: str
     outcome: Outcome
     """`unreached`: given up before the robot ever docked; `not_greeted`: given up later; `unfinished`:
-    greeted, and given up before all of the agenda was done; `declined`: the person walked by, turned away or
-    sped up before the robot, which goes to them no more; `skipped`: the plan leaves them out on purpose;
-    `pending`: none of these, while the execution goes on.
+    greeted, and given up before the whole agenda was done; `declined`: the person walked by, turned away or
+    sped up in front of the robot, which does not approach them again; `skipped`: the plan leaves them out on
+    purpose; `pending`: none of these, while the execution continues.
     """
     pose: RelativePose | None
-    """The last pose that was chosen; None before."""
+    """The last chosen docking pose; None before."""
     docked_at: Reading | None
     """The reading at the moment of the last docking."""
     docked_s: float | None
-    """When that was, in the world's time."""
+    """Time of the last docking [s]."""
     greeting: tuple[str, ...]
-    """The acts that were performed, `say` first."""
+    """The performed acts, `say` first."""
     failure: str | None
-    """Why the visit was given up; None where it was not."""
+    """Why the visit was given up; None if it was not."""
     noticed: Noticed | None = None
-    """How the person took it; None where the robot did not attend to that."""
+    """The person's reaction; None if the robot did not attend to it."""
     wanted: PlannedPose | None = None
-    """Where the plan wants the robot to stand, with the numbers that it went by last."""
+    """The planned docking pose, with its latest parameters."""
     agenda: tuple[Deed, ...] = ()
-    """What else was to be done, in order."""
+    """The further items, in order."""
     greeted_s: float | None = None
-    """When the last act of the greeting was done, in the world's time; None where it was not done here."""
+    """Time of the last act of the greeting [s]; None if it was not done in this execution."""
     together_with: str | None = None
-    """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
+    """The person in front of whom the robot stood, if it greeted a group and this is another member."""
 
     def shared_with(self, companion: str) -> Visit:
-        """The same for a person who was greeted at once with this person: the pose is not theirs."""
+        """The visit of a companion greeted together with this person; the pose is not theirs."""
         return replace(
             self,
             person=companion,
@@ -75,39 +75,39 @@ class Visit:
 
     @property
     def deviation_reason(self) -> str | None:
-        """Why the robot did not take the wanted pose; None where it did."""
+        """Why the robot did not take the target pose; None if it did."""
         return self.pose.deviation_reason if self.pose else None
 
     @property
     def unverified(self) -> str | None:
-        """Why it is not known that the person was where the robot docked; None where it saw them there."""
+        """Why the person's presence at docking is unverified; None if the robot saw them."""
         return None if self.docked_at is None or is_seen(self.docked_at) else unverified(self.pose)
 
 
 def skipped_visit(person: str) -> Visit:
-    """What came of a person whom the plan leaves out."""
+    """The visit of a person whom the plan leaves out."""
     return Visit(person, "skipped", pose=None, docked_at=None, docked_s=None, greeting=(), failure=None)
 
 
 @dataclass(frozen=True, slots=True)
 class ShownWish:
-    """How far away a person had the robot stand, by moving or asking; it holds when the robot comes back."""
+    """The distance that a person chose by moving or asking; it holds when the robot returns."""
 
     distance_m: float
     setting_m: float | None
-    """What they had asked for outright by then; None: nothing. Who asks otherwise later means that."""
+    """Their earlier explicit request [m]; None: none. A later explicit request takes precedence."""
 
     def __str__(self) -> str:
         return f"{self.distance_m:.2f} m"
 
 
 class TaskMemory(Board):
-    """What the nodes of one thing on the agenda share.
+    """The state shared by the nodes of one agenda item.
 
     Args:
         space: The execution's namespace.
-        person: Before whom.
-        number: Its place on the agenda, from 1.
+        person: The visited person.
+        number: Its position on the agenda, from 1.
         step: The plan's step.
     """
 
@@ -116,61 +116,61 @@ class TaskMemory(Board):
     handing_over = Entry[GoalId | None](None)
     """The act of handing over, once it has begun."""
     began_s = Entry[float | None](None)
-    """Since when a pause has been waited for; None: not yet."""
+    """Start of a pause [s]; None: not yet."""
     heard_before = Entry(0)
-    """How much the person had said by then."""
+    """Number of the person's utterances at that time."""
     done_s = Entry[float | None](None)
-    """When all of it was done."""
+    """Time when all of it was done [s]."""
     without = Entry[str | None](None)
-    """Why the robot went to greet without what it was to fetch before; None: it did not."""
+    """Why the robot went to greet without what it should have fetched first; None: it did not."""
 
     def __init__(self, space: Namespace, person: str, number: int, step: PlanStep) -> None:
         super().__init__(space, person, f"agenda-{number}")
         self.action, self.arguments = step.action, step.arguments
 
     def start_again(self) -> None:
-        """Another plan is under way: what was done stays, what was tried is forgotten."""
+        """Reset for a new plan: results stay, failed attempts are forgotten."""
         self.without = None
 
     def deed(self) -> Deed:
-        """What came of it so far."""
+        """The outcome so far."""
         return Deed(self.action, self.arguments, self.done_s)
 
 
 class VisitMemory(Board):
-    """What the nodes of one visit share."""
+    """The state shared by the nodes of one visit."""
 
     reach = Entry[PlanStep]()
-    """The plan's step that leads to the person, with the numbers of now."""
+    """The plan step that leads to the person, with its current parameters."""
     greet = Entry[PlanStep | None](None)
-    """The greeting as it was planned last."""
+    """The greeting as last planned."""
     values = Entry[Inference]()
-    """The person's parameters as they are now."""
+    """The person's current parameters."""
     bindings = Entry(0)
-    """How often it got other numbers to move by: a motion under way sees that its own are old."""
+    """Number of updates of the motion parameters: a running motion detects that its own are old."""
     pose = Entry[RelativePose | None](None)
-    """Where the robot is to stand; None before it was chosen."""
+    """The docking pose; None before it is chosen."""
     docked = Entry(False)
-    """The last answer of `docked?`: which of the two bands holds."""
+    """The last result of `docked?`: selects the band to check."""
     docked_at = Entry[Reading | None](None)
     """The reading at the moment of the last docking."""
     docked_s = Entry[float | None](None)
-    """When that was."""
+    """Time of the last docking [s]."""
     performed = Entry[tuple[str, ...]](())
     """Acts that ended well: a second docking does not repeat them."""
     performed_s = Entry[float | None](None)
-    """When the last of them ended."""
+    """Time when the last of them ended [s]."""
     done_before = Entry[tuple[str, ...]](())
-    """Acts that an execution before this one had done when it was halted."""
+    """Acts done by an earlier, halted execution."""
     attended = Entry(False)
-    """Whether the robot has seen how the person took its coming."""
+    """Whether the robot has observed the person's reaction to its approach."""
     noticed = Entry[Noticed | None](None)
     """The first signal of the person."""
     shown = Entry[ShownWish | None](None)
-    """What the person showed of their distance last; it holds, too, where the robot comes back to them."""
+    """The distance that the person last chose; it also holds when the robot returns."""
     given_up = Entry(False)
     declined = Entry[str | None](None)
-    """How the person declined the visit; None where they did not. No other plan tries again."""
+    """How the person declined the visit; None if they did not. No other plan tries again."""
     failure = Entry[str | None](None)
     """Why the visit was given up."""
 
@@ -178,20 +178,20 @@ class VisitMemory(Board):
 
     @property
     def is_over(self) -> bool:
-        """Whether the robot goes to the person no more, with this plan or with any."""
+        """Whether the robot will not approach the person again, with this plan or any."""
         return self.given_up or self.declined is not None
 
     @property
     def why(self) -> str | None:
-        """Why the visit is over; None where it is not."""
+        """Why the visit is over; None if it is not."""
         return self.declined or self.failure
 
     def give_up(self, reason: str) -> None:
-        """No plan can serve them; another one may."""
+        """Give up the visit in this plan; a later plan may try again."""
         self.given_up, self.failure = True, reason
 
     def start_again(self) -> None:
-        """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
+        """Reset for a new plan: results stay, failed attempts are forgotten."""
         self.pose = self.failure = None
         self.docked = self.given_up = False
         for task in self.agenda:

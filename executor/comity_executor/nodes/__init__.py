@@ -1,1 +1,1 @@
-"""What trees are made of: leaves, decorators and limits, and the cause that a result carries."""
+"""The building blocks of trees: leaves, decorators, limits, and the causes of results."""

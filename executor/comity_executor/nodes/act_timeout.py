@@ -1,4 +1,4 @@
-"""A timeout for acts: what is broken off is tried again a moment later, as long as there is time."""
+"""A timeout for acts: an aborted act is retried after a pause, as long as time is left."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 
 
 class ActTimeout(SimulatedTimeout):
-    """RUNNING after a failure of its child, too, until no time is left for another attempt.
+    """RUNNING also after a failure of its child, until no time is left for another attempt.
 
     Args:
         name: The decorator's identity, or its name alone.
         child: The act.
-        duration_s: How long all attempts together may take, in the clock's seconds.
-        pause_s: Between two attempts.
+        duration_s: Total time for all attempts, in the clock's seconds.
+        pause_s: Time between two attempts [s].
         clock: The world's time.
         provenance: The plan step that the child carries out.
     """
@@ -44,7 +44,7 @@ class ActTimeout(SimulatedTimeout):
 
     @property
     def attempts(self) -> int:
-        """How many there can be at the most: each next one begins at least a pause after the one before."""
+        """Maximum number of attempts: each begins at least a pause after the one before."""
         return max(1, math.ceil(self.duration_s / self.pause_s - 1e-9))
 
     def initialise(self) -> None:
@@ -53,12 +53,12 @@ class ActTimeout(SimulatedTimeout):
         self._again_s, self._begun = 0.0, 1
 
     def next_attempt(self) -> tuple[int, float] | None:
-        """Which attempt follows on one that fails now, and when it begins [s]; None where it is the last."""
+        """Number and start [s] of the attempt after a failure now; None if there is none."""
         again_s = self._clock() + self.pause_s
         return (self._begun + 1, again_s) if again_s < self._end_s else None
 
     def pauses(self) -> bool:
-        """Whether the next attempt is still to come."""
+        """Whether it waits for the next attempt."""
         return self.status is Status.RUNNING and self._clock() < self._again_s - 1e-9
 
     def tick(self) -> Iterator[Behaviour]:

@@ -1,9 +1,9 @@
-"""Causes: from the reading that switched a branch back to the culture score behind the parameter.
+"""Causes: from the reading that switched a branch back to the culture score behind a parameter.
 
-A chain reads from the near to the far: a fault, where one is behind what was read; what was read; the
-condition that it turned, the plan step which that condition serves, the parameter of the step, the strongest
-rule behind the parameter (among those that rest on something disclosed, where there are any), and the
-variables in the rule, with the source of a score.
+A chain runs from near to far: a fault, if one is behind the reading; the reading; the condition that it
+changed; the plan step that the condition serves; the step's parameter; the strongest rule behind the
+parameter (preferring rules that rest on disclosed facts); and the variables of the rule, with the source of a
+score.
 """
 
 from __future__ import annotations
@@ -25,26 +25,27 @@ CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule"
 
 @dataclass(frozen=True, slots=True)
 class Cause(Record):
-    """One link of the chain, as traces and answers hold it; `chain` makes them of a node's `Account`."""
+    """One link of the chain, as in traces and answers; `chain` makes them from a node's `Account`."""
 
     kind: CauseKind
     text: str
     value: float | str | None
-    """A reading's or a parameter's number or word, the strength of a rule, what a variable was; else None."""
+    """Value of a reading or parameter (number or word), strength of a rule, or value of a variable; else
+    None."""
 
     @property
     def words(self) -> str:
-        """The text, of a rule with its strength."""
+        """The text; for a rule, with its strength."""
         is_rule = self.kind == "rule" and isinstance(self.value, float)
         return f"{self.text} ({self.value:.2f})" if is_rule else self.text
 
 
 @dataclass(frozen=True, slots=True)
 class Account:
-    """What a node itself knows about its last result: the near end of the chain, from which `chain` makes it.
+    """A node's own explanation of its last result: the near end of the chain made by `chain`.
 
-    It is no `Cause`, for it gives more than one: the fault, the reading, and the names of parameters of which
-    the node knows no rule and no culture score; those come from its `Provenance`.
+    It is not a `Cause`, since it yields several: the fault, the reading, and names of parameters whose rules
+    and culture scores the node does not know; those come from its `Provenance`.
     """
 
     text: str
@@ -54,7 +55,7 @@ class Account:
     others: tuple[str, ...] = ()
     """Further parameters of the person that shaped what was done."""
     fault: str | None = None
-    """What is wrong with the robot or around it, where that is behind it."""
+    """The fault of the robot or its surroundings behind the result, if any."""
 
     @property
     def words(self) -> str:
@@ -64,33 +65,33 @@ class Account:
 
 @dataclass(frozen=True, slots=True)
 class Provenance:
-    """What a node stands on: a step of the plan, and the person's parameters."""
+    """The origin of a node: a plan step, and the person's parameters."""
 
     step: PlanStep
     values: Inference
 
 
 class Explains(Protocol):
-    """A node that can account for its results; asked only when a result changes."""
+    """A node that can explain its results; asked only when a result changes."""
 
     provenance: Provenance | None
 
     def account(self) -> Account | None:
-        """Why the last result came about; None where there is nothing to add."""
+        """Explanation of the last result; None if there is nothing to add."""
         ...
 
 
 def explains(node: object) -> TypeGuard[Explains]:
-    """Whether a node does; `isinstance` takes its time with protocols."""
+    """Whether a node implements `Explains`; `isinstance` is slow for protocols."""
     return hasattr(node, "account")
 
 
 def causes_of(node: Behaviour, condition: str | None = None) -> tuple[Cause, ...]:
-    """The causes behind what a node came to last, nearest first, as far as it can account for it.
+    """The causes of a node's last result, nearest first, as far as it can explain it.
 
     Args:
-        node: Any; py_trees' own, and those of a user, have a feedback message.
-        condition: The node and its result in words, where it is not the node's own result that is explained.
+        node: Any node; those of py_trees or of a user have a feedback message.
+        condition: The node and its result in words, if another node's result is explained.
     """
     if explains(node):
         account = node.account()
@@ -100,12 +101,12 @@ def causes_of(node: Behaviour, condition: str | None = None) -> tuple[Cause, ...
 
 
 def chain(condition: str | None, account: Account | None, provenance: Provenance | None) -> tuple[Cause, ...]:
-    """The causes behind one result, nearest first, as far as they are known.
+    """The causes of one result, nearest first, as far as known.
 
     Args:
-        condition: The node and its new result in words, `docked?(johanna) -> failure`; None where it is the
-            node's own result that is accounted for.
-        account: What that node read.
+        condition: The node and its new result in words, `docked?(johanna) -> failure`; None if the node's own
+            result is explained.
+        account: The node's explanation.
         provenance: The plan step and the parameters that the node serves.
     """
     causes = [Cause("fault", account.fault, None)] if account and account.fault else []
@@ -140,11 +141,11 @@ def _parameter(name: str, provenance: Provenance) -> list[Cause]:
 
 
 def _decisive_rules(inferred: ParameterValue, values: Inference) -> list[FiredRule]:
-    """The strongest rule behind a number; for a word, the strongest of those that conclude it.
+    """The strongest rules behind a number; for a word, the strongest of those that conclude it.
 
-    A rule that rests on something disclosed goes before one that holds only because nothing excludes it.
-    Where no rule gave the number, the strongest of those that moved it. Rules that conclude something else at
-    the same strength have as much part in a number.
+    A rule that rests on a disclosed fact precedes one that fires only because nothing excludes it. If no rule
+    gave the number, the strongest of those that changed it count. Rules of the same strength with another
+    conclusion contribute equally to a number.
     """
     if inferred.shift and not inferred.fired:
         return [*inferred.shift.fired[:1]]

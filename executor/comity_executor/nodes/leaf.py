@@ -1,7 +1,8 @@
-"""Leaves: the nodes that look and act.
+"""Leaves: conditions and actions.
 
-An exception in a leaf is a FAILURE with the exception's text, so that the tree can go on to the next person
-and the trace says what happened. An exception in a leaf's end keeps no other leaf from being ended.
+An exception in a leaf is a FAILURE with the exception's text, so that the tree can continue with the next
+person and the trace records it. An exception while ending one leaf does not prevent the others from being
+ended.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from comity_executor.nodes.identity import NodeId, as_id
 from comity_executor.robots.raised import raised
 
 Ports = Mapping[str, str | float]
-"""The same names for all leaves of a class."""
+"""Port names are the same for all leaves of a class."""
 
 
 def told_by(provenance: Provenance | None) -> Ports:
@@ -28,7 +29,7 @@ def told_by(provenance: Provenance | None) -> Ports:
 
 
 class Condition(Behaviour, ABC):
-    """A question to the world, answered again in every tick.
+    """A condition on the world, evaluated in every tick.
 
     Args:
         name: The question, with a question mark, and the person.
@@ -36,27 +37,27 @@ class Condition(Behaviour, ABC):
     """
 
     if_it_raises = Status.FAILURE
-    """What the answer is taken for where it cannot be had."""
+    """Result if the condition raises an exception."""
 
     def __init__(self, name: NodeId | str, provenance: Provenance | None = None) -> None:
         self.node_id = as_id(name)
         super().__init__(self.node_id.name)
         self.provenance = provenance
         self.fault: FaultError | None = None
-        """What it is to raise in its next tick."""
+        """Exception to raise at its next tick."""
         self._error: Exception | None = None
 
     @property
     def ports(self) -> Ports:
-        """What another engine has to tell a leaf of this class, by name."""
+        """Ports of this class for other engines, by name."""
         return told_by(self.provenance)
 
     @abstractmethod
     def check(self) -> bool:
-        """The answer."""
+        """Evaluate the condition."""
 
     def explain(self) -> Account | None:
-        """What the last answer rests on."""
+        """Explanation of the last result."""
         return None
 
     def update(self) -> Status:
@@ -71,7 +72,7 @@ class Condition(Behaviour, ABC):
             return self.if_it_raises
 
     def account(self) -> Account | None:
-        """The exception, or what the answer rests on; it is the feedback message of the leaf, too."""
+        """The exception or the explanation; also the leaf's feedback message."""
         account = _account(self._error) if self._error else _explained(self)
         self.feedback_message = account.words if account else ""
         return account
@@ -90,15 +91,15 @@ class Action(Behaviour, ABC):
         super().__init__(self.node_id.name)
         self.provenance = provenance
         self.fault: FaultError | None = None
-        """What it is to raise in its next tick."""
+        """Exception to raise at its next tick."""
         self._error: Exception | None = None
         self._begun = False
         self.has_to_end_again = False
-        """Whether its end raised an exception, so that what it began may go on."""
+        """Whether its end raised an exception, so that what it began may still run."""
 
     @property
     def ports(self) -> Ports:
-        """What another engine has to tell a leaf of this class, by name."""
+        """Ports of this class for other engines, by name."""
         return told_by(self.provenance)
 
     @property
@@ -117,14 +118,14 @@ class Action(Behaviour, ABC):
 
     @abstractmethod
     def step(self) -> Status:
-        """See how it goes."""
+        """Advance the action; returns its status."""
 
     def end(self) -> None:
         """Stop what was begun; the action succeeded, failed or was halted."""
         return
 
     def explain(self) -> Account | None:
-        """Why the last step came out as it did."""
+        """Explanation of the last step's result."""
         return None
 
     def initialise(self) -> None:
@@ -167,7 +168,7 @@ class Action(Behaviour, ABC):
             self._error = self._error or error  # the first one is the reason for the others
 
     def account(self) -> Account | None:
-        """The exception, or the reason for the last result; it is the feedback message of the leaf, too."""
+        """The exception or the explanation; also the leaf's feedback message."""
         account = _account(self._error) if self._error else _explained(self)
         self.feedback_message = account.words if account else ""
         return account

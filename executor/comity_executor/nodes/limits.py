@@ -1,4 +1,4 @@
-"""How patient an execution is, and how exact. All of these numbers are this project's own design choices."""
+"""Timeouts, numbers of attempts and tolerances of an execution. All values are our own design choices."""
 
 from __future__ import annotations
 
@@ -7,76 +7,78 @@ from dataclasses import dataclass, fields
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
-    """Times are simulated seconds; a value that contradicts another one cannot be built.
+    """Times are simulated seconds; contradictory values are rejected.
 
-    Being docked has two bands around the pose (see `docking_band`). The tight one is entered, the loose one
-    is left; the hold controller corrects all the while inside both. The loose one is asymmetric, as too near
-    is worse than too far: it ends 25 cm closer than the pose, and 30 cm farther.
+    Docking has two bands around the pose (see `docking_band`): the tight one to enter, the loose one to
+    leave; the controller corrects the pose inside both. The loose one is asymmetric, as too near is worse
+    than too far: it ends 25 cm closer than the pose, and 30 cm farther.
     """
 
     reach_timeout_s: float = 40.0
-    """One attempt to reach a person."""
+    """Timeout of one attempt to reach a person [s]."""
     reach_attempts: int = 2
-    """Attempts, the first included; after the last one the visit is given up."""
+    """Number of attempts, including the first; after the last one the visit is given up."""
     reach_pause_s: float = 1.0
-    """After an attempt that an exception or a lost goal ended: that may be over before the next one."""
+    """Pause after an attempt ended by an exception or a lost goal, which may be temporary [s]."""
     accept_s: float = 0.5
-    """So long a base may still speak of the goal before, or of none."""
+    """Time for which a base may still report the previous goal, or none [s]."""
     feedback_s: float = 1.0
-    """A base that has said nothing of its goal for so long has lost it."""
+    """Time without a report after which a base counts as having lost its goal [s]."""
     act_timeout_s: float = 10.0
-    """One utterance or gesture, with all attempts at it."""
+    """Timeout of one utterance or gesture, with all attempts [s]."""
     act_pause_s: float = 1.0
-    """An utterance or gesture that was broken off is tried again so much later."""
+    """Pause before an aborted utterance or gesture is retried [s]."""
     blocked_s: float = 2.0
-    """A motion that is blocked for so long has failed: a passer-by may stand in the way for a moment.
+    """Time after which a blocked motion has failed [s]: a passer-by may stand in the way for a moment.
 
-    Where it is a person who blocks it, they are asked to let the robot pass then.
+    If a person blocks it, they are asked to make way at that time.
     """
     passing_s: float = 6.0
-    """After that, so long for them to make way; then the attempt has failed."""
+    """Time for them to make way after that [s]; then the attempt has failed."""
     detour_m: float = 3.0
-    """A person in the way is gone round at once where that is at most so much longer; else asked first."""
+    """Maximum additional length of a detour around a person [m]; if it is longer, the robot asks first."""
     unseen_s: float = 1.0
-    """A docked robot that loses sight of the person believes the last reading for so long."""
+    """Time for which a docked robot that loses sight of the person relies on the last reading [s]."""
     replans: int = 4
-    """So many new plans in a row without anything being done; a tree that fails after them has failed."""
+    """Maximum number of new plans in a row without progress; after that, a failed tree has failed for
+    good."""
     replan_pause_s: float = 2.0
-    """Before the second of them; before each further one twice as long as before the last."""
+    """Pause before the second of them [s], doubled before each further one."""
     patience_s: float = 60.0
-    """A way that is known to be shut is waited for so long in all, until a person is served; no attempts."""
+    """Total time to wait for a path known to be shut, until a person is served [s]; it uses up no
+    attempts."""
     cruise_speed_m_s: float = 0.8
-    """On the way, until close to the pose; the approach itself has the person's own speed."""
+    """Travel speed until close to the pose [m/s]; the approach itself has the person's own speed."""
     unverified_speed_m_s: float = 0.3
-    """The most near a person whom the robot would not see from where it is to stand."""
+    """Maximum speed near a person whom the robot would not see from its pose [m/s]."""
     attend_s: float = 0.0
-    """So long the robot watches how the person takes its coming; 0: it does not."""
+    """Time for which the robot watches the reaction to its approach [s]; 0: not at all."""
 
     enter_distance_m: float = 0.01
     enter_bearing_deg: float = 3.0
     enter_facing_deg: float = 5.0
     rest_speed_m_s: float = 0.02
-    """Below it the robot stands (the docking metrics use the same threshold)."""
+    """Speed below which the robot stands [m/s] (the docking metrics use the same threshold)."""
 
     tolerance_m: float = 0.0
-    """How far off its pose the base may come to rest: an execution takes what its robot states."""
+    """Maximum distance from its pose at rest [m]: an execution takes the value that its robot states."""
 
     lost_distance_m: float = 0.05
     lost_bearing_deg: float = 10.0
-    """While the robot turns it does not hold its place; farther off than this, it docks again."""
+    """Deviation of the bearing at which a turning robot docks again [deg]; it does not hold its position."""
 
     leave_closer_m: float = 0.25
     leave_farther_m: float = 0.30
     leave_bearing_deg: float = 45.0
     leave_facing_deg: float = 45.0
     safety_floor_m: float = 0.30
-    """No band reaches below it, whatever the pose (the rulebooks' safety clamp is the same)."""
+    """Lower limit of all bands, whatever the pose [m] (equal to the rulebooks' safety clamp)."""
 
     @classmethod
     def attentive(cls, attend_s: float) -> Limits:
-        """The usual limits with time for a person's reaction, or without if it is 0.
+        """The default limits with time for a person's reaction, or without if it is 0 [s].
 
-        A person who turns away has said something and is not walked around: the band's bearing is wide.
+        A person who turns away has sent a signal and is not walked around: the band's bearing is wide.
         """
         return cls(attend_s=attend_s, leave_bearing_deg=100.0) if attend_s else cls()
 

@@ -1,1 +1,1 @@
-"""What a tree needs of a robot: the protocol, its readings, what it notices."""
+"""The interface to robots: the protocol, its readings, and signals noticed from people."""

@@ -1,4 +1,4 @@
-"""What a base can do, as its maker states it: how exactly it stops, how late and how fast."""
+"""Capabilities of a base, as stated by its maker: tolerance, latency, braking, lease."""
 
 from __future__ import annotations
 
@@ -7,35 +7,35 @@ from math import inf
 from typing import Protocol
 
 LONGEST_LEASE_S = 0.3
-"""A base that hears nothing for longer is to stand (our choice)."""
+"""Maximum lease [s]: a base without renewal for longer must stop (our choice)."""
 
 
 class Capabilities(Protocol):
-    """Numbers of 0 or more; `CapabilityValues` has them for robots without a class of their own."""
+    """Numbers of at least 0; `CapabilityValues` implements this for robots without a class of their own."""
 
     @property
     def tolerance_m(self) -> float:
-        """How far from the commanded pose the base may come to rest."""
+        """Maximum distance from the commanded pose at rest [m]."""
         ...
 
     @property
     def latency_s(self) -> float:
-        """From a call until the base acts on it, at most."""
+        """Maximum latency from a call until the base acts on it [s]."""
         ...
 
     @property
     def braking_m_s2(self) -> float:
-        """How hard the base brakes when it is told to stop; above 0."""
+        """Deceleration when commanded to stop, above 0 [m/s^2]."""
         ...
 
     @property
     def feedback_hz(self) -> float:
-        """How often the base says how its goal goes; above 0."""
+        """Rate of the base's reports on its goal, above 0 [Hz]."""
         ...
 
     @property
     def lease_s(self) -> float:
-        """So long the base goes on with a motion goal that is not renewed, by its own clock; then it stops.
+        """Time for which the base follows a motion goal without renewal, by its own clock [s]; then it stops.
 
         Above 0, and 0.3 s at most.
         """
@@ -44,27 +44,27 @@ class Capabilities(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MarginStatement:
-    """What the maker of a base states, so that it may pass people nearer than 0.30 m.
+    """Statement of a base's maker that allows it to pass people nearer than 0.30 m.
 
-    To state it is to say, too, that the base keeps to `MapGoal.passages`. Nothing is taken for granted: there
-    are no defaults.
+    It also asserts that the base respects `MapGoal.passages`. There are no defaults: nothing is assumed.
     """
 
     latency_s: float
-    """From the measurement of a person's place, or its own, to the motion that answers it, at most [s]."""
+    """Maximum latency from measuring a person's position, or its own, to the resulting motion [s]."""
     braking_m_s2: float
-    """How hard the base surely brakes before a person [m/s^2]; above 0."""
+    """Guaranteed deceleration before a person, above 0 [m/s^2]."""
     tracker_sd_m: float
-    """Standard deviation of the place of a person who stands, as the tracker says it [m]."""
+    """Standard deviation of the tracked position of a standing person [m]."""
     path_sd_m: float
-    """Standard deviation of the base's own place across its path: localisation and path following [m]."""
+    """Standard deviation of the base's own position across its path, from localisation and path following
+    [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class CapabilityValues:
-    """The numbers of a base that is exact and acts at once, but for those that are given.
+    """Default values: an exact base without latency, except for the values given.
 
-    A lease is never taken for granted: without one that is stated, an execution refuses the robot.
+    There is no default lease: an execution rejects a robot that does not state one.
     """
 
     tolerance_m: float = 0.0
@@ -73,4 +73,4 @@ class CapabilityValues:
     feedback_hz: float = 10.0
     lease_s: float = inf
     reduced_margin: MarginStatement | None = None
-    """None: the base passes nobody nearer than 0.30 m. Other classes may leave this attribute out."""
+    """None: the base passes no one nearer than 0.30 m. Other classes may omit this attribute."""

@@ -1,4 +1,4 @@
-"""Whether a robot has what a behaviour tree needs of it, found out before the first tick."""
+"""Checks that a robot implements the protocol, before the first tick."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ CALLS: Mapping[str, tuple[tuple[object, ...], Mapping[str, object]]] = {
     "performance": ((1,), {}),
     "stop": ((1,), {}),
 }
-"""What the tree calls, and with which arguments."""
+"""Calls that the tree makes, with their arguments."""
 NO_LEASE = (
     f"capabilities.lease_s: expected a time above 0, and {LONGEST_LEASE_S:g} s at most, after which the base "
     "stops by itself when its goal is not renewed, got {got!r}; put a base without such a timeout behind "
@@ -45,7 +45,7 @@ POSITIVE = ("braking_m_s2", "feedback_hz")
 
 
 class RobotError(ValueError):
-    """A robot that cannot be driven; the text names every call that is missing or of a wrong form."""
+    """A robot that cannot be driven; the text names every missing or malformed call."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,11 +53,11 @@ class RobotCheck:
     """What `check_robot` found."""
 
     problems: tuple[str, ...]
-    """Each names a call, what was expected and what came; none where the robot can be driven."""
+    """Each names a call, what was expected and what it returned; empty if the robot can be driven."""
     tolerance_m: float
-    """What the robot states; 0 where it states none."""
+    """The tolerance that the robot states [m]; 0 if none."""
     distinct_below_m: float | None
-    """From this tolerance on, a person's distance cannot be told from another's; None where all are equal."""
+    """Tolerance above which people's distances cannot be distinguished [m]; None if all are equal."""
     indistinct: tuple[tuple[str, str], ...]
     """Pairs of people whose distances this robot's tolerance cannot tell apart."""
 
@@ -78,9 +78,9 @@ class RobotCheck:
 def check_robot(
     robot: object, people: Iterable[str] = (), values: Mapping[str, Inference] | None = None
 ) -> RobotCheck:
-    """Hold a robot against the protocol: its calls, their arguments, and what they return now.
+    """Check a robot against the protocol: its calls, their arguments, and their current results.
 
-    Nothing is commanded. A call that raises now may work later, and is no problem here.
+    Nothing is commanded. A call that raises now may work later and is not reported.
 
     Args:
         robot: The robot.
@@ -104,10 +104,10 @@ def check_robot(
 
 
 def require_robot(robot: object, people: Iterable[str]) -> None:
-    """Refuse a robot that cannot be driven.
+    """Reject a robot that cannot be driven.
 
     Raises:
-        RobotError: With everything that is missing or of a wrong form.
+        RobotError: Listing everything that is missing or malformed.
     """
     check = check_robot(robot, people)
     if check.problems:

@@ -1,8 +1,7 @@
-"""What a robot is told to do, and how it says that goes: every goal has an identity, and a state.
+"""Goals for robots and reports on them: every goal has an identifier and a state.
 
-A base takes up a goal later than it is told, refuses it, gives it up, or another program replaces it; a
-late cancel must not hit the goal after it. So each goal has an id that the robot gives it, and what is said
-of a goal names it.
+A base may accept a goal late, reject it or abort it, and another program may replace it; a late cancel must
+not hit the next goal. So the robot gives each goal an identifier, and reports name it.
 """
 
 from __future__ import annotations
@@ -17,12 +16,12 @@ from comity_executor.speech.manner import NORMAL, Manner
 from comity_executor.speech.utterance import Utterance
 
 GoalId = int | str
-"""What a robot calls a goal or an act: a number, or the text of a UUID. It is never given twice."""
+"""Identifier of a goal or an act: a number, or the text of a UUID. It is never reused."""
 GoalState = Literal[
     "accepted", "running", "succeeded", "declined", "rejected", "aborted", "preempted", "stopped"
 ]
 STATES: tuple[str, ...] = get_args(GoalState)
-"""What a robot may say of a goal or an act.
+"""Allowed states of a goal or an act.
 
 `accepted`: it will begin. `running`. `succeeded`: it is reached; a docked robot goes on holding its pose, and
 runs again where it has to follow the person. `declined`: the person whom it was to reach does not want it.
@@ -49,36 +48,36 @@ class RelativePose(Protocol):
 
     @property
     def pose_free(self) -> bool:
-        """Whether it is the wanted pose."""
+        """Whether it is the target pose."""
         ...
 
     @property
     def deviation_reason(self) -> str | None:
-        """Why it is not the wanted pose; None where it is."""
+        """Why it is not the target pose; None if it is."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedPose:
-    """The wanted pose as the plan has it, before the robot looked whether it is free."""
+    """The planned pose, before the robot checks whether it is free."""
 
     distance_m: float
     bearing_deg: float
     pose_free: bool = True
     deviation_reason: str | None = None
     unverified: str | None = None
-    """Why the robot would not surely see the person from there; None where it would."""
+    """Why the robot might not see the person from there; None if it would."""
 
 
 def unverified(pose: RelativePose | None) -> str | None:
-    """Why a robot would not surely see the person from a pose; None where it would, or does not say."""
+    """Why a robot might not see the person from a pose; None if it would, or does not say."""
     reason: str | None = getattr(pose, "unverified", None)
     return reason
 
 
 @dataclass(frozen=True, slots=True)
 class MotionGoal:
-    """What the base is to do.
+    """A motion goal for the base.
 
     `navigate`: go along the shortest route until close to the pose. `dock`: move finely onto the pose and
     hold it, following the person. `face`: turn on the spot towards the person. `go_to`: go where something is
@@ -91,31 +90,31 @@ class MotionGoal:
     pose: RelativePose | None = None
     """Where to stand near the person, for `navigate` and `dock`: any pose, not only a chosen one."""
     speed_m_s: float = inf
-    """At most; infinite for `face`, which does not travel."""
+    """Maximum speed [m/s]; infinite for `face`, which does not travel."""
     near_m_s: float = inf
-    """The most within 1.5 m of the person's body, from whatever side the way leads there, for `navigate`;
-    for `dock` the speed itself is that."""
+    """Maximum speed within 1.5 m of the person's body, from every side, for `navigate` [m/s]; for `dock` it
+    is `speed_m_s`."""
     detour_m: float = inf
-    """How much farther the way around people may be than it would be without them, for `navigate` and
-    `go_to`. Where it is more, or there is none, the robot comes up to those in the way and is `blocked_by`
-    them, until they make way."""
+    """Maximum additional length of a detour around people, for `navigate` and `go_to` [m]. If the detour is
+    longer, or there is none, the robot approaches the obstructing people and is `blocked_by` them until they
+    make way."""
     parameters: Mapping[str, float | str] = field(default_factory=dict)
     """The person's other parameters, by name (`other_parameters`); a robot uses those that it knows."""
 
 
 @dataclass(frozen=True, slots=True)
 class ActGoal:
-    """Something to say, to show, to take up or to hand over."""
+    """A goal to speak, gesture, pick up or hand over."""
 
     act: str
     """`say` or `ask_to_pass` with a text, `pick_up` or `hand_over` with a thing, or a gesture's name."""
     to: str
-    """Towards which person; of `pick_up`, at which place."""
+    """The addressee; for `pick_up`, the place."""
     text: str | None = None
-    """What is said, in the script of its language."""
+    """The text to say, in the script of its language."""
     thing: str | None = None
     manner: Manner = NORMAL
-    """How loud and how fast to speak, how large to gesture."""
+    """Volume and rate of speech, amplitude of gestures."""
     utterance: Utterance | None = None
     """The wordings that `text` is made of, with their facts; None for a gesture or a plan's own text."""
     parameters: Mapping[str, float | str] = field(default_factory=dict)

@@ -1,4 +1,4 @@
-"""What a behaviour tree needs of a robot; the 2D world satisfies it, and a real robot can.
+"""The robot protocol that a behaviour tree needs; the 2D world and real robots implement it.
 
 The protocols are structural: an implementation need not import this module. Units are metres, seconds and
 degrees.
@@ -19,60 +19,60 @@ from comity_fis.defuzzification.curve import Curve
 
 
 class Reading(Protocol):
-    """What the robot knows about one person now, from its sensors."""
+    """The current sensor reading of one person."""
 
     @property
     def distance_m(self) -> float:
-        """Between the nearest points of the two bodies; negative where they overlap."""
+        """Gap between the nearest points of the two bodies [m]; negative if they overlap."""
         ...
 
     @property
     def centre_distance_m(self) -> float:
-        """Between the centres of the two bodies."""
+        """Distance between the centres of the two bodies [m]."""
         ...
 
     @property
     def bearing_deg(self) -> float:
-        """Where the robot stands as the person sees it, in (-180, 180], positive to the person's left."""
+        """Bearing of the robot as seen by the person, in (-180, 180], positive to their left [deg]."""
         ...
 
     @property
     def facing_error_deg(self) -> float:
-        """Between the robot's heading and the direction to the person, in [0, 180]."""
+        """Angle between the robot's heading and the direction to the person, in [0, 180] [deg]."""
         ...
 
     @property
     def person_facing_error_deg(self) -> float:
-        """Between the person's heading and the direction to the robot, in [0, 180]: the unsigned bearing."""
+        """Angle between the person's heading and the direction to the robot, in [0, 180] [deg]."""
         ...
 
     @property
     def speed_m_s(self) -> float:
-        """The robot's own speed: over the ground, or beside a person who walks, whichever is less."""
+        """The robot's speed: over the ground or relative to a walking person, whichever is less [m/s]."""
         ...
 
     @property
     def stamp_s(self) -> float:
-        """When it was measured; may lie before `Robot.now_s` where sensors lag."""
+        """Time of measurement [s]; may be before `Robot.now_s` if sensors have a delay."""
         ...
 
 
 def is_seen(reading: Reading) -> bool:
-    """Whether a reading is of a person who is seen.
+    """Whether a reading is of a person who is currently seen.
 
-    A robot whose sensors are too short for the pose that it was told to take may read instead how it stands
-    to where the person was last seen, with an attribute `is_seen` that is False; without it all readings are
-    seen.
+    If its sensors do not reach the person from the commanded pose, a robot may instead report its pose
+    relative to where the person was last seen, with an attribute `is_seen` that is False. Without the
+    attribute all readings count as seen.
     """
     return bool(getattr(reading, "is_seen", True))
 
 
 class Words(Protocol):
-    """Something that a person said to the robot."""
+    """An utterance of a person to the robot."""
 
     @property
     def t(self) -> float:
-        """When it was said."""
+        """Time of the utterance [s]."""
         ...
 
     @property
@@ -84,7 +84,7 @@ class Words(Protocol):
 class Robot(Protocol):
     """A mobile base that sees people, goes to them, speaks and gestures.
 
-    Calls return at once; what they began is asked for by its id. People and acts go by their names in the
+    Calls return at once; their progress is queried by identifier. People and acts go by their names in the
     plan.
     """
 
@@ -95,7 +95,7 @@ class Robot(Protocol):
 
     @property
     def capabilities(self) -> Capabilities:
-        """How exactly, how late and how fast the base does what it is told; the same all the while."""
+        """Tolerance, latency and dynamics of the base; constant."""
         ...
 
     def now_s(self) -> float:
@@ -119,60 +119,60 @@ class Robot(Protocol):
         distance_desirability: Curve,
         direction_desirability: Curve,
     ) -> RelativePose | None:
-        """Find the place to stand.
+        """Choose a docking pose.
 
         Args:
             person: The person to stand near.
-            distance_m: The wanted distance between the bodies.
-            bearing_deg: The wanted bearing, signed.
-            distance_desirability: How suitable each distance is for this person, over metres.
-            direction_desirability: How suitable each direction is, over unsigned degrees from the person's
+            distance_m: The target distance between the bodies [m].
+            bearing_deg: The target bearing, signed [deg].
+            distance_desirability: Desirability of each distance for this person, over metres.
+            direction_desirability: Desirability of each direction, over unsigned degrees from the person's
                 front, [0, 90].
 
         Returns:
-            The wanted pose if it is free and reachable, else the free and reachable one of highest
-            desirability; None where there is none.
+            The target pose if it is free and reachable, else the most desirable pose that is; None if there
+            is none.
         """
         ...
 
     def go(self, goal: MotionGoal) -> GoalId:
-        """Set out for a goal, which replaces the one before, and say what it is called.
+        """Start a goal, replacing the previous one; returns its identifier.
 
-        A handover is this one call: no `stop` comes before it. Where two controllers share the base, the one
-        for the new goal is silent until the one for the old has acknowledged its end.
+        Replacing a goal is this one call, without a `stop` before it. If two controllers share the base, the
+        one for the new goal stays silent until the one for the old has acknowledged its end.
 
-        Docking counts as done within 1 cm and 3 degrees (`Limits`), and the tolerance that the robot states.
+        Docking succeeds within 1 cm and 3 degrees (`Limits`), plus the tolerance that the robot states.
         """
         ...
 
     def renew(self, goal: GoalId) -> None:
-        """Go on with the newest motion goal for `lease_s` more, by the base's own clock.
+        """Renew the newest motion goal for another `lease_s`, by the base's own clock.
 
-        The execution says so at the end of every tick that has read the stop and whose tree wants the goal
-        still, and nothing else does. Where it does not come in time, the base stops by itself and the goal is
-        `aborted`; it is never revived. Nothing happens to a goal that is over or replaced.
+        Only the execution calls this, at the end of every tick that has read the stop and whose tree still
+        wants the goal. Without it in time, the base stops by itself and the goal is `aborted`; it is never
+        revived. There is no effect on a goal that is over or replaced.
         """
         ...
 
     def motion(self) -> Motion:
-        """How the newest motion goal goes."""
+        """Progress of the newest motion goal."""
         ...
 
     def perform(self, act: ActGoal) -> GoalId:
-        """Begin to speak, to gesture or to handle something, and say what the act is called."""
+        """Start to speak, gesture or handle something; returns the act's identifier."""
         ...
 
     def performance(self, act: GoalId) -> GoalStatus:
-        """How an act goes; one that was broken off is `stopped`, and not done."""
+        """Progress of an act; an interrupted one is `stopped`, and not done."""
         ...
 
     def stop(self, goal: GoalId | None = None) -> None:
-        """End one goal or act, and only that: a cancel that comes late must not hit the goal after it.
+        """End only this goal or act: a late cancel must not hit the next goal.
 
-        It is acknowledged by the state `stopped`. Nothing happens to what is over.
+        It is acknowledged by the state `stopped`. There is no effect on what is over.
 
         Args:
-            goal: Which; None: bring the base to rest as fast as it decelerates, whatever its goal is.
+            goal: The goal or act; None: stop the base at its full deceleration, whatever its goal.
         """
         ...
 
