@@ -130,11 +130,6 @@ class Options:
         return next((name for name, person in self.people.items() if person.in_hand), None)
 
     @property
-    def under_way(self) -> bool:
-        """Whether a person's visit was begun before."""
-        return any(person.greeted or person.in_hand for person in self.people.values())
-
-    @property
     def has_priorities(self) -> bool:
         """Whether it matters how many people are greeted before a person."""
         return any(person.priority for person in self.people.values())

@@ -9,8 +9,7 @@ through the o-space of a group, or within the minimum gap to a person.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache, partial
 
 import numpy as np
@@ -124,11 +123,6 @@ class RouteMap:
     def with_people(self, people: tuple[Person, ...]) -> RouteMap:
         """The same kind of routes for changed positions or preferences of people."""
         return RouteMap(self.surroundings.with_people(people))
-
-    def without(self, names: Collection[str]) -> RouteMap:
-        """The routes that would exist without some of the people."""
-        people = tuple(person for person in self.surroundings.people if person.name not in names)
-        return RouteMap(replace(self.surroundings, people=people))
 
     def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
         """Whether there is a route at all; quicker than finding it."""

@@ -107,11 +107,6 @@ class Crowd:
         self.o_spaces: tuple[Vectors, Numbers] = (np.empty(0, dtype=complex), np.empty(0))
         """Centres and radii of the o-spaces of groups, which people walk around [m]."""
 
-    @property
-    def movers(self) -> Indices:
-        """The people who may move."""
-        return self._movers
-
     def is_walking(self, index: int) -> bool:
         """Whether a person moves just now."""
         return bool(self._strolling.walks[index])

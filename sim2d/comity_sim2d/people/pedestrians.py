@@ -75,11 +75,6 @@ class Pedestrians:
         self._keep_open(scene.people)
 
     @property
-    def velocity(self) -> Vectors:
-        """Velocities of the passers-by [m/s], shape (m,)."""
-        return self._crowd.velocity[self._first : -1]
-
-    @property
     def poses(self) -> Numbers:
         """Poses of the passers-by: x [m], y [m], heading [rad]; shape (m, 3)."""
         at, poses = self.at, np.empty((len(self.names), 3))
