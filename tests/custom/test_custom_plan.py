@@ -140,8 +140,9 @@ def test_without_weights_the_binding_changes_no_cost(folder):
     for action in content["actions"].values():
         for option in action["options"].values():
             option["weight"] = 0
-    plain, bound = plan_custom(waiter(None)), plan_custom(waiter(content))
-    assert bound.plan.cost / bound.cost_scale == plain.plan.cost / plain.cost_scale
+    plain, bound = waiter(None), waiter(content)
+    costs = [plan_custom(one).plan.cost / one.cost_scale for one in (plain, bound)]
+    assert costs[0] == costs[1]
 
 
 def test_a_weight_flips_a_choice(folder):

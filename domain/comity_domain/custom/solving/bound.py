@@ -35,8 +35,6 @@ class Bound:
     """By action; empty where the domain is more than classical."""
     beyond: Beyond | None
     """What is more than classical: nothing where only costs are numeric, and actions take no time."""
-    numbers: Numbers
-    """The functions that people's parameters decide."""
     rulings: Mapping[str, str]
     """By action, the predicate that was made up to rule out some of its combinations of objects."""
     dropped: tuple[str, ...]
@@ -76,12 +74,12 @@ def bind(own: CustomProblem, binding: Binding | None = None, people: BoundPeople
     filled = replace(own, problem=_with_numbers(own.problem, numbers))
     if beyond := beyond_classical(filled.problem):
         refuse_options(binding or Binding(), f"{beyond.words} ({own.places.of(beyond.part)})")
-        return Bound(filled, binding or Binding(), people, filled.problem, {}, beyond, numbers, {}, ())
+        return Bound(filled, binding or Binding(), people, filled.problem, {}, beyond, {}, ())
     if binding is None:
         binding = Binding(cost_scale=natural_scale(filled))
     priced = tables(filled, binding, people)
     problem, rulings, dropped = _compiled(filled.problem, priced)
-    return Bound(filled, binding, people, problem, priced, None, numbers, rulings, dropped)
+    return Bound(filled, binding, people, problem, priced, None, rulings, dropped)
 
 
 def _numbers(own: CustomProblem, binding: Binding, people: BoundPeople) -> Numbers:

@@ -23,8 +23,7 @@ class CustomPlan:
     """A plan in a custom domain."""
 
     plan: Plan
-    """Costs in parts of the domain's own cost: divide by `cost_scale`."""
-    cost_scale: int
+    """Costs in parts of the domain's own cost: divide by `Bound.cost_scale`."""
     tells_costs: bool
     """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
     metric_ignored: bool
@@ -78,7 +77,6 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
     )
     return CustomPlan(
         plan,
-        bound.cost_scale,
         bound.classical,
         solution.metric_ignored,
         solution.actions,
