@@ -30,11 +30,6 @@ class Reached(Record):
     neutral: tuple[str, ...]
     """Those with whom the neutral value stands."""
 
-    @property
-    def reached(self) -> int:
-        """Values for which the rules have something to say."""
-        return self.values - len(self.neutral)
-
 
 @dataclass(frozen=True, slots=True)
 class Coverage(Record):
