@@ -72,7 +72,7 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[PlannedVisit]], options:
         RuledOut((options.robot, person.name, side), reason) for side, reason in person.blocked_sides.items()
     )
     reason = f"{here.side}: {liked_side(person.sides[here.side], person)}"
-    text = f"{reason}; {runner_up(alternatives, 'side', 2)}"
+    text = f"{reason}; {runner_up(alternatives, 'side')}"
     return StepExplanation(text, tuple(alternatives), ruled_out, chosen=reason)
 
 
@@ -92,7 +92,7 @@ def why_this_greeting(visit: PlannedVisit, options: Options, cost: int) -> StepE
     alternatives = _others(chosen, priced, start, person)
     parts = [f"{chosen.words}: {_greeting(chosen, person)}", *wishes_at_rest(person)]
     parts += waited(cost - priced[chosen])
-    parts.append(runner_up(alternatives, "greeting", 2))
+    parts.append(runner_up(alternatives, "greeting"))
     return StepExplanation("; ".join(parts), alternatives, _out(ruled_out, start), chosen=parts[0])
 
 
@@ -105,7 +105,7 @@ def why_this_farewell(visit: PlannedVisit, options: Options) -> StepExplanation:
     parts = (
         f"{chosen.words}: {_greeting(chosen, person)}",
         *wishes_at_rest(person),
-        runner_up(alternatives, "farewell", 2),
+        runner_up(alternatives, "farewell"),
         "that the rules of greeting hold for a farewell is a design choice without a source",
     )
     return StepExplanation("; ".join(parts), alternatives, _out(person.ruled_out, start), chosen=parts[0])
@@ -165,12 +165,12 @@ def in_words(words: Sequence[str]) -> str:
     return " with ".join(word for word in words if word != NO_GESTURE)
 
 
-def runner_up(alternatives: Sequence[Alternative], what: str, choices_from: int) -> str:
+def runner_up(alternatives: Sequence[Alternative], what: str) -> str:
     """What the cheapest alternative would have cost."""
     if not alternatives:
         return f"no other {what} is possible"
     first = alternatives[0]
-    name = in_words(first.arguments[choices_from:])
+    name = in_words(first.arguments[2:])
     if first.extra_cost == 0:
         return f"{name} would cost the same with the rest as it is"
     return f"{name} would cost {first.extra_cost} cm more with the rest as it is"
