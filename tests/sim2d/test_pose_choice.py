@@ -26,28 +26,9 @@ from comity_sim2d import (
 from comity_sim2d.scene.o_space import OSpace
 from comity_sim2d.scene.obstacles import floor_plan_of
 from comity_sim2d.scene.surroundings import Surroundings
+from tests.sim2d.tent import Tent
 
 START = (0.6, 3.0)
-
-
-class Tent:
-    def __init__(self, low: float, high: float, top: float) -> None:
-        self.domain = (low, high)
-        self.top = top
-
-    def __call__(self, x: float) -> float:
-        low, high = self.domain
-        return (
-            max(0.0, 1.0 - abs(x - self.top) / max(self.top - low, high - self.top))
-            if low <= x <= high
-            else 0.0
-        )
-
-    def height(self, low: float, high: float) -> float:
-        return max(self(low), self(high))
-
-    def centroid(self, low: float, high: float) -> float:
-        return (low + high) / 2
 
 
 def scene(*furniture: Furniture, walls: tuple[Wall, ...] = (), others: tuple[Person, ...] = ()) -> Scene:
