@@ -1,7 +1,8 @@
-"""Planning visits: who is visited in which order, from which side and with which greeting, and why.
+"""Plans visits: whom the robot visits in which order, from which side and with which greeting, and why.
 
-A `VisitRequest` names the people with their inferred parameters and the routes between them; `make_plan`
-returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
+A `VisitRequest` names the people with their inferred parameters and the routes between them. `make_plan`
+returns the cheapest `Plan`, in which distance and desirability are weighed in one unit: centimetres of
+walking.
 """
 
 from comity_domain.choices.distances import distance_desirability

@@ -1,4 +1,4 @@
-"""The contrast plan: the best one in which a person is reached from another side, all else replanned."""
+"""The contrast plan: the best plan that reaches a person from another side, with the rest replanned."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from comity_domain.problem.spot import Spot
 
 @dataclass(frozen=True, slots=True)
 class Contrast:
-    """What a plan would be like with another choice."""
+    """The best plan with another choice."""
 
     side: str
     plan: Plan | None
-    """None where there is none."""
+    """The plan; None if there is none."""
     extra_cost: int | None
-    """What it costs more, in plan cost units; None where there is none."""
+    """Additional cost in plan cost units; None if there is no such plan."""
 
 
 def from_other_sides(
@@ -31,12 +31,12 @@ def from_other_sides(
 ) -> tuple[Contrast, ...]:
     """The best plan for each of these sides, cheapest first; none beyond `MOST_PEOPLE` people.
 
-    Who is left out stays left out.
+    People who are left out stay left out.
 
     Args:
         request: What was planned.
         plan: Its plan.
-        person: Who is reached from elsewhere.
+        person: The person reached from elsewhere.
         sides: Their names.
         time_limit_s: Wall-clock seconds for each, > 0.
     """

@@ -1,1 +1,1 @@
-"""What can be chosen at each person, and its price: sides, greetings, greetings of a whole company, legs."""
+"""The choices for each person with their costs: sides, greetings, group greetings, legs."""

@@ -1,4 +1,4 @@
-"""How people who stand together can be greeted at once, and at what price."""
+"""Greetings of a whole group at once, with their costs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from comity_fis.defuzzification.curve import Choice
 from comity_fis.inference.value import Inference
 
 Offers = Mapping[str, Mapping[Greeting, int]]
-"""By person, the price of every greeting that is possible for them."""
+"""By person, the cost of every greeting that is possible for them [cm]."""
 
 Words = tuple[str, str]
 """The modality and the gesture of a greeting."""
@@ -23,31 +23,31 @@ Words = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class CompanyOptions:
-    """How one company may be greeted; nothing on offer where its members have no greeting in common."""
+    """The greeting options of one group; empty if its members have no greeting in common."""
 
     name: str
     members: tuple[str, ...]
     spots: Mapping[Spot, int]
-    """Where the robot may stand, with the price in cm of coming nearer to the others than they like."""
+    """Possible robot positions, with the cost of coming nearer to the others than they like [cm]."""
     greetings: Mapping[Words, int]
-    """What all accept, with the price: once, what it is worth to the member it suits least. Sorted by price,
-    equal prices by the law of ties."""
+    """Greetings that all accept, with their cost for the member they suit least, counted once [cm]. Sorted by
+    cost, then by tie-break."""
     spot_ties: Mapping[Spot, int] = field(default_factory=dict)
-    """What decides between spots of equal price (`choices.ties`); 0 where there is no entry."""
+    """Tie-break between positions of equal cost (`choices.ties`); 0 if there is no entry."""
     greeting_ties: Mapping[Words, int] = field(default_factory=dict)
-    """The same of greetings."""
+    """Tie-break between greetings of equal cost."""
 
     @property
     def best_greeting(self) -> Words:
-        """The cheapest one, by the law of ties."""
+        """The cheapest greeting, after tie-breaking."""
         return next(iter(self.greetings))
 
     def cost(self, spot: Spot, way: Words) -> int:
-        """What a greeting of all of them from a spot costs."""
+        """Cost of greeting all of them from a position [cm]."""
         return self.spots[spot] + self.greetings[way]
 
     def tie_break(self, spot: Spot) -> int:
-        """What decides between spots of equal cost, with the best greeting."""
+        """Tie-break between positions of equal cost, with the best greeting."""
         return self.spot_ties.get(spot, 0) + self.greeting_ties.get(self.best_greeting, 0)
 
 
@@ -58,7 +58,7 @@ def company_options(
     offers: Offers,
     weights: Weights,
 ) -> CompanyOptions:
-    """The greetings that all members accept, and those of the open spots that they do."""
+    """The options of a group: greetings that all members accept, from positions that they accept."""
     greetings, ranks = _common([offers[member] for member in company.members])
     spots = {
         spot: price
@@ -75,7 +75,7 @@ def company_options(
 def _common(
     offers: Sequence[Mapping[Greeting, int]],
 ) -> tuple[Mapping[Words, int], Mapping[Words, tuple[int, int, str, str]]]:
-    """The greetings that everybody accepts, with the highest price; and each with its worst rank."""
+    """Greetings that everyone accepts with their highest cost, and each with its worst rank."""
     by_words = [{greeting.way: (greeting, price) for greeting, price in prices.items()} for prices in offers]
     everyones = [way for way in by_words[0] if all(way in accepted for accepted in by_words)]
     prices = {way: max(accepted[way][1] for accepted in by_words) for way in everyones}
@@ -84,9 +84,9 @@ def _common(
 
 
 def _nearness_cost(nearness: Nearness, values: Mapping[str, Inference], weights: Weights) -> int | None:
-    """The price of standing nearer to others than suits them; None: nearer than a person asked for.
+    """Cost of standing nearer to others than they like [cm]; None: nearer than a person asked for.
 
-    Farther than suits them costs nothing: the robot speaks to all, not to each.
+    Standing farther away costs nothing: the robot speaks to the group, not to each person.
     """
     for name, distance_m in nearness.items():
         wanted = values[name]["conversational_distance"]

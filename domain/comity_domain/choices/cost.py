@@ -1,23 +1,24 @@
-"""What things cost: whole centimetres of walking, or what is worth as much."""
+"""Costs in whole centimetres of walking, or its equivalent."""
 
 from __future__ import annotations
 
 import math
 
 HARDLY_WANTED = 0.01
-"""Below this desirability the logarithm goes on as its tangent, so that what nobody wants is dear, not
-impossible: 5.6 times the weight at most. A cap would make all of it cost the same."""
+"""Desirability below which the logarithm is continued by its tangent, so that an undesirable option is
+expensive but not impossible: at most 5.6 times the weight. A cap would make all such options equally
+expensive."""
 
 
 def travel_cost(length_m: float) -> int:
-    """The walking itself, in cm."""
+    """Cost of walking [cm]."""
     return round(100.0 * length_m)
 
 
 def dislike(desirability: float) -> float:
-    """How much an option of this desirability in [0, 1] is disliked: strictly less for a higher one.
+    """Preference cost of a desirability in [0, 1], without unit: strictly decreasing.
 
-    Costs that add up make -ln the natural scale: two options cost as much as one of the product of their
+    For additive costs, -ln is the natural scale: two options cost as much as one with the product of their
     desirabilities.
     """
     if desirability >= HARDLY_WANTED:
@@ -26,5 +27,5 @@ def dislike(desirability: float) -> float:
 
 
 def dislike_cost(desirability: float, weight_m: float) -> int:
-    """The detour, in cm, that is worth taking rather than an option of this desirability in [0, 1]."""
+    """The detour worth taking to avoid an option of this desirability in [0, 1] [cm]."""
     return round(100.0 * weight_m * dislike(desirability))

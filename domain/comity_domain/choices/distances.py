@@ -1,4 +1,4 @@
-"""The distances that may be taken where the target does not fit: down to the safety floor."""
+"""Distances allowed if the target does not fit: down to the safety floor."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from comity_fis.defuzzification.curve import Choice, Curve, Point
 from comity_fis.inference.value import ParameterValue
 
 SPARE_M = 0.01
-"""Above the floor: the robot rests within a centimetre of its pose, and never below the floor."""
+"""Margin above the floor [m]: the robot rests within a centimetre of its pose, and never below the floor."""
 
 
 @dataclass(frozen=True, slots=True)
 class ReachingDown:
-    """A desirability curve over a domain that begins lower: what is new there is not desirable at all."""
+    """A desirability curve with its domain extended downwards, with desirability 0 there."""
 
     curve: Curve
     low: float
-    """In the parameter's unit, below the curve's own domain."""
+    """Lower end of the extended domain, in the parameter's unit."""
 
     @property
     def domain(self) -> tuple[float, float]:
@@ -33,7 +33,7 @@ class ReachingDown:
         return self.curve.height(low, high)
 
     def centroid(self, low: float, high: float) -> float | None:
-        """The centre of area over [low, high]; None where there is no area."""
+        """Centroid of the area over [low, high]; None if there is no area."""
         return self.curve.centroid(low, high)
 
     def sample(self, n: int = 101) -> tuple[Point, ...]:
@@ -44,19 +44,19 @@ class ReachingDown:
 
     @property
     def outline(self) -> tuple[Point, ...]:
-        """Points that straight lines join to the curve."""
+        """Points of the curve as a polyline."""
         return (self.low, 0.0), (self.curve.domain[0], 0.0), *self.curve.outline
 
 
 def distance_desirability(value: ParameterValue, floor_m: float) -> Curve:
-    """How desirable each distance between the bodies is, over all that may be taken [m].
+    """Desirability of each distance between the bodies, over all allowed distances [m].
 
-    Where nothing else fits, the robot comes nearer than any rule wants, down to the safety floor; but not to
+    If nothing else fits, the robot comes nearer than the rules suggest, down to the safety floor; but not to
     a person who asked for their distance, or showed in earlier visits which one they want.
 
     Args:
-        value: The person's distance.
-        floor_m: The smallest safe one.
+        value: The person's distance parameter.
+        floor_m: Smallest safe distance [m].
     """
     curve = value.desirability
     if isinstance(curve, Choice):

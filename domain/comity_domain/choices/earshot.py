@@ -1,8 +1,8 @@
-"""Whether words carry to a person: their own distance chooses among ways, and never who is served.
+"""Audibility of words: a person's own distance affects how they are greeted, but never whether.
 
-How far off a person likes the robot to stand is cultural, and decides whether it speaks or only gestures.
-Where nothing else is left than words, that distance has no say: a person is left out for the noise only where
-it drowns words at the nearest distance that rules give, or at the one that they asked for themselves.
+The distance that a person likes is cultural, and decides whether the robot speaks or only gestures. If only
+words are possible, it is ignored: a person is left out because of noise only if it drowns words at the
+shortest distance that rules give, or at the one that they asked for themselves.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from comity_fis.proxemics import COMFORT_M
 
 
 def drowned(values: Inference, now: Circumstances) -> str | None:
-    """Why words are useless at this person's distance; None where they are heard."""
+    """Why words are inaudible at this person's distance; None if they are heard."""
     return now.against_words(values["conversational_distance"].number)
 
 
 def unheard(values: Inference, now: Circumstances) -> str | None:
-    """Why words are useless whatever the person's culture; None where they may be the last resort."""
+    """Why words are inaudible whatever the person's culture; None if they may be the last resort."""
     distance = values["conversational_distance"]
     return now.against_words(distance.number if is_setting(distance) else min(distance.number, COMFORT_M))

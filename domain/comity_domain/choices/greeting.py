@@ -1,4 +1,4 @@
-"""The ways to greet a person: how suitable each is, and what rules the others out."""
+"""The possible greetings of a person: desirability of each, and reasons against excluded ones."""
 
 from __future__ import annotations
 
@@ -20,55 +20,56 @@ NO_GESTURE = "none"
 
 @dataclass(frozen=True, slots=True)
 class Greeting:
-    """A modality, and the gesture that goes with it."""
+    """A modality with its gesture."""
 
     modality: str
     gesture: str
-    """`none` where the greeting is words only."""
+    """The gesture; `none` if the greeting is words only."""
     desirability: float
-    """The lesser of the modality's and the gesture's, in [0, 1] (the minimum is the rules' own "and")."""
+    """The smaller desirability of modality and gesture, in [0, 1] (the rules' own "and" is the minimum)."""
     departures: int
-    """How many of the two differ from the inferred value, 0 to 2. A gesture with inferred words is none."""
+    """Number of the two that differ from the inferred value, 0 to 2; a gesture with inferred words is
+    none."""
     unusual: int = 0
-    """How many of the two differ from the neutral value, 0 to 2."""
+    """Number of the two that differ from the neutral value, 0 to 2."""
 
     @property
     def tie_break(self) -> int:
-        """What decides between plans of equal cost, as `ties` says."""
+        """Tie-break between plans of equal cost, see `ties`."""
         return tie_break(self.desirability, self.departures)
 
     @property
     def rank(self) -> tuple[int, int, str, str]:
-        """What decides between greetings of equal cost; the least one is chosen."""
+        """Tie-break between greetings of equal cost; the smallest is chosen."""
         return (self.tie_break, self.unusual, self.modality, self.gesture)
 
     @property
     def way(self) -> tuple[str, str]:
-        """What is done, for any person."""
+        """Modality and gesture, independent of the person."""
         return self.modality, self.gesture
 
     @property
     def words(self) -> str:
-        """As a reader says it."""
+        """The greeting in words."""
         return self.modality if self.gesture == NO_GESTURE else f"{self.modality} with {self.gesture}"
 
 
 def greetings(values: Inference, now: Circumstances = QUIET_AND_FREE) -> tuple[Greeting, ...]:
-    """The greetings that are possible for a person now, the inferred one first.
+    """The greetings currently possible for a person, the inferred one first.
 
-    Words alone take no gesture. For a person who asked for a gesture and not for a modality, the words stay
-    and the gesture comes with them: `both` is then as desirable as the words are.
+    Words alone have no gesture. For a person who asked for a gesture but not for a modality, the words stay
+    and the gesture is added: `both` is then as desirable as the words are.
     """
     return tuple(greeting for greeting, reason in _all(values, now).items() if reason is None)
 
 
 def ruled_out(values: Inference, now: Circumstances = QUIET_AND_FREE) -> Mapping[Greeting, str]:
-    """The other greetings of the rulebook that the person did not exclude, with what is against each."""
+    """Excluded greetings of the rulebook that the person did not exclude themselves, with the reasons."""
     return {greeting: reason for greeting, reason in _all(values, now).items() if reason is not None}
 
 
 def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
-    """Every greeting, the inferred one first, with what is against it now."""
+    """Every greeting, the inferred one first, with the reason against it now, if any."""
     modality, gesture = values["greeting_modality"], values["greeting_gesture"]
     modalities, gestures = _permitted(modality), _permitted(gesture)
     inferred = modality.value
@@ -98,7 +99,7 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
 
 
 def keeps_words(values: Inference) -> bool:
-    """Whether a gesture that the person asked for comes with the words that were inferred for them."""
+    """Whether a requested gesture is combined with the inferred words."""
     modality, gesture = values["greeting_modality"], values["greeting_gesture"]
     if is_setting(modality) or not is_setting(gesture):
         return False
@@ -123,13 +124,13 @@ def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str 
 
 
 def refuse_gesture_in_words(settings: Mapping[str, float | str]) -> None:
-    """Refuse wishes of which one could only be dropped: a gesture, in greetings of words alone.
+    """Reject contradictory wishes: a gesture together with greetings in words alone.
 
     Args:
-        settings: What a person asked for, by parameter.
+        settings: The person's requests, by parameter.
 
     Raises:
-        InputError: where both are asked for.
+        InputError: If both are requested.
     """
     gesture = settings.get("greeting_gesture")
     if gesture is not None and settings.get("greeting_modality") == VERBAL:

@@ -1,4 +1,4 @@
-"""Everything that a plan can be made of: the sides, greetings and legs on offer, with their prices."""
+"""All options of a plan: sides, greetings and legs, with their costs."""
 
 from __future__ import annotations
 
@@ -16,140 +16,140 @@ from comity_domain.problem.spot import START, Spot, Way, location
 from comity_fis.inference.value import Inference
 
 Priced = Mapping[Greeting, int]
-"""The price of each in cm; the cheapest first, and of equals the one that ties go to."""
+"""Cost of each greeting [cm], the cheapest first, then by tie-break."""
 
 
 @dataclass(frozen=True, slots=True)
 class PersonOptions:
-    """How one person may be visited."""
+    """The options for visiting one person."""
 
     name: str
     values: Inference
     sides: Mapping[str, Side]
-    """By name; a route leads to each of them."""
+    """Reachable sides, by name."""
     blocked_sides: Mapping[str, str]
-    """Sides that the person accepts and no route leads to, with what is against each."""
+    """Accepted but unreachable sides, with the reasons."""
     greetings: Priced
     ruled_out: Mapping[Greeting, str]
-    """Greetings that the moment forbids, with what is against each."""
+    """Greetings excluded by the circumstances, with the reasons."""
     priority: int
-    """In cm, for each person who is greeted before."""
+    """Cost of each person who is greeted before this one [cm]."""
     by_s: float | None
     skip: int | None = None
-    """In cm, what leaving this person out costs; None: they are served."""
+    """Cost of leaving this person out [cm]; None: they must be served."""
     agenda: Agenda = ()
-    """What is to be done after the greeting."""
+    """Tasks after the greeting."""
     bringing: Priced | None = None
-    """The greetings that are left with what is offered first in the hands; None: nothing can be brought."""
+    """Greetings possible while carrying the first offered object; None: nothing can be brought."""
     ruled_out_bringing: Mapping[Greeting, str] | None = None
-    """What that forbids."""
+    """Greetings excluded while carrying it, with the reasons."""
     silent: str | None = None
-    """Why words are useless; None: they are heard."""
+    """Why words are inaudible; None: they are heard."""
     greeted: bool = False
-    """Nothing but the agenda is left."""
+    """Whether only the agenda is left."""
     in_hand: bool = False
-    """The robot holds what is offered first."""
+    """Whether the robot holds the first offered object."""
     after: str | None = None
-    """Who is greeted before, if anybody asked for; nobody waits whose visit is under way."""
+    """Person to be greeted first, if requested; ignored once a visit is under way."""
     at_rest: Mapping[str, str] = field(default_factory=dict)
-    """What they asked for and cannot have now, with why, in words; by parameter."""
+    """Requests that cannot be met now, with the reasons in words; by parameter."""
     is_told: bool = False
-    """They do not see: words tell them that the robot comes, has stopped and leaves."""
+    """Whether the person cannot see: the robot announces that it approaches, has stopped and leaves."""
 
     def spots(self) -> Iterator[Spot]:
-        """Where the robot may stand."""
+        """Possible positions of the robot."""
         return (Spot(self.name, side) for side in self.sides)
 
     def priced(self, *, bringing: bool) -> Priced:
-        """The greetings, empty-handed or with what was fetched first."""
+        """The greetings, empty-handed or while carrying what was fetched first."""
         return (self.bringing or {}) if bringing else self.greetings
 
     def best_greeting(self, *, bringing: bool = False) -> Greeting:
-        """The cheapest, by the law of ties."""
+        """The cheapest greeting, after tie-breaking."""
         return next(iter(self.priced(bringing=bringing)))
 
     def least_dislike(self, *, bringing: bool = False) -> int:
-        """What being greeted costs at least; nothing where that is over."""
+        """Minimum cost of being greeted [cm]; 0 if that is done."""
         return 0 if self.greeted else min(self.priced(bringing=bringing).values())
 
     @property
     def greeting_s(self) -> float:
-        """What the greeting takes, as deadlines compute it."""
+        """Duration of the greeting, as estimated for deadlines [s]."""
         if self.greeted:
             return 0.0
         return GREETING_S + (ANNOUNCING_S if self.is_told else 0.0)
 
     @property
     def agenda_s(self) -> float:
-        """What all else takes without the ways, likewise."""
+        """Duration of everything else without travel, as estimated for deadlines [s]."""
         return seconds_of(self.agenda, in_hand=self.in_hand)
 
     @property
     def may_come_bringing(self) -> bool:
-        """Whether the robot may come with what is offered first in its hands."""
+        """Whether the robot may approach while carrying the first offered object."""
         return bool(self.bringing) or (self.greeted and bool(offers(self.agenda)))
 
     @property
     def fetched_at(self) -> tuple[Spot, ...]:
-        """Where the robot has to go for what is offered, in order."""
+        """Positions for fetching offered objects, in order."""
         return tuple(location(offer.place) for offer in offers(self.agenda)[self.in_hand :])
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """A request with every choice spelt out."""
+    """A request with every choice enumerated."""
 
     robot: str
     people: Mapping[str, PersonOptions]
     companies: Mapping[str, CompanyOptions]
     legs: Mapping[tuple[Spot, Spot], int]
-    """The price in cm of a leg, from START or a spot to a spot: the route and the dislike of its end."""
+    """Cost of a leg from START or a position to a position: route plus preference cost of its end [cm]."""
     side_dislikes: Mapping[Spot, int]
-    """The part of it that is the dislike."""
+    """The preference cost within it [cm]."""
     durations_s: Mapping[Way, float]
     dropped: Mapping[str, int] = field(default_factory=dict)
-    """People whose visit is dropped, with its price in cm."""
+    """People whose visit is dropped, with its cost [cm]."""
 
     def side(self, spot: Spot) -> Side:
-        """The side that a spot is on."""
+        """The side of a position."""
         return self.people[spot.place].sides[spot.side]
 
     def leg_parts(self, start: Spot, end: Spot) -> Mapping[str, int]:
-        """What the price of a leg is made of."""
-        dislike = self.side_dislikes.get(end, 0)  # where something is kept, no side is liked or not
+        """The parts of the cost of a leg [cm]."""
+        dislike = self.side_dislikes.get(end, 0)  # at a location, no side is preferred
         return {"travel": self.legs[start, end] - dislike, "side": dislike}
 
     @property
     def locations(self) -> tuple[Spot, ...]:
-        """Where something is fetched for a person."""
+        """Locations where something is fetched."""
         return tuple(dict.fromkeys(at for person in self.people.values() for at in person.fetched_at))
 
     @property
     def bearer_of(self) -> str | None:
-        """For whom the robot holds something: that visit comes first."""
+        """The person for whom the robot holds something: that visit comes first."""
         return next((name for name, person in self.people.items() if person.in_hand), None)
 
     @property
     def has_priorities(self) -> bool:
-        """Whether it matters how many people are greeted before a person."""
+        """Whether the number of people greeted before a person has a cost."""
         return any(person.priority for person in self.people.values())
 
     @property
     def has_order(self) -> bool:
-        """Whether the scenario wants a person greeted before another person."""
+        """Whether the scenario requires one person to be greeted before another."""
         return any(person.after in self.people for person in self.people.values())
 
     @property
     def has_deadlines(self) -> bool:
-        """Whether time matters."""
+        """Whether there are deadlines."""
         return any(person.by_s is not None for person in self.people.values())
 
 
 def options(request: VisitRequest) -> Options:
-    """What the planner may choose from.
+    """Enumerate what the planner may choose from.
 
     Raises:
-        ValueError: A person cannot be reached on any side they accept, or may not be greeted in any way.
+        ValueError: If a person cannot be reached on any side they accept, or greeted in any way.
     """
     reached = {end for _, end in request.travel}
     people = {visitee.name: _person(visitee, request, reached) for visitee in request.visitees}
@@ -171,7 +171,7 @@ def options(request: VisitRequest) -> Options:
 
 
 def _busy(people: Mapping[str, PersonOptions]) -> list[str]:
-    """Those who are greeted alone: more is to be done with them, or a person comes first."""
+    """People who are greeted alone because they have an agenda, or must come first."""
     return [
         name for name, person in people.items() if person.agenda or person.is_told or person.after in people
     ]
@@ -242,7 +242,7 @@ def _priced(visitee: Visitee, request: VisitRequest) -> dict[Greeting, int]:
 
 
 def _carrying(visitee: Visitee) -> Visitee | None:
-    """The same with what is offered first in the robot's hands; None where nothing is offered."""
+    """The visitee with the robot carrying the first offered object; None if nothing is offered."""
     brought = offers(visitee.agenda)
     if not brought:
         return None

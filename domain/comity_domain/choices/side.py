@@ -1,7 +1,7 @@
-"""The sides of a person from which the robot may come, and how suitable each is.
+"""The sides from which the robot may approach a person, with their desirability.
 
-The inferred approach direction has no sign: 30 degrees may be on the left or on the right. Its desirability
-curve over [0, 90] is therefore mirrored about 0 and cut into three sectors, for the planner to choose from.
+The inferred approach direction is unsigned: 30 degrees may be left or right. So its desirability curve over
+[0, 90] is mirrored about 0 and cut into three sectors, from which the planner chooses.
 """
 
 from __future__ import annotations
@@ -19,27 +19,27 @@ from comity_fis.proxemics import FRONT_DEG, WIDEST_DEG
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """One way to come near a person."""
+    """One side of a person."""
 
     name: str
-    """front, left or right, as the person sees it."""
+    """Name: front, left or right, as the person sees it."""
     bearing_deg: float
-    """From where the person faces to where the robot will stand, in (-180, 180], positive to their left."""
+    """Angle from the person's facing to the robot, in (-180, 180], positive to their left [deg]."""
     desirability: float
-    """In [0, 1]."""
+    """Desirability, in [0, 1]."""
     inferred: bool
-    """The inferred direction lies on this side: it is the most desirable one of equals."""
+    """Whether the inferred direction lies on this side: it is the most desirable one of equals."""
 
     @property
     def tie_break(self) -> int:
-        """What decides between sides of equal cost, as `ties` says; next are front, left, right."""
+        """Tie-break between sides of equal cost, see `ties`; after that: front, left, right."""
         return tie_break(self.desirability, departures=not self.inferred)
 
 
 def sides(values: Inference) -> Mapping[str, Side]:
-    """The sides that a person accepts, by name; what was asked for explicitly leaves no other.
+    """The sides that a person accepts, by name; an explicit request leaves no other.
 
-    What was asked for and lies beyond `widest_deg` leaves none.
+    A request beyond `widest_deg` leaves none.
     """
     direction = values["approach_direction"]
     if is_setting(direction):
@@ -50,7 +50,7 @@ def sides(values: Inference) -> Mapping[str, Side]:
 
 
 def widest_deg(values: Inference) -> float:
-    """How far round from a person's front the robot may stand [deg]: their direction's limits, at most 90."""
+    """Maximum unsigned bearing of the robot [deg]: the limit of the person's direction, at most 90."""
     return upper_limit(_curve(values["approach_direction"]), WIDEST_DEG)
 
 

@@ -1,27 +1,28 @@
-"""Equal costs: which of several plans of the same cost is made.
+"""Tie-breaking between plans of equal cost.
 
-Everywhere the same order decides: higher desirability, then the neutral value, then the scenario's order of
-people, then front, left, right, then the name. An inferred value is the most desirable one and, where several
-are, the neutral one; a choice that departs from it therefore comes later.
+The same order decides everywhere: higher desirability, then the neutral value, then the scenario's order of
+people, then front, left, right, then the name. An inferred value is the most desirable one and, if several
+are, the neutral one; so a choice that departs from it comes later.
 
-`tie_break` holds the first two parts as one number that adds up over a plan. The label search compares it and
-then the order of people; along an order, `best_tour` compares it and then the sides.
+`tie_break` encodes the first two parts as one number that is additive over a plan. The label search compares
+it and then the order of people; for a given order, `best_tour` compares it and then the sides.
 """
 
 from __future__ import annotations
 
 _WHOLE = 1_000_000
-"""A desirability of 1 in the units that are compared: a smaller difference is rounding."""
+"""Scale of desirabilities in a tie-break: smaller differences are rounding."""
 _DEPARTURES = 4_096
-"""More departures than a plan has: a visit has a side and two words for each greeting, 40 visits are many."""
+"""Upper bound of the departures of a plan: each visit has a side and two words per greeting, and 40 visits
+are many."""
 
 
 def tie_break(desirability: float, departures: int = 0) -> int:
-    """What decides between choices of equal cost; less is better, and that of a plan is the sum.
+    """Tie-break value of a choice; smaller is better, and that of a plan is the sum.
 
     Args:
-        desirability: Of the choice, in [0, 1].
-        departures: The number of its values that differ from the inferred ones.
+        desirability: Desirability of the choice, in [0, 1].
+        departures: Number of its values that differ from the inferred ones.
     """
     return (_WHOLE - round(_WHOLE * desirability)) * _DEPARTURES + departures
 

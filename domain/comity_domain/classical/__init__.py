@@ -1,1 +1,1 @@
-"""Classical planning: the request as a unified-planning problem and as PDDL, and plans in its words."""
+"""Classical planning: a request as a unified-planning problem and as PDDL, and plans in these terms."""

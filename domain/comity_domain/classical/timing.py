@@ -1,4 +1,4 @@
-"""What no classical problem can say of the visits: deadlines, durations, and what decides ties."""
+"""Timing and tie-breaks that a classical problem cannot express: deadlines, durations, preferences."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ from comity_domain.problem.spot import Way
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """Everything is named as in the problem, by the names of its objects."""
+    """Timing of visits, named by the objects of the problem."""
 
     by_s: Mapping[str, float] = field(default_factory=dict)
-    """By user, the latest time at which the greeting may end, from the start [s], > 0."""
+    """By user, the deadline of the greeting, from the start, > 0 [s]."""
     durations_s: Mapping[Way, float] = field(default_factory=dict)
-    """From a user, a location or the start (None) to a user or a location [s], >= 0; needed for each route
-    where there is a deadline."""
+    """Durations from a user, a location or the start (None) to a user or a location, >= 0 [s]; needed for
+    each route if there is a deadline."""
     details: Mapping[str, str] = field(default_factory=dict)
-    """By task, what decides how long it takes and no problem says: the text of a message."""
+    """By task, what determines its duration but is not in the problem: the text of a message."""
     announced: frozenset[str] = frozenset()
-    """Users who are told in words that the robot comes, which takes longer."""
+    """Users to whom the robot announces its approach, which takes longer."""
     ties: Mapping[tuple[str, ...], int] = field(default_factory=dict)
-    """By user and side; by user, modality and gesture; the same of companies. Of plans that cost the same the
-    one with the least sum is made (`choices.ties`); >= 0, and 0 where there is no entry."""
+    """Tie-breaks by user and side; by user, modality and gesture; and likewise for groups. Among plans of
+    equal cost the one with the smallest sum is chosen (`choices.ties`); >= 0, and 0 if there is no entry."""
 
     def __bool__(self) -> bool:
-        """Whether it restricts the plans: no other engine keeps it then."""
+        """Whether it restricts the plans: other engines ignore it."""
         return bool(self.by_s)
 
 

@@ -1,4 +1,4 @@
-"""Whether a plan is one, by unified-planning's validator, which knows nothing of how it was found."""
+"""Plan validation by unified-planning's validator, independent of how the plan was found."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Validation(Record):
-    """What the validator says."""
+    """The result of the validator."""
 
     valid: bool
-    """Every action can be done when its turn comes, and all goals are reached."""
+    """Whether every action is applicable in turn, and all goals are reached."""
     reason: str
-    """What is wrong; empty where nothing is."""
+    """Why the plan is invalid; empty if valid."""
     cost: int
-    """What the actions cost together, as the problem states it: the cost of the plan."""
+    """Total cost of the actions, as stated by the problem: the cost of the plan."""
 
 
 def validate(plan: Plan, request: VisitRequest) -> Validation:
-    """Have a plan checked.
+    """Validate a plan.
 
     Args:
         plan: A plan for the request.
-        request: What was asked; deadlines are not looked at.
+        request: The planning request; its deadlines are ignored.
     """
     from unified_planning.engines import SequentialPlanValidator
     from unified_planning.engines.results import ValidationResultStatus

@@ -1,7 +1,7 @@
-"""Planning in a custom domain: PDDL read with care, and costs that come from what people like.
+"""Planning in a custom domain: checked PDDL, with costs from people's preferences.
 
-`read_custom` reads a domain and a problem, `bind` builds a `Binding` and people's inferred parameters
-into them, and `plan_custom` finds the plan.
+`read_custom` reads a domain and a problem, `bind` adds a `Binding` and people's inferred parameters, and
+`plan_custom` finds the plan.
 """
 
 from comity_domain.custom.binding.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue

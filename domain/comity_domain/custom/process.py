@@ -1,7 +1,7 @@
-"""One process for all of a request, ended at its limit with everything that it started.
+"""Runs a request in a separate process, which is ended at its limit with everything that it started.
 
-Reading, grounding, solving and validating may each take for ever, in libraries that know no limit. The
-process (`child.py`) computes one call and leaves its answer in a folder; this one waits, on every platform,
+Reading, grounding, solving and validating may each take forever, in libraries without time limits. The
+process (`child.py`) computes one call and writes its answer to a folder; this one waits, on every platform,
 in any thread, and leaves neither a process nor a file behind.
 """
 
@@ -25,7 +25,7 @@ T = TypeVar("T")
 MEMORY_MB = 2048
 """Address space of the process, and of each one that it starts, where the system can limit it."""
 LATEST_S = 2.8
-"""So long after the limit of a request all of it is ended (our choice): the process has to start, too."""
+"""Time after the limit of a request at which the process is ended [s] (our choice): it has to start, too."""
 HAS_SESSIONS = hasattr(os, "killpg")
 """Processes can be ended by session, as POSIX has it."""
 CALL, ANSWER, STARTED, LOG = "call", "answer", "started", "log"

@@ -1,4 +1,4 @@
-"""How much a person likes an option, and what that is worth."""
+"""Preference of a person for an option, and its cost."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from comity_fis.inference.value import ParameterValue
 
 @dataclass(frozen=True, slots=True)
 class Preference:
-    """One option as one person sees it."""
+    """One option as one person judges it."""
 
     value: OptionValue
     desirability: float
     """In [0, 1]."""
     permitted: bool
-    """Not permitted: a gesture without consent, or anything else than what the person asked for."""
+    """Whether it is permitted; not without consent to a gesture, nor against an explicit request."""
     preference_cost: float
-    """What it is worth to avoid, in units of the domain's own cost; 0 for what the person likes best."""
+    """Preference cost, in units of the domain's own cost; 0 for the person's best option."""
 
 
 def preferences(option: Option, value: ParameterValue, person: str) -> Mapping[str, Preference]:
-    """How one person sees each object.
+    """The preferences of one person among the objects.
 
-    An option is priced by how much less desirable it is than the best one on offer, so that no
-    person is more expensive to serve than another one for a preference: culture decides how, never who.
+    An option costs the more, the less desirable it is than the best available one. So no person is more
+    expensive to serve than another because of a preference: culture decides how, never whom.
 
     Args:
         option: All objects that the argument may be, with what they stand for.
