@@ -1,4 +1,4 @@
-"""What can go wrong in planning."""
+"""Errors of planning."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ class PlanningFailed(ComityError):  # noqa: N818 - it says what happened; the fa
 
 
 def _rebuilt(kind: type[PlanningFailed], reason: str, remedy: str, cut_off: bool) -> PlanningFailed:
-    """For pickle: a failure that crosses to another process keeps its parts."""
+    """Rebuild an error when unpickling, so that it keeps its parts across processes."""
     failed = kind(reason, remedy=remedy)
     failed.cut_off = cut_off
     return failed
 
 
 class NoEngine(PlanningFailed):
-    """No engine that is installed takes the problem."""
+    """No installed engine supports the problem."""
 
 
 class NoPlan(PlanningFailed):
-    """It is shown that no plan reaches the goals."""
+    """It is proven that no plan reaches the goals."""
 
 
 def out_of_time(time_limit_s: float) -> PlanningFailed:
-    """That no plan was found within so many seconds."""
+    """The error that no plan was found within a time limit [s]."""
     return PlanningFailed(
         f"no plan was found within {time_limit_s:g} s",
         remedy="Allow more time, or ask for less at once, such as fewer people.",

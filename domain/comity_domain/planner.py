@@ -1,4 +1,4 @@
-"""From a request to a plan: its problem, solved exactly; each step with full precision and its reasons."""
+"""From a request to a plan: solves the problem exactly, and adds full-precision parameters and reasons."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ ENGINE = "comity"
 
 
 def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan:
-    """The cheapest way to visit and greet everybody, but those who are left out at their price.
+    """The cheapest plan that visits and greets everyone, except those left out at their cost.
 
-    Of several plans that cost the same it is the one that ties go to (`choices.ties`).
+    Ties in cost are broken as in `choices.ties`.
 
     Args:
-        request: People that cannot be reached on any side they accept have been left out of it.
-        time_limit_s: Wall-clock seconds for the search, and for measuring what is not measured, > 0. Where
-            they do not suffice, the plan is the best found so far, neither `optimal` nor `reproducible`.
-            A first plan is made whole however little time there is; only an order that keeps deadlines is
-            given up a second later. Reasons, too, know only what was measured by then.
+        request: The request, without people who cannot be reached on any side they accept.
+        time_limit_s: Wall-clock time for searching and measuring, > 0 [s]. If it is not enough, the plan is
+            the best found so far, neither `optimal` nor `reproducible`. A first plan is completed however
+            little time there is; only the search for an order that keeps deadlines is given up a second
+            later. Reasons use only what was measured by then.
 
     Raises:
-        NoPlan: There is none.
-        PlanningFailed: None was found; `cut_off` where the limit is the reason.
-        ValueError: The request holds a person whom no plan can serve.
+        NoPlan: If there is none.
+        PlanningFailed: If none was found; `cut_off` if the limit is the reason.
+        ValueError: If the request contains a person whom no plan can serve.
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")

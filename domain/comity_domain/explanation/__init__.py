@@ -1,1 +1,1 @@
-"""Explanations of a tour's steps: reasons, obstacles to other choices, and what would change them."""
+"""Explanations of a tour's steps: reasons, obstacles to alternatives, and what would change the choice."""

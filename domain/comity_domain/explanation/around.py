@@ -1,4 +1,4 @@
-"""What each visit of a plan could be like otherwise, measured: from other sides, a group in other ways."""
+"""The alternatives to each visit of a plan, measured: other sides, and other ways to greet a group."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from comity_domain.tours.tour import PlannedVisit, Stay, Stop, path, stays
 def options_around(
     request: VisitRequest, visits: Sequence[PlannedVisit], *, ends_s: float = math.inf
 ) -> Options:
-    """What may be chosen, with all measured that one visit made otherwise would take.
+    """The options, with everything measured that changing a single visit would need.
 
     Args:
-        request: What was asked.
-        visits: The plan; each of its stops is looked at with every other way to make it.
-        ends_s: When there is no more time, by the machine's clock; what is left then stays a bound.
+        request: The planning request.
+        visits: The plan; every alternative to each of its stops is considered.
+        ends_s: End of the available time, by the machine's clock [s]; what is left then stays a bound.
     """
     return options(_measured_around(request, visits, ends_s) if request.survey else request)
 

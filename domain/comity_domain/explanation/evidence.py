@@ -1,4 +1,4 @@
-"""The rule behind a value, in one clause: what a plan quotes as its reason."""
+"""The rule behind a value, in one clause: the reason quoted by a plan."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from comity_fis.listing import listed
 def because(values: Inference, parameter: str, category: str | None = None) -> str:
     """The strongest rule behind a value; of a nominal one, the strongest that concludes the category.
 
-    Rules that rest on something disclosed go first; of another one the words say that it is only possible.
+    Rules that rest on disclosed facts come first; for others the text says that they are only possible.
     """
     value = values[parameter]
     if is_setting(value):

@@ -1,4 +1,4 @@
-"""What a plan would be like if some people were visited in another order: what that costs, or who is late."""
+"""The effect of visiting people in another order: additional cost, or who is late."""
 
 from __future__ import annotations
 
@@ -21,31 +21,31 @@ from comity_domain.tours.tour import PlannedVisit, best_tour, farewell_cost, gre
 
 @dataclass(frozen=True, slots=True)
 class OtherOrder:
-    """The cheapest way to visit everybody with some people in another order than a plan has."""
+    """The cheapest plan that visits some people in a given order."""
 
     people: tuple[str, ...]
-    """The people whom the robot reaches then, all of them, in order."""
+    """All people reached then, in order."""
     extra_parts: Mapping[str, int]
-    """By part of the costs, as steps have them, how much more than the plan's it is, in cm; none are 0."""
+    """Additional cost by part [cm]; none are 0."""
     too_late: Late | None
-    """Whose deadline rules the order out; None where every deadline is kept."""
+    """The missed deadline; None if all are kept."""
 
     @property
     def extra_cost(self) -> int:
-        """How much more than the plan it costs, in plan cost units; deadlines may have it cost less."""
+        """Additional cost in plan cost units; negative if missed deadlines make it cheaper."""
         return sum(self.extra_parts.values())
 
 
 def in_order(request: VisitRequest, plan: Plan, people: Sequence[str]) -> OtherOrder | None:
-    """The cheapest way to reach some people in an order, with any others between.
+    """The cheapest plan that reaches some people in an order, with any others in between.
 
     Args:
-        request: What was planned.
-        plan: Its plan: who is left out by it stays so.
-        people: In the order that is asked about; each is to be reached, and not only greeted with others.
+        request: The planning request.
+        plan: Its plan; people left out by it stay left out.
+        people: The people in the order in question; each must be reached, not only greeted with others.
 
     Returns:
-        None where that is not known: nobody else can be reached then, or there are too many people.
+        None if unknown: no other order is possible, or there are too many people.
     """
     request = served_part(request, plan)
     order = [name for name in people if any(each.name == name for each in request.visitees)]

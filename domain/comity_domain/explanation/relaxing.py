@@ -1,4 +1,4 @@
-"""Which conditions stand in the way: found by lifting them and looking whether it is possible then."""
+"""Blocking conditions: found by removing them and testing whether a solution then exists."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ Condition = TypeVar("Condition")
 
 @dataclass(frozen=True, slots=True)
 class InTheWay(Generic[Condition]):
-    """What would have to change."""
+    """The conditions that would have to change."""
 
     any_of: tuple[Condition, ...]
-    """Each of these alone stands in the way: without it there is a way."""
+    """Conditions each of which alone blocks: without it there is a solution."""
     all_of: tuple[Condition, ...] = ()
-    """Where no single one is enough: without all of these there is a way, and not with one of them left."""
+    """If no single one is enough: a minimal set to remove together."""
 
 
 def in_the_way(
     conditions: Sequence[Condition], possible_without: Callable[[Sequence[Condition]], bool]
 ) -> InTheWay[Condition]:
-    """Lift the conditions one at a time; where that is not enough, find a smallest set to lift together.
+    """Remove the conditions one at a time; if that is not enough, find a minimal set to remove together.
 
     Args:
-        conditions: All that hold; the earlier ones are put back first.
-        possible_without: Whether there is a way once these are lifted; lifting more never hurts.
+        conditions: All active conditions; earlier ones are restored first.
+        possible_without: Whether there is a solution without these; removing more never hurts.
 
     Returns:
-        Both empty where lifting all of them does not help: the reason is another one.
+        Both empty if removing all of them does not help: the reason is another one.
     """
     alone = tuple(condition for condition in conditions if possible_without([condition]))
     if alone or not possible_without(conditions):

@@ -1,8 +1,8 @@
-"""How far the weights can change before another plan is cheaper.
+"""Stability: how far the weights can change before another plan is cheaper.
 
-The weights say what disliked options are worth in metres, and nobody can measure them: whoever reads a plan
-should know whether it hangs on them. They are followed from a quarter to four times what they are, each by
-itself and both together; the first factor each way at which another plan is cheaper is narrowed down.
+The weights convert preferences to metres and cannot be measured, so a reader of a plan should know whether it
+depends on them. They are varied from a quarter to four times their value, each alone and both together; the
+first factor in each direction at which another plan is cheaper is narrowed down.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from comity_domain.tours.tour import PlannedVisit, best_tour, path, tour_cost
 
 LOWEST, HIGHEST = 0.25, 4.0
 STEPS = 4
-"""Factors looked at in each direction: the square roots of two up to four."""
+"""Number of factors tested in each direction: powers of the square root of two up to four."""
 NARROWED = 1.01
-"""A factor at which the plan changes is known this exactly."""
+"""Precision (ratio) of the factor at which the plan changes."""
 
 Scale = Callable[[Weights, float], Weights]
 
@@ -39,20 +39,20 @@ SCALES: dict[Weight, Scale] = {
 
 @dataclass(frozen=True, slots=True)
 class BreakEven:
-    """Where another plan becomes cheaper."""
+    """A factor at which another plan becomes cheaper."""
 
     weight: Weight
     factor: float
-    """Of the weight, in [0.25, 4]."""
+    """Factor of the weight, in [0.25, 4]."""
     visits: tuple[PlannedVisit, ...]
-    """What is cheaper there."""
+    """The visits of the cheaper plan."""
 
 
 def flips(request: VisitRequest, plan: Plan) -> tuple[BreakEven, ...] | None:
     """The nearest factors at which the plan is no longer among the cheapest; empty: it is stable.
 
     Returns:
-        None where there are too many people to know.
+        None if there are too many people.
     """
     if len(request.visitees) > MOST_PEOPLE:
         return None

@@ -1,4 +1,4 @@
-"""What a plan would cost if the robot went to another person next."""
+"""The cost of going to another person next."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from comity_domain.tours.tour import PlannedVisit, best_tour, path, served, tour
 from comity_fis.record import Record
 
 MOST_PEOPLE = 12
-"""Beyond so many the answers would not be exact, and slow."""
+"""Maximum number of people: with more, the answers would be inexact and slow."""
 
 
 @dataclass(frozen=True, slots=True)
 class NextInstead(Record):
-    """Another person to go to at one stop of a plan, all that follows being replanned."""
+    """Another person to visit at one stop of a plan, with the rest replanned."""
 
     person: str
     extra_cost: int | None
-    """In plan cost units; None where a deadline or a route rules it out."""
+    """Additional cost in plan cost units; None if a deadline or a route excludes it."""
 
 
 def visits_of(plan: Plan) -> tuple[PlannedVisit, ...]:
-    """The stops of a plan with their choices."""
+    """The visits of a plan with their choices."""
     by_person: dict[str, list[PlanStep]] = {}
     for step in plan.steps:
         if step.action != SKIP:
@@ -60,7 +60,7 @@ def _comes_bringing(steps: Sequence[PlanStep]) -> bool:
 
 
 def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInstead, ...]:
-    """What it would cost to go to each of the others at this stop, cheapest first.
+    """Cost of going to each of the others at this stop, cheapest first.
 
     Args:
         request: What was planned.

@@ -1,1 +1,1 @@
-"""The label search, exact with priorities and deadlines: the order, dropped visits, deadlines kept."""
+"""The label search, exact with priorities and deadlines: order, dropped visits, feasibility of deadlines."""

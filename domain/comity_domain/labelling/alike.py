@@ -1,4 +1,4 @@
-"""Anybody: a side and a greeting that stand for all of them, where taste has no say."""
+"""Generic people: a representative side and greeting, so that preferences have no influence."""
 
 from comity_domain.choices.greeting import NO_GESTURE, Greeting
 from comity_domain.choices.side import Side

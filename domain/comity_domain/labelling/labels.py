@@ -1,4 +1,4 @@
-"""Labels of the label search, many at once in columns."""
+"""Labels of the label search, stored in columns."""
 
 from __future__ import annotations
 
@@ -20,30 +20,30 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Labels:
-    """Ways to have served equally many people; all columns are equally long."""
+    """Labels with equally many people served; all columns have the same length."""
 
     served_count: int
     served: Whole
-    """Who was served, as bits."""
+    """People served, as bits."""
     spot: Whole
-    """Where the robot stands."""
+    """Index of the robot's position."""
     cost: Whole
-    """In cm."""
+    """Cost so far [cm]."""
     tie: Whole
-    """What decides between labels of equal cost, less being better (`choices.ties`)."""
+    """Tie-break between labels of equal cost; less is better (`choices.ties`)."""
     turns: Whole
-    """Who was greeted in which turn, as digits of one number: the scenario's order is the least one."""
+    """Order of greetings, as digits of one number: the scenario's order is the smallest."""
     time_ms: Whole
     level: Whole
-    """Among the labels that the search kept, where the one before is; -1: there is none."""
+    """Level of the previous label among the kept ones; -1: none."""
     row: Whole
-    """Its row there."""
+    """Row of the previous label in that level."""
     arrival: Whole
-    """The number of the last arrival; -1: there was none."""
+    """Index of the last arrival; -1: none."""
 
     @property
     def columns(self) -> tuple[Whole, ...]:
-        """All of them, in the order of the fields."""
+        """All columns, in the order of the fields."""
         return (
             *(self.served, self.spot, self.cost, self.tie, self.turns),
             *(self.time_ms, self.level, self.row, self.arrival),
@@ -55,7 +55,7 @@ class Labels:
 
 
 def joined(parts: Sequence[Labels]) -> Labels:
-    """All labels of several parts with the same number of people."""
+    """Concatenation of labels with the same number of people served."""
     import numpy as np
 
     columns = zip(*(part.columns for part in parts), strict=True)
@@ -63,7 +63,7 @@ def joined(parts: Sequence[Labels]) -> Labels:
 
 
 def first_label(table: LabelTable, begun: Sequence[PlannedVisit], options: Options) -> Labels:
-    """What was done before the search; its cost counts no more."""
+    """The label of what was done before the search; its cost no longer counts."""
     import numpy as np
 
     people = [table.names.index(name) for visit in begun for name in served(visit, options)]

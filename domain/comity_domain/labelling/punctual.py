@@ -1,10 +1,9 @@
-"""Whether every deadline can be kept, and in which order: found by time alone.
+"""Feasibility of deadlines: whether all can be kept, and in which order.
 
-Neither prices nor sides have a part in it: the computation of time knows no sides. So of all ways to have
-greeted the same people and to be at the same place only the earliest counts, which leaves the search so
-little that its answer is exact for more people than that of the cheapest plan. Whoever has no deadline waits
-until all others were greeted: nobody is met earlier for a visit more, unless a way past them is shorter than
-the way itself; then everybody takes part.
+Costs and sides play no part: travel times do not depend on sides. So among all labels with the same people
+greeted and the same place only the earliest counts, and the search is exact for more people than that for the
+cheapest plan. People without a deadline come after all others, as an extra visit never makes a later one
+earlier, unless the path via them is shorter than the direct one; then everyone takes part.
 """
 
 from __future__ import annotations
@@ -27,28 +26,28 @@ from comity_domain.tours.lateness import late
 from comity_domain.tours.tour import Stop, best_tour, path
 
 LABELS_KEPT = (1_000, 50_000)
-"""Ways kept for each number of people greeted, at first and where that does not do: the second is exact with
-14 deadlines however late they are, and with more where they are soon."""
+"""Labels kept for each number of people greeted, at first and if that is not enough: the second is exact with
+14 deadlines however late they are, and with more if they are soon."""
 LATEST_S = 1e6
-"""Nobody waits longer."""
+"""Upper bound of all times [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Punctual:
-    """Whether every deadline can be kept."""
+    """The answer whether all deadlines can be kept."""
 
     stops: tuple[Stop, ...] | None
-    """An order that greets everybody with a deadline in time, without others; None: none was found."""
+    """An order of the people with a deadline that keeps all deadlines; None: none was found."""
     sure: bool = True
-    """Where none was found: whether there is none."""
+    """If none was found: whether it is certain that there is none."""
 
 
 def punctual(choices: Options, *, ends_s: float = math.inf) -> Punctual:
     """An order of visits that keeps every deadline.
 
     Args:
-        choices: What may be chosen; with bounds in the place of durations, no order is later than it says.
-        ends_s: When the answer is that it is not known, by the machine's clock.
+        choices: The options; with lower bounds as durations, the order's times are lower bounds, too.
+        ends_s: Time limit by the machine's clock, after which the answer is unknown [s].
     """
     if not choices.has_deadlines:
         return Punctual(())
@@ -68,11 +67,11 @@ def punctual(choices: Options, *, ends_s: float = math.inf) -> Punctual:
 
 
 class Deadlines:
-    """Whether some order keeps these deadlines, or others; ways are measured as far as an answer takes them.
+    """Tests sets of deadlines for feasibility, measuring paths only as far as needed.
 
     Args:
-        request: What was asked. People who may be left out at a price are.
-        ends_s: When answers are that it is not known, by the machine's clock.
+        request: The planning request. Optional people are left out.
+        ends_s: Time limit by the machine's clock, after which answers are unknown [s].
     """
 
     def __init__(self, request: VisitRequest, *, ends_s: float = math.inf) -> None:

@@ -1,10 +1,10 @@
-"""An exact search over who was served and where the robot stands: plans visits and answers what-if questions.
+"""The label search, exact over the people served and the robot's position; also for what-if questions.
 
-A label is a way to have served some people and to stand at some spot: what it cost, and the time it took.
-Of the labels with the same people and spot only those stay that no other one beats in both (Held and Karp
-1962 for the order; dominance among labels as in Desrochers and Soumis 1988 for the time). Once everybody
-with a deadline is served, only the cost counts. Equal costs are decided by the law of ties (`choices.ties`),
-as if the cost had further digits. All labels with as many people served are extended together.
+A label is a partial plan: the people served, the robot's position, the cost and the time. Among labels with
+the same people and position only those remain that no other dominates in cost and time (Held and Karp 1962
+for the order; dominance among labels as in Desrochers and Soumis 1988 for the time). Once everyone with a
+deadline is served, only cost counts. Ties in cost are broken as in `choices.ties`, as if the cost had further
+digits. All labels with the same number of people served are extended together.
 """
 
 from __future__ import annotations
@@ -25,37 +25,37 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MOST_LABELS = 500_000
-"""Labels kept for each number of people served: enough to be exact with 12 people.
+"""Maximum number of labels kept per number of people served: enough to be exact with 12 people.
 
-Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is
-the same on every machine.
+If there are more, only the most promising are kept, and the answer is not proven; it is the same on every
+machine.
 """
 MOST_PROVEN = 12
-"""People for whom so many labels are exact within seconds."""
+"""Number of people for which this many labels are exact within seconds."""
 MOST_BY_WAYS = 16
-"""The same where neither deadlines nor priorities count: then few labels promise a cheaper end."""
+"""The same without deadlines and priorities: then few labels are promising."""
 FEWER_LABELS = 4_000
-"""Enough for more people, where the search proves nothing most of the time."""
+"""Maximum number of labels for more people, for whom the search rarely proves optimality."""
 QUICK_LABELS = 1_000
-"""A first look, whose answer bounds the second one."""
+"""Number of labels of a first search, whose answer bounds the second one."""
 NO_LIMIT = 2**60
-"""More than any plan costs, in cm."""
+"""Upper bound of all plan costs [cm]."""
 NO_END = (NO_LIMIT, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
 class Cheapest:
-    """The cheapest way to serve everybody who is left."""
+    """The cheapest way to serve everyone who is left."""
 
     cost: int
-    """In cm, from here on."""
+    """Remaining cost [cm]."""
     stops: tuple[Stop, ...]
     skipped: tuple[str, ...]
-    """Who is left out at their price."""
+    """People left out at their cost."""
     exact: bool
-    """Proven: there is no cheaper one."""
+    """Whether it is proven that there is no cheaper one."""
     in_time: bool = True
-    """False where the search was cut off, so that it may end otherwise another time."""
+    """False if the search was cut off, so that another run may give another result."""
 
 
 def cheapest(
@@ -67,17 +67,17 @@ def cheapest(
     at_most: int = NO_LIMIT,
     ends_s: float = math.inf,
 ) -> Cheapest | None:
-    """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
+    """The cheapest continuation that keeps all deadlines; None if there is none, or none was found.
 
-    Of several that cost the same it is the one that ties go to.
+    Ties are broken as in `choices.ties`.
 
     Args:
-        options: What may be chosen.
-        begun: The visits that were made already.
-        next_person: The person to reach next; None: anybody, or the person for whom it holds something.
-        order: People to reach in this order, with any others between.
-        at_most: What the answer may cost, in cm; a low one makes the search quick.
-        ends_s: When the first answer has to do, by the machine's clock.
+        options: The options.
+        begun: The visits already made.
+        next_person: The person to reach next; None: any, or the person for whom the robot holds something.
+        order: People to reach in this order, with any others in between.
+        at_most: Upper bound of the cost [cm]; a low one makes the search fast.
+        ends_s: Time limit by the machine's clock, after which the first answer counts [s].
     """
     next_person = next_person or options.bearer_of
     table = label_table(options, order)
@@ -87,14 +87,14 @@ def cheapest(
 
 
 def cheapest_or_proof(options: Options, *, ends_s: float = math.inf) -> tuple[Cheapest | None, bool]:
-    """The same for a whole request; and whether it is proven, also that there is none."""
+    """The cheapest plan of a request, and whether it, or that there is none, is proven."""
     table = label_table(options)
     first = first_label(table, (), options)
     return _cheapest(table, first, options.bearer_of, most_labels=most_labels(options), ends_s=ends_s)
 
 
 def most_labels(options: Options) -> int:
-    """How many labels are kept: enough for a proof where that takes seconds."""
+    """Number of labels to keep: enough for a proof if that takes seconds."""
     only_ways = not options.has_deadlines and not options.has_priorities
     return (
         MOST_LABELS if len(options.people) <= (MOST_BY_WAYS if only_ways else MOST_PROVEN) else FEWER_LABELS
@@ -110,14 +110,14 @@ def _cheapest(
     at_most: int = NO_LIMIT,
     ends_s: float,
 ) -> tuple[Cheapest | None, bool]:
-    """A quick answer, and a thorough one where that is not exact; and whether it is."""
+    """A fast search, then a thorough one if it is not exact; and whether the result is proven."""
     try:
         quick, exact = searched(table, first, next_person, at_most=at_most, ends_s=ends_s)
     except TimeoutError:
         return None, False
     if exact:
         return quick, True
-    # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
+    # Labels that cost more than the fast answer cannot be part of a cheaper plan.
     at_most = quick.cost if quick else at_most
     try:
         thorough, exact = searched(
@@ -129,7 +129,7 @@ def _cheapest(
 
 
 def first_look(options: Options, *, ends_s: float = math.inf) -> Cheapest | None:
-    """The same with few labels: an answer soon, which is mostly not exact.
+    """A fast search with few labels; mostly not exact.
 
     Raises:
         TimeoutError: Not soon enough, by the machine's clock.
@@ -160,12 +160,11 @@ def searched(
     Raises:
         TimeoutError: It was given up.
     """
-    # Dynamic programming over sets of people (Held and Karp 1962): how a set was served does not matter for
-    # what comes after it, only where the robot stands, what it cost and when. Labels are taken up by how
-    # many people they have served, because every extension serves more: when a number is taken up, all
-    # labels that lead to it are there, so that dominance is tested once and on whole arrays. The answer is
-    # proven as long as no label but dominated ones, and ones that promise more than `at_most`, was left
-    # out.
+    # Dynamic programming over sets of people (Held and Karp 1962): what follows depends not on how a set was
+    # served, but only on the robot's position, the cost and the time. Labels are processed by the number of
+    # people served, since every extension serves more: when a number is reached, all its labels exist, so
+    # dominance is tested once, on whole arrays. The answer is proven as long as only dominated labels, and
+    # labels that cost more than `at_most`, were dropped.
     waiting: dict[int, list[Labels]] = {first.served_count: [first]}
     kept: list[Labels] = []
     exact = True
@@ -191,7 +190,7 @@ def searched(
 
 
 def _best_end(labels: Labels, level: int, table: LabelTable) -> tuple[int, int, int]:
-    """What the cheapest end costs, with the level and the row of its label, by the law of ties."""
+    """Cost of the cheapest end, with level and row of its label, after tie-breaking."""
     import numpy as np
 
     cost = _ends(labels, table)
@@ -211,7 +210,7 @@ def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
 
 
 def _undominated(labels: Labels, table: LabelTable) -> Labels:
-    """Those that no label with the same people and spot beats in cost, ties included, and in time."""
+    """The Pareto front in cost (with ties) and time among labels with the same people and position."""
     import numpy as np
 
     # Two criteria, cost and time, have a Pareto front and not one best label (Desrochers and Soumis 1988).
@@ -232,7 +231,7 @@ def _undominated(labels: Labels, table: LabelTable) -> Labels:
 
 
 def _promising(labels: Labels, table: LabelTable, at_most: int) -> Labels:
-    """Those that may end at this cost, the cheapest first; leaving people out costs something, too."""
+    """Labels that may end at this cost, cheapest first; leaving people out costs something, too."""
     import numpy as np
 
     promise, waits = labels.cost.copy(), _greeted_before(labels, table)
@@ -276,7 +275,7 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
 
 
 def _greeted_before(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
-    """How many were served on each way, without those whose greeting was over when it began."""
+    """Number of people served in each label, without those greeted before the plan."""
     import numpy as np
 
     counts = np.full(len(labels.served), labels.served_count, dtype=np.int64)
@@ -287,7 +286,7 @@ def _greeted_before(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
 
 
 def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: LabelTable) -> NDArray[np.bool_]:
-    """Whether a person who is left cannot be greeted in time any more, however the robot goes on."""
+    """Whether a remaining person can no longer be greeted in time, whatever the robot does."""
     import numpy as np
 
     late = np.zeros(len(served), dtype=bool)
@@ -297,7 +296,7 @@ def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: Label
 
 
 def _stops(kept: Sequence[Labels], level: int, row: int, table: LabelTable) -> tuple[Stop, ...]:
-    """From a label back to the first."""
+    """The stops from the first label to this one."""
     stops: list[Stop] = []
     labels = kept[level]
     while labels.level[row] >= 0:

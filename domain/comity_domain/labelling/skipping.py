@@ -1,8 +1,8 @@
-"""Who is left out, where the scenario prices that: decided before anything cultural is known.
+"""Dropped visits, if the scenario allows them at a cost: decided before anything cultural is known.
 
-The decision weighs the prices against the ways, priorities and deadlines, and nothing else. Every person is
-reached in the same way and greeted alike, so that exchanging their cultures cannot change who is left out.
-What the plan is like for those who stay is decided afterwards.
+The decision weighs the costs of dropping against paths, priorities and deadlines, and nothing else. All
+people are treated alike in it, so exchanging their cultures cannot change who is left out. The plan for those
+who stay is made afterwards.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from comity_domain.tours.tour import best_tour, path
 
 @dataclass(frozen=True, slots=True)
 class Leaving:
-    """Who is left out."""
+    """The people who are left out."""
 
     names: tuple[str, ...]
     in_time: bool = True
-    """False where the clock cut the decision off, so that it may be another one another time."""
+    """False if the time limit cut the decision off, so that another run may decide otherwise."""
 
 
 def leaving(request: VisitRequest, *, ends_s: float = math.inf) -> Leaving:

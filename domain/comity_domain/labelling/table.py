@@ -35,67 +35,67 @@ if TYPE_CHECKING:
 
 NO_ROUTE = -1
 _BITS = 62
-"""For the digits of an order of people: enough for all turns of 15."""
+"""Bits for the digits of an order of people: enough for all turns of 15."""
 NEVER_MS = 2**50
-"""Later than any time: no deadline."""
+"""A time later than any other: no deadline [ms]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Arrival:
-    """One way to make a visit, to greet its person alone or their company at once."""
+    """One way to make a visit: greeting its person alone, or their group at once."""
 
     spot: int
-    """Where it ends."""
+    """Index of the position where it ends."""
     person: int
     company: int
-    """Its number; -1: the person alone."""
+    """Index of the group; -1: the person alone."""
     bringing: bool
-    """Whether what is offered first is fetched before."""
+    """Whether the first offered object is fetched before."""
     people: int
-    """Bits of those who are greeted."""
+    """People who are greeted, as bits."""
     turn: tuple[int, ...]
-    """Their numbers, the one who is reached first."""
+    """Their indices, the one who is reached first."""
     legs: Whole
-    """From every spot, what the way to the person costs, in cm; `NO_ROUTE` where there is none."""
+    """Cost of the path to the person from every position [cm]; `NO_ROUTE` if there is none."""
     times_ms: Whole
-    """The same in time, with the greeting; 0 where nobody has a deadline."""
+    """Duration of that path including the greeting [ms]; 0 if there are no deadlines."""
     cost: int
-    """Of all else, in cm, without what it costs that others were greeted before."""
+    """All other costs, without that of waiting [cm]."""
     tie: int
-    """What decides between visits of equal cost (`choices.ties`)."""
+    """Tie-break between visits of equal cost (`choices.ties`)."""
     after_ms: int
-    """How long the visit goes on after the greeting."""
+    """Duration of the visit after the greeting [ms]."""
     priority: int
-    """What it costs that others were greeted before, for each person who was."""
+    """Cost for each person who was greeted before [cm]."""
     by_ms: int
-    """The earliest of their deadlines."""
+    """The earliest of their deadlines [ms]."""
     after: int = 0
-    """Bits of those who must be served before, where the scenario or a question wants an order."""
+    """People who must be served before, as bits, if an order is required."""
 
 
 @dataclass(frozen=True, slots=True)
 class LabelTable:
-    """All of a request; people, companies and spots go by their numbers."""
+    """A whole request; people, groups and positions are given by index."""
 
     names: tuple[str, ...]
     companies: tuple[str, ...]
     spots: tuple[Spot, ...]
-    """The last one is START."""
+    """All positions; the last one is START."""
     arrivals: tuple[Arrival, ...]
     with_deadline: int
-    """Bits of people."""
+    """People with a deadline, as bits."""
     latest_departures_ms: Mapping[int, int]
-    """By person with a deadline: a robot that sets out later is late, from wherever."""
+    """By person with a deadline, the latest possible departure from anywhere [ms]."""
     least: tuple[int, ...]
-    """By person, a share of what serving, or leaving out, all those who are left costs at least."""
+    """By person, a share of the minimum cost of serving, or leaving out, all who are left."""
     greeted: int
-    """Bits of those who were greeted before: nobody waits for that any more."""
+    """People who were already greeted, as bits."""
     priorities: tuple[int, ...]
-    """By person, in cm for each who is greeted before; 0 for those who may be left out."""
+    """By person, cost for each person greeted before [cm]; 0 for optional people."""
     by_priority: tuple[int, ...]
-    """All people, those worth most first."""
+    """All people by decreasing priority."""
     skips: tuple[int | None, ...]
-    """By person, what leaving them out costs; None where they must be served."""
+    """By person, cost of leaving them out [cm]; None if they must be served."""
 
     def turns(self, people: Sequence[int], before: int) -> int:
         """The digits of people who are greeted one after the other.

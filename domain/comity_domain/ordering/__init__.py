@@ -1,1 +1,1 @@
-"""The best order of visits, settled once ways are measured; insertion where the search proves nothing."""
+"""The best order of visits, found while measuring paths; insertion and local search for many people."""

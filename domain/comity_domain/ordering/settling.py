@@ -1,9 +1,9 @@
-"""The order of visits where not all ways are measured: measure what the best plan takes, and plan again.
+"""The order of visits if not all paths are measured: measure those of the best plan, and replan.
 
-Planned with bounds, a plan costs no more than with lengths. A cheapest plan all of whose ways are measured is
-therefore the cheapest of all. When time runs out, the best of those plans is taken whose ways are measured,
-and no plan costs less than the last that was planned with bounds. Where the search would not be exact, an
-order that is found at once is measured first, and then what seems cheaper.
+With lower bounds of path lengths, a plan costs no more than with true lengths. So a cheapest plan whose paths
+are all measured is the cheapest of all. When time runs out, the best fully measured plan is taken, and the
+last one planned with bounds gives the lower bound. If the search would not be exact, a quickly found order is
+measured first, and then each that seems cheaper.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from comity_domain.ordering.order import Order
 from comity_domain.problem.request import VisitRequest
 
 Search = Callable[[Options, float], Order]
-"""A search: what may be chosen, and the seconds that are left."""
+"""A search function of the options and the remaining time [s]."""
 SHARE = 0.9
-"""Of the time; the rest is for measuring what else each visit could be like."""
+"""Share of the time for the search; the rest is for measuring alternatives to each visit."""
 LEAST_S = 0.5
-"""Even where time is over a search is given so much."""
+"""Minimum time given to a search [s]."""
 LATE_S = 1.0
-"""So much longer a first order that keeps all deadlines is looked for: late is better than none."""
+"""Extra time for finding a first order that keeps all deadlines [s]: late is better than none."""
 
 
 @dataclass(frozen=True, slots=True)

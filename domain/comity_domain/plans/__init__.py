@@ -1,1 +1,1 @@
-"""The answer: a plan, the same as JSON, its remaining goals, and choices no longer permitted."""
+"""The result of planning: a plan, its JSON form, its remaining goals, and choices no longer permitted."""

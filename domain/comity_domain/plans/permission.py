@@ -1,4 +1,4 @@
-"""What of a plan is no longer permitted, told without planning: dropped where no new plan is to be had."""
+"""Choices of a plan that are no longer permitted, found without planning, so they can always be dropped."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from comity_domain.problem.request import Visitee
 
 
 def not_permitted(plan: Plan, visitees: Mapping[str, Visitee]) -> dict[str, str]:
-    """What is against visits as they are planned: a side or a greeting that is out by now.
+    """Reasons against planned visits: a side or a greeting that is now excluded.
 
     Args:
         plan: Made before something changed.
-        visitees: By name, with what holds now; of others nothing is known.
+        visitees: People with their current facts, by name; nothing is known of others.
 
     Returns:
-        By the person whom the robot would stand before, the first thing that is against it.
+        The first reason, by the person in front of whom the robot would stand.
     """
     found: dict[str, str] = {}
     for step in plan.steps:

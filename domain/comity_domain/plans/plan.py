@@ -14,18 +14,18 @@ SHOWN = 8
 
 @dataclass(frozen=True, slots=True)
 class Alternative(Record):
-    """Another way to do a step, and what it would have cost on top."""
+    """An alternative to a step, with its additional cost."""
 
     arguments: tuple[str, ...]
     extra_cost: int
-    """In plan cost units (1 cm of metre-equivalents); 0 is a tie."""
+    """Additional cost in plan cost units (1 cm of metre-equivalents); 0 is a tie."""
     because: str
-    """Where the price of it comes from: its desirability and the rule behind that."""
+    """Reason for its cost: its desirability and the rule behind it."""
 
 
 @dataclass(frozen=True, slots=True)
 class RuledOut(Record):
-    """A way to do a step that is not open, whatever the cost."""
+    """An alternative that is excluded, whatever its cost."""
 
     arguments: tuple[str, ...]
     reason: str
@@ -33,14 +33,14 @@ class RuledOut(Record):
 
 @dataclass(frozen=True, slots=True)
 class StepExplanation:
-    """Why a step is done this way and not the next best."""
+    """Why a step is done this way and not another."""
 
     text: str
     alternatives: tuple[Alternative, ...]
     """Cheapest first."""
     ruled_out: tuple[RuledOut, ...] = ()
     chosen: str = ""
-    """The part of the text that is about what is done, and not about what else could be."""
+    """The part of the text about the choice itself, without the alternatives."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,43 +51,44 @@ class PlanStep:
     arguments: tuple[str, ...]
     """Robot, person, then the discrete choices: a side, or a company, a modality and a gesture."""
     origin: tuple[str, str] | None
-    """Where the robot comes from, as place and side; None where the action does not move it."""
+    """Origin of the robot's movement, as place and side; None if the action does not move it."""
     parameters: Mapping[str, float | str]
-    """Full precision, in each parameter's own unit; the planner itself saw scaled integers."""
+    """Parameters in full precision, in their own units; the planner used scaled integers."""
     cost: int
     why: StepExplanation
     cost_parts: Mapping[str, int] = field(default_factory=dict)
-    """What the cost is made of, in the same units: the way, dislike of the choice, waiting, nearness."""
+    """Parts of the cost, in the same units: travel, preference cost, waiting, nearness."""
     companions: tuple[str, ...] = ()
-    """Others whom the step serves too, where a company is greeted at once."""
+    """Others served by the step, if a group is greeted at once."""
 
     @property
     def person(self) -> str:
-        """The person before whom the robot stands."""
+        """The person in front of whom the robot stands."""
         return self.arguments[1]
 
     @property
     def people(self) -> tuple[str, ...]:
-        """Everybody whom the step is for, that one first; nobody where it has no second argument."""
+        """Everyone served by the step, that person first; empty if it has no second argument."""
         return (*self.arguments[1:2], *self.companions)
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What the planner found."""
+    """The result of the planner."""
 
     engine: str
     optimal: bool
-    """Proven: no plan for those who are visited costs less; who is left out was settled before, by price."""
+    """Whether it is proven that no plan for the visited people costs less; who is left out was decided
+    before."""
     reproducible: bool
-    """False where a time limit cut the search off, so that another machine may find another plan."""
+    """False if a time limit cut the search off, so that another machine may find another plan."""
     cost: int
-    """The sum over the steps, in cm of metre-equivalents."""
+    """Total cost of the steps, in cm of metre-equivalents."""
     steps: tuple[PlanStep, ...]
     bound: int = 0
-    """No plan costs less than this; equal to the cost where the plan is optimal."""
+    """Lower bound of the cost; equal to the cost if the plan is optimal."""
     killed: bool = False
-    """The engine, a process, was killed from outside; the plan is the best that it had found."""
+    """Whether the engine process was killed; the plan is then the best found before."""
 
     def __repr__(self) -> str:
         steps = [f"{step.action}({', '.join(step.arguments)})" for step in self.steps]
@@ -105,5 +106,5 @@ class Plan:
 
     @property
     def gap(self) -> float:
-        """The share of the cost, in [0, 1], that a better plan could at most save; 0 where it is optimal."""
+        """Relative optimality gap, in [0, 1]; 0 if optimal."""
         return (self.cost - self.bound) / self.cost if self.cost else 0.0

@@ -1,7 +1,7 @@
-"""What else is to be done at a person's visit once they are greeted, in this order.
+"""The agenda of a visit: the tasks after the greeting, in order.
 
-Nothing here depends on culture: what is said, offered and waited for is the scenario's. Culture decides how:
-from which side and how far away, how loud, with which words and gestures.
+Nothing here depends on culture: the scenario decides what is said, offered and waited for. Culture decides
+how: the side, the distance, the volume, the words and gestures.
 """
 
 from __future__ import annotations
@@ -14,15 +14,16 @@ from types import MappingProxyType
 from typing import ClassVar, Literal, Self
 
 Until = Literal["speaks", "moves"]
-"""What ends a pause early, as the robot reads it of the person."""
+"""Events of the person that end a pause early."""
 _UNTIL: Mapping[Until, str] = {"speaks": "says something", "moves": "moves"}
 
 HANDOVER_S = 3.0
-"""Picking something up, and handing it over: what each takes in the computation of deadlines (our choice)."""
+"""Duration of picking something up, and of handing it over, as estimated for deadlines [s] (our choice)."""
 FAREWELL_S = 7.0
-"""Words, a gesture and stepping away, likewise."""
+"""Estimated duration of a farewell: words, a gesture and stepping away [s]."""
 SPEECH_S_PER_CHARACTER = 0.1
-"""Likewise: slow speech at any rate that a rulebook gives, so that culture has no say in deadlines."""
+"""Estimated duration of speech per character [s]: slow at any rate of a rulebook, so that culture does not
+affect deadlines."""
 LEAST_SPEECH_S = 2.0
 
 

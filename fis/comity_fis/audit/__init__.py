@@ -1,7 +1,7 @@
 """Auditing a rulebook: `audit(load_rulebook("bruno2017"))`.
 
-An audit asks nothing of people and says nothing about what is right for them: it shows what a rulebook rests
-on and does, so that those who use it can judge.
+An audit needs no data about people and does not judge what is right for them: it shows what a rulebook is
+based on and what it does, so that its users can judge.
 """
 
 from comity_fis.audit.attributes import Attribute, attributes

@@ -1,6 +1,6 @@
-"""Accuracy on (culture, parameter) tuples: what a rulebook says, held against what studies measured.
+"""Accuracy on (culture, parameter) tuples: a rulebook's predictions compared with measured values.
 
-Studies measure in different ways, so that rows are only ever compared inside their study.
+Studies measure differently, so rows are compared only within their study.
 """
 
 from __future__ import annotations
@@ -22,54 +22,55 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """One measured number beside what the rulebook says, both in the parameter's unit and convention."""
+    """A measured value and the rulebook's prediction, both in the parameter's unit and convention."""
 
     measured: float
     predicted: float
     score: float | None = None
-    """Individualism, which the straight line goes by; None where the row has none."""
+    """Individualism score, the predictor of the straight line; None if the row has none."""
 
     @property
     def error(self) -> float:
-        """Positive where the rulebook says more than was measured."""
+        """Prediction error; positive if the rulebook's value is larger than measured."""
         return self.predicted - self.measured
 
 
 @dataclass(frozen=True, slots=True)
 class StudyAccuracy(Record):
-    """What the rows of one study say about a rulebook. Errors in the parameter's unit."""
+    """Accuracy of a rulebook on the rows of one study. Errors are in the parameter's unit."""
 
     rows: int
     mean_absolute_error: float
     bias: float
-    """Mean error, with its sign."""
+    """Mean signed error."""
     neutral: float
-    """Mean absolute error of the parameter's neutral value: of knowing nothing of anybody."""
+    """Mean absolute error of always predicting the parameter's neutral value."""
     constant: float | None
-    """Mean absolute error of the mean of the study's other rows; None for a single row."""
+    """Mean absolute error of predicting the mean of the study's other rows; None for a single row."""
     line: float | None
-    """The same of a straight line over individualism through the other rows; None where they make none."""
+    """Mean absolute error of a regression line over individualism through the other rows; None if
+    undefined."""
     rank_correlation: RankCorrelation | None
-    """Of predicted and measured; None where all are alike."""
+    """Rank correlation of predicted and measured values; None if all are equal."""
     order: OrderCounts
-    """Of the pairs of rows that were measured differently, or alike."""
+    """Order agreement over the pairs of rows."""
 
 
 def accuracy(
     studies: Mapping[str, Sequence[Compared]], *, band: float, neutral: float
 ) -> dict[str, StudyAccuracy]:
-    """Each study by itself; the order of its rows does not matter.
+    """Accuracy for each study separately; the order of its rows does not matter.
 
     Args:
-        studies: By name, its rows, at least one.
-        band: The largest difference that counts as none, in the parameter's unit.
-        neutral: What the rulebook says of a person of whom nothing is known.
+        studies: Rows of each study, at least one, by name.
+        band: Largest difference that counts as none, in the parameter's unit.
+        neutral: The rulebook's value for a person about whom nothing is known.
     """
     return {name: study_accuracy(rows, band, neutral) for name, rows in studies.items()}
 
 
 def study_accuracy(rows: Sequence[Compared], band: float, neutral: float) -> StudyAccuracy:
-    """What the rows of one study say."""
+    """Accuracy on the rows of one study."""
     rows = sorted(rows, key=lambda row: (row.measured, row.predicted, _number(row.score)))
     measured, predicted = _column(row.measured for row in rows), _column(row.predicted for row in rows)
     errors = [row.error for row in rows]
@@ -86,10 +87,10 @@ def study_accuracy(rows: Sequence[Compared], band: float, neutral: float) -> Stu
 
 
 def constant_error(measured: Floats) -> float | None:
-    """Mean absolute error of saying, for each row, the mean of the others.
+    """Mean absolute error of predicting, for each row, the mean of the others.
 
-    It needs no correlation beside it: leaving a row out moves the mean away from that row, so that the order
-    of these predictions is always the opposite of what was measured.
+    There is no correlation for it: leaving a row out moves the mean away from that row, so these predictions
+    always have the opposite order of the measurements.
     """
     rows = len(measured)
     if rows < 2:
@@ -98,11 +99,11 @@ def constant_error(measured: Floats) -> float | None:
 
 
 def line_error(scores: Floats, measured: Floats) -> float | None:
-    """Mean absolute error of saying, for each row, what a line of least squares through the others says.
+    """Mean absolute error of predicting each row by a least-squares line through the others.
 
-    A row's residual when it is left out is its residual over 1 - h, h being its leverage (Belsley, Kuh,
-    Welsch 1980). None where a row has no score, or where the others of some row share one score: no line goes
-    through them.
+    The leave-one-out residual of a row is its residual divided by 1 - h, where h is its leverage (Belsley,
+    Kuh, Welsch 1980). None if a row has no score, or if the others of some row share one score, so that no
+    line is defined.
     """
     rows = len(scores)
     if rows < 3 or np.isnan(scores).any():
@@ -117,7 +118,7 @@ def line_error(scores: Floats, measured: Floats) -> float | None:
 
 
 def order_of(measured: Floats, predicted: Floats, band: float) -> OrderCounts:
-    """How the order of every pair of rows comes out, each pair once; what was measured equal has none."""
+    """Agreement in order for every pair of rows, each pair once; pairs measured as equal are skipped."""
     counts = OrderCounts(0, 0, 0)
     for i in range(len(measured) - 1):
         found = directions(measured[i + 1 :] - measured[i], band)

@@ -1,4 +1,4 @@
-"""Agreement on words: how often a rulebook names the category that a study reports."""
+"""Agreement on categories: how often a rulebook predicts the category that a study reports."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from comity_fis.record import Record
 
 @dataclass(frozen=True, slots=True)
 class StudyAgreement(Record):
-    """What the rows of one study say about a nominal parameter."""
+    """Agreement of a nominal parameter with the rows of one study."""
 
     rows: int
     hits: int
-    """Rows of which the rulebook says what was reported."""
+    """Number of rows predicted correctly."""
     constant_hits: int | None
-    """Hits of saying, for each row, the most frequent word of the study's other rows; several that are
-    equally frequent are no answer, and no hit. None for a single row."""
+    """Hits of predicting, for each row, the most frequent word of the study's other rows; a tie counts as no
+    hit. None for a single row."""
 
 
 def agreement(pairs: Sequence[tuple[str, str]]) -> StudyAgreement:
-    """How far two rows of words are the same.
+    """Agreement between reported and predicted words.
 
     Args:
-        pairs: For each row what was reported, and what the rulebook says.
+        pairs: For each row the reported and the predicted word.
     """
     reported = Counter(word for word, _ in pairs)
     constant = sum(_only_mode(reported - Counter([word])) == word for word, _ in pairs)

@@ -1,7 +1,7 @@
-"""Attributes: what a person may say of themselves, or what holds of a meeting, as columns of people.
+"""Attributes: facts about a person or a meeting, as columns of values for batch inference.
 
-Several variables may follow from one fact: a named culture gives its name and its score at once. An
-audit changes the fact, and all of them with it.
+Several variables may derive from one fact: a named culture gives its name and its score. An audit varies the
+fact, and all of them with it.
 """
 
 from __future__ import annotations
@@ -22,26 +22,26 @@ if TYPE_CHECKING:
     from comity_fis.rulebook.rulebook import Rulebook
 
 GRID = 49
-"""Even places over the domain of a number, beside the knots of its terms."""
+"""Number of evenly spaced values over the domain of a number, besides the knots of its terms."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Attribute:
-    """One fact that can be disclosed, with every value that it may have."""
+    """One fact that can be disclosed, with all its possible values."""
 
     name: str
     kind: Literal["culture", "situation"]
     labels: tuple[str, ...]
-    """Of its values: a country's code, a category, a number."""
+    """Labels of its values: a country's code, a category, a number."""
     columns: Mapping[str, NDArray[Any]]
-    """By variable that follows from it, one entry per value and a last one for not disclosed: numbers, or the
-    numbers of categories."""
+    """Values of each derived variable: one entry per value of the fact, and a last one for undisclosed;
+    numbers, or indices of categories."""
     levels: tuple[int, ...]
-    """Places of the values that stand for all where another attribute is looked at: every word and culture;
-    of a number one for each term."""
+    """Indices of representative values, used when another attribute is varied: every word and culture; of a
+    number one per term."""
 
     def facts(self, place: int) -> dict[str, object]:
-        """The variables of a person who disclosed the value at a place; what has none is left out."""
+        """The variables of a person who disclosed the value at an index; missing ones are left out."""
         told = {name: column.item(place) for name, column in self.columns.items()}
         return {
             name: value
@@ -51,7 +51,7 @@ class Attribute:
 
 
 def attributes(rulebook: Rulebook) -> dict[str, Attribute]:
-    """Everything that can be disclosed, in the order of the variables."""
+    """All facts that can be disclosed, in the order of the variables."""
     groups: dict[str, list[Variable]] = {}
     for variable in rulebook.variables.values():
         fact = variable.derived_from.fact if variable.derived_from else variable.name
@@ -79,7 +79,7 @@ def _attribute(fact: str, variables: Sequence[Variable]) -> Attribute:
 
 
 def _table(variable: Variable) -> PopulationTable[Score] | None:
-    """The table of scores that translates the fact; None where the fact is the value itself."""
+    """The score table that translates the fact; None if the fact is the value itself."""
     return variable.derived_from.table if variable.derived_from else None
 
 
@@ -110,7 +110,7 @@ def _number(fact: str, variable: NumericVariable) -> Attribute:
 
 
 def _middle(degrees: Sequence[float]) -> int:
-    """The place in the middle of those with the largest degree."""
+    """The middle index of those with the largest degree."""
     best = max(degrees)
     places = [i for i, degree in enumerate(degrees) if best - degree < 1e-9]
     return places[len(places) // 2]

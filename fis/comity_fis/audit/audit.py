@@ -1,4 +1,4 @@
-"""The audit of a rulebook: what it rests on, whom it covers, what it contradicts, what it does to people."""
+"""The audit of a rulebook: its evidence, coverage, contradictions, and effects on people."""
 
 from __future__ import annotations
 
@@ -21,28 +21,28 @@ if TYPE_CHECKING:
     from comity_fis.rulebook.rulebook import Rulebook
 
 COMPARED = (CULTURE, "gender")
-"""Attributes of which every pair of values is compared."""
+"""Attributes for which every pair of values is compared."""
 
 
 @dataclass(frozen=True, slots=True)
 class Audit(Record):
-    """Everything that an audit finds about one rulebook."""
+    """All results of an audit of one rulebook."""
 
     rulebook: str
     evidence: EvidenceCount
     coverage: Coverage
     conflicts: tuple[Conflict, ...]
     effects: tuple[Effect, ...]
-    """By parameter, for each attribute that can change it; all other attributes change nothing."""
+    """By parameter, for each attribute that can change it; all others change nothing."""
     pairs: tuple[Pairs, ...]
-    """By parameter, for nationality and gender where they can change it."""
+    """By parameter, for nationality and gender if they can change it."""
     findings: HeldToFindings
     empty_terms: Mapping[str, tuple[str, ...]]
-    """By parameter, terms that are 0 everywhere in its range: rules that conclude them change nothing."""
+    """By parameter, terms that are 0 everywhere in its range, so rules that conclude them have no effect."""
 
 
 def audit(rulebook: Rulebook) -> Audit:
-    """Look at a rulebook from all sides; nothing in it is random, and nothing is asked of anybody."""
+    """Run all audits of a rulebook; deterministic, and without data about people."""
     known = attributes(rulebook)
     effects: list[Effect] = []
     compared: list[Pairs] = []

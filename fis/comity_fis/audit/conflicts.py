@@ -1,4 +1,4 @@
-"""Contradictions: rules that hold for one person at once and want things that exclude each other."""
+"""Contradictions: rules that fire together for one person with incompatible conclusions."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
     from comity_fis.variables.parameter import Parameter
 
 HALF = 0.5
-"""Two rules contradict each other where both hold to more than this, and no value belongs to both of what
-they conclude to more than this (our choice). Neighbouring terms that meet at a half do not."""
+"""Two rules contradict each other if both fire with more than this strength, and no value belongs to both
+conclusions to more than this degree (our choice). Neighbouring terms that cross at 0.5 do not contradict."""
 MOST = 2000
-"""People who are tried for one parameter; of more, a sample with a fixed seed is taken."""
+"""Maximum number of combinations tried per parameter; beyond it, a sample with a fixed seed is used."""
 POINTS = 401
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Conflict(Record):
-    """Two rules that fire together for different things."""
+    """Two rules that fire together with incompatible conclusions."""
 
     parameter: str
     first: int
@@ -41,16 +41,16 @@ class Conflict(Record):
     first_term: str
     second_term: str
     people: int
-    """Of those tried, for how many both hold to more than a half."""
+    """Number of tried people for whom both fire with more than 0.5."""
     tried: int
     strength: float
-    """Of the weaker rule, where it is largest."""
+    """Largest strength of the weaker rule."""
     example: Mapping[str, str]
-    """Facts about a person of whom that is so."""
+    """Facts about an example person."""
 
 
 def conflicts(rulebook: Rulebook, known: Mapping[str, Attribute]) -> tuple[Conflict, ...]:
-    """Try everybody of whom all that matters is known, parameter by parameter."""
+    """Search all fully known people for conflicts, parameter by parameter."""
     return tuple(
         conflict
         for parameter in rulebook.parameters.values()
@@ -92,7 +92,7 @@ def _of_parameter(
 def _holding(
     rulebook: Rulebook, parameter: Parameter, decides: Mapping[str, Attribute], places: list[int]
 ) -> list[tuple[FiredRule, str]]:
-    """Rules that hold to more than a half for one person, each with a term that it concludes."""
+    """Rules that fire with more than 0.5 for one person, each with a term that it concludes."""
     facts: dict[str, object] = {}
     for attribute, place in zip(decides.values(), places, strict=True):
         facts |= said(rulebook, attribute, place)
@@ -108,7 +108,7 @@ def _holding(
 
 
 def _exclude(parameter: Parameter, first: str, second: str) -> bool:
-    """Whether no value belongs to both terms to more than a half; terms of different scales are no choice."""
+    """Whether no value belongs to both terms to more than 0.5; False for terms of different scales."""
     if first == second:
         return False
     if not isinstance(parameter, NumericParameter):
@@ -124,6 +124,6 @@ def _exclude(parameter: Parameter, first: str, second: str) -> bool:
 
 
 def _common(one: NumericMembership, other: NumericMembership, domain: Interval) -> float:
-    """The largest degree to which one value belongs to both."""
+    """Largest degree to which one value belongs to both terms."""
     places = [*np.linspace(domain.low, domain.high, POINTS).tolist(), *one.knots, *other.knots]
     return max(min(one(place), other(place)) for place in places if place in domain)

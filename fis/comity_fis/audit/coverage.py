@@ -1,4 +1,4 @@
-"""Coverage: people whom the rules know anything about, and people met with the neutral value."""
+"""Coverage: for which people rules apply, and who gets the neutral value."""
 
 from __future__ import annotations
 
@@ -21,36 +21,36 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Reached(Record):
-    """People of whom one fact alone is known, and one parameter."""
+    """Coverage of one parameter if a single fact is known."""
 
     parameter: str
     attribute: str
     values: int
-    """Of the attribute; of a number, one for each term."""
+    """Number of values of the attribute; of a number, one per term."""
     neutral: tuple[str, ...]
-    """Those with whom the neutral value stands."""
+    """Number of values for which a rule applies."""
 
 
 @dataclass(frozen=True, slots=True)
 class Coverage(Record):
-    """The people whom a rulebook knows anything about."""
+    """The people covered by a rulebook."""
 
     scored: int
-    """Rows of the tables of scores, each culture once."""
+    """Number of rows of the score tables, each culture once."""
     cultures: int
-    """Of them, those that change something when they are all that is known."""
+    """Number of them that change something when only the culture is known."""
     named: tuple[str, ...]
-    """Cultures that a rule names, alone or in a group."""
+    """Cultures named by a rule, alone or in a group."""
     alone: tuple[Reached, ...]
     """By parameter, for each attribute that can change it."""
     unread: Mapping[str, tuple[str, ...]]
-    """By parameter, attributes that change nothing about it."""
+    """By parameter, attributes without effect on it."""
     unruled: tuple[str, ...]
-    """Parameters that nothing decides: everybody gets the neutral value."""
+    """Parameters without any rule: everyone gets the neutral value."""
 
 
 def coverage(rulebook: Rulebook, known: Mapping[str, Attribute]) -> Coverage:
-    """Disclose one fact at a time and see what is decided."""
+    """Compute the coverage by disclosing one fact at a time."""
     scored = _scored(rulebook)
     deciding = {name: decided_by(rulebook, name, known) for name in rulebook.parameters}
     alone = tuple(

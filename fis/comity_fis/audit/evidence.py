@@ -1,4 +1,4 @@
-"""Evidence by grade: what the rules of a rulebook rest on."""
+"""Evidence by grade: how well the rules of a rulebook are supported."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvidenceCount(Record):
-    """The rules of one rulebook, by how well they are supported."""
+    """The rules of one rulebook, by grade of evidence."""
 
     grades: Mapping[Evidence, tuple[int, ...]]
-    """Numbers of the rules that decide something, by grade, strongest grade first."""
+    """Numbers of active rules by grade, strongest grade first."""
     off: Mapping[Evidence, tuple[int, ...]]
-    """Numbers of the rules that are there and decide nothing."""
+    """Numbers of inactive rules by grade."""
     parameters: Mapping[str, Mapping[Evidence, int]]
-    """By parameter, how many rules of each grade decide it."""
+    """By parameter, number of active rules of each grade."""
     with_counter_evidence: int
-    """Deciding rules that name what speaks against them."""
+    """Number of active rules with counter-evidence."""
 
 
 def count_evidence(rulebook: Rulebook) -> EvidenceCount:
@@ -46,7 +46,7 @@ def count_evidence(rulebook: Rulebook) -> EvidenceCount:
 
 
 def deciding_rules(rulebook: Rulebook) -> frozenset[int]:
-    """The numbers of the rules that are on."""
+    """Numbers of the active rules."""
     return frozenset(rule.number for rule in rulebook.rules if rule.enabled)
 
 

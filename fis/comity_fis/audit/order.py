@@ -1,6 +1,6 @@
-"""Order between two values: whether what a rulebook says goes the way that was measured.
+"""Order agreement: whether predicted differences have the measured sign.
 
-Where a study reports only which of two groups was larger, order is all that a rulebook can be held to.
+If a study reports only which of two groups was larger, order is all that can be tested.
 """
 
 from __future__ import annotations
@@ -16,28 +16,28 @@ from comity_fis.record import Record
 from comity_fis.variables.parameter import NumericParameter
 
 Verdict = Literal["agreeing", "contradicting", "equal"]
-"""equal: a difference was found, and the rulebook makes none."""
+"""equal: a difference was measured, but the rulebook predicts none."""
 
 BAND_M = 0.01
-"""Two distances that differ by no more count as equal (our choice): about what a robot can hold."""
+"""Distances that differ by no more than this count as equal [m] (our choice): about a robot's precision."""
 BAND_SHARE = 0.01
-"""The same of any other parameter, as a share of what its rules can give (our choice)."""
+"""The same for other parameters, as a share of the range that their rules can give (our choice)."""
 ROUNDING = 1e-9
-"""Of the band: 0.66 - 0.65 is not above 0.01."""
+"""Rounding tolerance of the band: 0.66 - 0.65 is not above 0.01."""
 
 
 @dataclass(frozen=True, slots=True)
 class OrderCounts(Record):
-    """How many pairs went which way."""
+    """Number of pairs by verdict."""
 
     agreeing: int
     contradicting: int
     equal: int
-    """Pairs of which a difference was found, and the rulebook makes none."""
+    """Pairs with a measured difference for which the rulebook predicts none."""
 
     @property
     def pairs(self) -> int:
-        """All of them."""
+        """Total number of pairs."""
         return self.agreeing + self.contradicting + self.equal
 
     def __add__(self, other: OrderCounts) -> OrderCounts:
@@ -49,7 +49,7 @@ class OrderCounts(Record):
 
 
 def counted(verdicts: Iterable[Verdict]) -> OrderCounts:
-    """How often each verdict came."""
+    """Count the verdicts."""
     said = list(verdicts)
     return OrderCounts(said.count("agreeing"), said.count("contradicting"), said.count("equal"))
 
@@ -67,17 +67,17 @@ def direction(difference: float, band: float) -> int:
 
 
 def directions(differences: NDArray[np.float64], band: float) -> NDArray[np.float64]:
-    """The same of many."""
+    """`direction` for an array."""
     return np.sign(differences) * (np.abs(differences) > band * (1 + ROUNDING))
 
 
 def verdict(found: int, predicted: float, band: float) -> Verdict:
-    """How a predicted difference stands to the direction that was found.
+    """Compare a predicted difference with the measured direction.
 
     Args:
-        found: 1, -1, or 0 where the study found both alike.
-        predicted: The rulebook's difference, in the same sense.
-        band: In the same unit, what counts as no difference.
+        found: 1, -1, or 0 if the study found no difference.
+        predicted: The rulebook's difference, with the same sign convention.
+        band: Largest difference that counts as none, in the same unit.
     """
     said = direction(predicted, band)
     if said == found:

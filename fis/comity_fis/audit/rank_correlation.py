@@ -1,4 +1,4 @@
-"""Spearman's rank correlation with an interval that stays honest for few rows."""
+"""Spearman's rank correlation with a confidence interval that is valid for few rows."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from math import atanh, sqrt, tanh
 from comity_fis.record import Record
 
 Z = 1.959963984540054
-"""Of the standard normal distribution, for an interval of 95 %."""
+"""Quantile of the standard normal distribution for a 95 % interval."""
 DIGITS = 12
-"""After the point: what lies behind them is the arithmetic's, and would make 1 a little less."""
+"""Decimals kept: later digits are rounding errors, which would make 1 slightly less."""
 FEWEST = 4
-"""Rows below which there is no interval: its standard error divides by n - 3."""
+"""Minimum number of rows for an interval: its standard error divides by n - 3."""
 
 
 @dataclass(frozen=True, slots=True)
 class RankCorrelation(Record):
-    """How far two rows of numbers have one order."""
+    """Agreement in order of two series of numbers."""
 
     value: float
     """From -1 (opposite) to 1 (the same order)."""

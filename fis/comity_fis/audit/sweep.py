@@ -1,4 +1,4 @@
-"""Sweeps: one parameter while only one attribute changes, for everybody in whom the rest stays as it is."""
+"""Sweeps: one parameter as a function of one attribute, with all other facts fixed."""
 
 from __future__ import annotations
 
@@ -18,30 +18,29 @@ if TYPE_CHECKING:
     from comity_fis.rulebook.rulebook import Rulebook
 
 MOST = 50_000
-"""People in one sweep; of more, a sample with a fixed seed is taken."""
+"""Maximum number of people in one sweep; beyond it, a sample with a fixed seed is used."""
 MOST_SLOWLY = 5000
-"""The same where a parameter has no closed form: a person then takes 0.1 ms."""
+"""The same for parameters without a closed form, which take 0.1 ms per person."""
 
 UNSAID = "not disclosed"
 
 
 @dataclass(frozen=True, slots=True)
 class Sweep:
-    """One parameter of many people, in rows that differ in one attribute alone."""
+    """One parameter for many people; each row varies one attribute alone."""
 
     attribute: Attribute
     others: tuple[Attribute, ...]
-    """What else decides the parameter."""
+    """Other attributes that affect the parameter."""
     contexts: NDArray[np.int64]
-    """Rows: what is the same along a row of values; columns: places of the other attributes' values, -1 for
-    not disclosed."""
+    """Rows: fixed contexts; columns: indices of the other attributes' values, -1 for undisclosed."""
     values: NDArray[Any]
     """One row per context, one column per value of the attribute."""
     complete: bool
-    """Whether every combination is there."""
+    """Whether all combinations are included."""
 
     def context(self, row: int) -> dict[str, str]:
-        """What is known in one row beside the attribute."""
+        """Known facts of one row, apart from the attribute."""
         return {
             other.name: UNSAID if place < 0 else other.labels[place]
             for other, place in zip(self.others, self.contexts[row].tolist(), strict=True)
@@ -49,13 +48,13 @@ class Sweep:
 
 
 def decided_by(rulebook: Rulebook, parameter: str, known: Mapping[str, Attribute]) -> dict[str, Attribute]:
-    """The attributes that can change a parameter, also through other parameters and through guards."""
+    """The attributes that can change a parameter, also via other parameters and guards."""
     inputs = set(reading(rulebook, rulebook.infer({}), parameter).inputs)
     return {name: attribute for name, attribute in known.items() if inputs & attribute.columns.keys()}
 
 
 def sweep(rulebook: Rulebook, parameter: str, attribute: Attribute, others: Sequence[Attribute]) -> Sweep:
-    """Change one attribute over all its values, for every combination of the others' levels."""
+    """Vary one attribute over all its values, for every combination of the others' levels."""
     choices = [np.array([-1, *other.levels]) for other in others]
     width = len(attribute.labels)
     contexts, complete = combinations(choices, max(1, (MOST if is_quick(rulebook) else MOST_SLOWLY) // width))
@@ -70,7 +69,7 @@ def sweep(rulebook: Rulebook, parameter: str, attribute: Attribute, others: Sequ
 
 
 def is_quick(rulebook: Rulebook) -> bool:
-    """Whether every number has a closed form."""
+    """Whether all numeric parameters have a closed form."""
     return all(
         block.form is not None
         for block in rulebook.program.blocks.values()

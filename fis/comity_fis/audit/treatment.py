@@ -1,4 +1,4 @@
-"""How differently people are treated who differ in one attribute alone."""
+"""Differences in treatment between people who differ in one attribute alone."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ if TYPE_CHECKING:
     from comity_fis.variables.parameter import Parameter
 
 ALIKE = 1e-9
-"""Numbers closer than that share of the parameter's range are one treatment."""
+"""Values closer than this share of the parameter's range count as equal treatment."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect(Record):
-    """What one attribute can do to one parameter, everything else being equal."""
+    """The effect of one attribute on one parameter, all else being equal."""
 
     parameter: str
     attribute: str
     people: int
-    """For whom it was tried: combinations of what else decides the parameter."""
+    """Number of combinations of the other relevant facts that were tried."""
     complete: bool
-    """Whether these are all combinations of levels, and not a sample."""
+    """Whether these are all combinations of levels, not a sample."""
     changed: float
-    """The share of them whose treatment depends on the attribute."""
+    """Share of them for which the attribute makes a difference."""
     largest: float | None
-    """Of the ranges of the value, in the parameter's unit; None for a nominal parameter."""
+    """Largest range of the value, in the parameter's unit; None for a nominal parameter."""
     median: float | None
     relative: float | None
-    """The largest range as a share of what the rules can give."""
+    """Largest range as a share of the range that the rules can give."""
     words: int | None
-    """Of a nominal parameter, the most different words that one person can get."""
+    """For a nominal parameter, the largest number of different words for one person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +47,9 @@ class UnequalPair(Record):
 
     first: str
     second: str
-    """Their values of the attribute."""
+    """Values of the attribute."""
     otherwise: Mapping[str, str]
-    """What is the same about them."""
+    """The facts that they share."""
     first_value: float | str
     second_value: float | str
 
@@ -63,7 +63,7 @@ class Pairs(Record):
     pairs: int
     complete: bool
     differing: float
-    """The share of pairs that are not treated alike."""
+    """Share of pairs that are treated differently."""
     largest: float | None
     """Difference, in the parameter's unit; None for a nominal parameter."""
     median: float | None
@@ -72,7 +72,7 @@ class Pairs(Record):
 
 
 def effect(parameter: Parameter, swept: Sweep) -> Effect:
-    """How far a parameter moves when the attribute takes all its values."""
+    """Effect on a parameter when the attribute takes all its values."""
     numeric = isinstance(parameter, NumericParameter)
     values = swept.values
     if numeric:
@@ -95,7 +95,7 @@ def effect(parameter: Parameter, swept: Sweep) -> Effect:
 
 
 def pairs(parameter: Parameter, swept: Sweep) -> Pairs:
-    """Every pair of values of the attribute, for everybody else being equal."""
+    """Compare every pair of values of the attribute, all else being equal."""
     numeric = isinstance(parameter, NumericParameter)
     first, second = np.triu_indices(len(swept.attribute.labels), k=1)
     one, other = swept.values[:, first], swept.values[:, second]

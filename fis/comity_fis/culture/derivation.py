@@ -1,4 +1,4 @@
-"""Facts that follow from others: a named culture has its score, through whatever door it is named."""
+"""Facts derived from others: a named culture has a score, whichever way it is named."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from comity_fis.variables.variable import NominalVariable, NumericVariable, Vari
 
 
 class Derived(NamedTuple):
-    """What follows from a fact for one variable."""
+    """The value of one variable derived from a fact."""
 
     value: object
-    """None where nothing follows."""
+    """The value; None if nothing follows."""
     source: str = ""
-    """Where a score comes from."""
+    """Source of a score."""
     note: str = ""
-    """Why nothing follows."""
+    """Reason why nothing follows."""
 
 
 def derived(variable: Variable, fact: object, variables: Mapping[str, Variable]) -> Derived:
-    """What a fact says of a variable that is derived from it.
+    """The value of a variable derived from a fact.
 
     Args:
         variable: With a derivation.
-        fact: As it was told.
-        variables: Of the rulebook: the fact may be one of its own words, which no table of scores has.
+        fact: The disclosed fact.
+        variables: Variables of the rulebook: the fact may be one of its own words, which no score table has.
 
     Raises:
         InputError: if a table translates the fact, and it is a code that no country has.

@@ -14,10 +14,10 @@ from comity_fis.defuzzification.outline import SAME, sampled
 
 @dataclass(frozen=True, slots=True)
 class MixedCurve:
-    """Desirability that several cultures of one person give together.
+    """Combined desirability for several cultures of one person.
 
-    Heights, areas and outlines are exact where every curve is made of straight lines; of a curved one they
-    come from the 101 points of its outline.
+    Heights, areas and outlines are exact for piecewise-linear curves; for other curves they use the 101
+    points of the outline.
     """
 
     parts: tuple[tuple[float, Curve], ...]
@@ -34,7 +34,7 @@ class MixedCurve:
         return fsum(share * curve(x) for share, curve in self.parts)
 
     def height(self, low: float, high: float) -> float:
-        """The largest desirability in [low, high]: it stands at an end or where some curve bends."""
+        """Maximum desirability in [low, high], which is at an end or at a corner of some curve."""
         start, end = self.domain
         low, high = max(low, start), min(high, end)
         if low > high:
@@ -43,7 +43,7 @@ class MixedCurve:
         return max(self(x) for x in (low, *bends, high))
 
     def centroid(self, low: float, high: float) -> float | None:
-        """The centre of area over [low, high]; None where there is no area."""
+        """Centroid of the area over [low, high]; None if there is no area."""
         start, end = self.domain
         low, high = max(low, start), min(high, end)
         if not low < high:
@@ -61,7 +61,7 @@ class MixedCurve:
 
     @property
     def outline(self) -> tuple[Point, ...]:
-        """Points that straight lines join to the curve; a jump has two at the same value."""
+        """Points of the curve as a polyline; a jump has two points at the same value."""
         lines = [(share, curve.outline) for share, curve in self.parts]
         places = sorted({x for _, points in lines for x, _ in points})
         found: list[Point] = []

@@ -1,9 +1,9 @@
-"""Several cultures in one person: each is asked by itself, and the answers are combined by weight.
+"""Several cultures of one person: inference runs for each, and the results are combined by weight.
 
-A number is the weighted mean of the parts' numbers and its desirability the weighted sum of their curves; a
-word is the one whose weighted desirability is largest, and ties go to the neutral one. That people of several
-cultures lie between them is our own choice; no number leaves the range of the parts, and no word's
-desirability does, so that a word which suits both fairly may win over one that suits a single part best.
+A number is the weighted mean of the parts' numbers, and its desirability the weighted sum of their curves. A
+word is the one with the largest weighted desirability; ties go to the neutral one. That people of several
+cultures lie between them is our own choice. No number leaves the range of the parts, nor does the
+desirability of any word, so a word that suits both fairly may win over one that suits a single part best.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from comity_fis.variables.parameter import NominalParameter, Parameter
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One culture of a person, and what it gives."""
+    """One culture of a person, with its inference."""
 
     name: str
-    """In the person's words."""
+    """Name in the person's words."""
     weight: float
-    """Above 0; only proportions count."""
+    """Weight, above 0; only proportions count."""
     inference: Inference
 
     def __post_init__(self) -> None:
@@ -38,7 +38,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class _Share:
-    """What one part says about one parameter."""
+    """The result of one part for one parameter."""
 
     name: str
     share: float
@@ -46,7 +46,7 @@ class _Share:
 
 
 def mixed(parts: Sequence[Part], parameters: Mapping[str, Parameter]) -> Inference:
-    """One inference from those of several cultures.
+    """Combine the inferences of several cultures.
 
     Args:
         parts: At least one, all from the same rulebook and mode.
@@ -71,7 +71,7 @@ def mixed(parts: Sequence[Part], parameters: Mapping[str, Parameter]) -> Inferen
 
 
 def _sources(parts: Sequence[Part]) -> Mapping[str, str]:
-    """Of every variable those of all parts, each once."""
+    """Sources of every variable over all parts, each once."""
     told: dict[str, dict[str, None]] = {}
     for part in parts:
         for name, source in part.inference.sources.items():
@@ -126,7 +126,7 @@ def _word(parameter: NominalParameter, shares: Sequence[_Share]) -> ParameterVal
 
 
 def _contributions(shares: Sequence[_Share]) -> list[Contribution]:
-    """The start of every part as one, then the steps of each origin as one; they add up to the mean."""
+    """The combined starting values, then the combined steps by origin; they add up to the mean."""
     starts = [(one, one.value.contributions[0]) for one in shares]
     steps = [(one, step) for one in shares for step in one.value.contributions[1:]]
     by_origin = [
@@ -160,9 +160,9 @@ def _most_telling(origins: Sequence[Origin]) -> Origin:
 
 
 def _spread(shares: Sequence[_Share], mean: float) -> float | None:
-    """Of a population mixed in these shares (the law of total variance).
+    """Standard deviation in a population mixed in these shares (law of total variance).
 
-    What was learnt with the person is about the person, not a population: it stands where the parts agree.
+    What was learnt with the person concerns the person, not a population: it is kept if the parts agree.
     """
     spreads = [one.value.spread or 0.0 for one in shares]
     learnt = any(step.origin == "learnt" for one in shares for step in one.value.contributions)

@@ -1,1 +1,1 @@
-"""The set that rules give together, its desirability curve, and the one number that stands for it."""
+"""Defuzzification: the aggregated output set, its desirability curve, and the resulting number."""

@@ -1,10 +1,9 @@
-"""The centre of area of cut trapezoids as polynomials of the heights at which they are cut.
+"""The centre of area of clipped trapezoids in closed form, as polynomials of the clipping heights.
 
-Where only neighbours overlap, the largest of the terms is their sum less the overlaps of neighbours. Each
-term and each overlap is a stack of alpha-cuts [left, right] whose ends move linearly with the height, so that
-its area and its moment are polynomials: no search for corners, nothing to branch on, and the same lines serve
-one number and a whole column of them. Singletons have no area: each counts by its height, as a stack of
-alpha-cuts would that is 1 wide.
+If only neighbouring terms overlap, their maximum is their sum minus the overlaps of neighbours. Each term and
+each overlap is a stack of alpha-cuts [left, right] whose ends are linear in the height, so area and moment
+are polynomials: no search for corners, no branches, and the same code serves scalars and columns. Singletons
+have no area: each counts by its height, like a stack of alpha-cuts of width 1.
 """
 
 from __future__ import annotations
@@ -28,14 +27,14 @@ else:
     Height = TypeVar("Height")
 
 
-# Plain tuples: every inference unpacks them, and Python takes twice as long for named ones.
+# Plain tuples: every inference unpacks them, and named tuples take twice as long.
 
 Stack = tuple[float, float, float, float, float]
-"""Of alpha-cuts from 0 up to a height h: area h (a1 + a2 h) and moment h (m1 + h (m2 + h m3)), as a1, a2, m1,
-m2, m3."""
+"""Coefficients a1, a2, m1, m2, m3 of the alpha-cuts from 0 to a height h: area h (a1 + a2 h) and moment h (m1
++ h (m2 + h m3))."""
 
 Overlap = tuple[str, str, float, Stack]
-"""What two neighbouring terms share: alpha-cuts up to the lower of their heights, at most up to the peak.
+"""Overlap of two neighbouring terms: alpha-cuts up to the lower of their heights, at most up to the peak.
 
 The left term and the right one; the peak, where their edges cross, in (0, 1]; the alpha-cuts.
 """
@@ -43,17 +42,17 @@ The left term and the right one; the peak, where their edges cross, in (0, 1]; t
 
 @dataclass(frozen=True, slots=True)
 class ClosedForm:
-    """The terms of one parameter."""
+    """The terms of one parameter in closed form."""
 
     low: float
-    """Where the range starts: moments are taken about it."""
+    """Start of the range, about which moments are taken."""
     high: float
     stacks: tuple[tuple[str, Stack], ...]
-    """By term, from left to right."""
+    """Alpha-cut stacks by term, from left to right."""
     overlaps: tuple[Overlap, ...]
 
     def centre(self, strengths: Mapping[str, float]) -> float | None:
-        """The centre of area of the terms, cut at their strengths; None where there is no area."""
+        """Centre of area of the terms, clipped at their strengths; None if there is no area."""
         area, moment = self.area_and_moment(strengths, min)
         if not area > 0:
             return None
@@ -68,7 +67,8 @@ class ClosedForm:
         """Area, and moment about `low`.
 
         Args:
-            heights: By term: numbers in [0, 1], or columns of them. A missing term is given by no rule.
+            heights: Clipping heights by term: numbers in [0, 1] or columns; missing terms are concluded by no
+                rule.
             smallest: The minimum of several heights.
         """
         # Inclusion and exclusion: where only neighbours overlap, max(A, B) = A + B - min(A, B), and no
@@ -97,8 +97,8 @@ def closed_form(
 ) -> ClosedForm | None:
     """The closed form of a parameter's terms.
 
-    None with other methods than min, max and centroid (singletons: than centroid), and where a term is curved
-    or not only neighbours overlap. Terms that are 0 everywhere in the domain have no part in it.
+    None for methods other than min, max and centroid (singletons: other than centroid), for curved terms, and
+    if more than neighbours overlap. Terms that are 0 everywhere in the domain are ignored.
     """
     if methods.defuzzification != "centroid":
         return None
