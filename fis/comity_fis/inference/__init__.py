@@ -1,1 +1,1 @@
-"""Parameters of one person or of columns of people: facts in, rules fired, values with their origins out."""
+"""Inference of parameters for one person or many: facts in; fired rules, values and their origins out."""

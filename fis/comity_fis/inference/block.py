@@ -1,4 +1,4 @@
-"""What decides each parameter: the rules that conclude it, in an order in which they can be evaluated."""
+"""The rules that determine each parameter, in an order in which they can be evaluated."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from comity_fis.variables.variable import Variable
 
 
 class Clause(NamedTuple):
-    """One rule, for one term that it concludes."""
+    """One rule, restricted to one term that it concludes."""
 
     rule: Rule
     term: str
@@ -22,13 +22,13 @@ class Clause(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A parameter and the rules that decide it."""
+    """A parameter and the rules that determine it."""
 
     parameter: Parameter
     clauses: tuple[Clause, ...]
-    """By the numbers of their rules; a rule that gives the parameter two terms has two."""
+    """In the order of rule numbers; a rule that concludes two terms of the parameter has two clauses."""
     form: ClosedForm | None
-    """Of a numeric parameter's centre of area, where its terms allow one."""
+    """Closed form of a numeric parameter's centre of area, if its terms allow one."""
 
     @property
     def reads(self) -> tuple[str, ...]:
@@ -37,13 +37,13 @@ class Block:
 
     @property
     def needs(self) -> tuple[str, ...]:
-        """The same, and those that the requirements of categories read."""
+        """The same, plus those read by the requirements of categories."""
         guards = (is_.name for guard in self.requirements.values() for is_ in literals(guard))
         return tuple(dict.fromkeys((*self.reads, *guards)))
 
     @property
     def requirements(self) -> Mapping[str, Condition]:
-        """What must hold before a category of a nominal parameter is permitted, by category."""
+        """Conditions for permitting categories of a nominal parameter, by category."""
         if not isinstance(self.parameter, NominalParameter):
             return {}
         return {one.name: one.requires for one in self.parameter.categories if one.requires is not None}
@@ -51,24 +51,24 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """All that decides parameters in one rulebook."""
+    """All blocks of one rulebook."""
 
     blocks: Mapping[str, Block]
-    """By parameter, each after those that its rules read."""
+    """Blocks by parameter, each after those that its rules read."""
     variables: Mapping[str, Variable]
     methods: Methods
     shifts: Mapping[str, Block]
-    """For each parameter that the situation may move, the rules of by how much."""
+    """Blocks of the shift rules, for each parameter that the situation may shift."""
 
     @property
     def reads(self) -> frozenset[str]:
-        """The variables and parameters that a rule which is on, or a requirement, reads."""
+        """The variables and parameters read by active rules and requirements."""
         return frozenset(
             name for block in (*self.blocks.values(), *self.shifts.values()) for name in block.needs
         )
 
     def up_to(self, parameter: str) -> tuple[Block, ...]:
-        """The block of one parameter, behind those of the parameters that it needs."""
+        """The block of one parameter, preceded by those of the parameters that it needs."""
         needed = {parameter}
         for name, block in reversed(list(self.blocks.items())):
             if name in needed:
@@ -77,7 +77,7 @@ class Program:
 
 
 def block_of(parameter: Parameter, rules: Sequence[Rule], methods: Methods = MAMDANI) -> Block:
-    """The block of a parameter; rules that are off or conclude none of its terms are passed over."""
+    """The block of a parameter; inactive rules and rules for other parameters are ignored."""
     form = (
         closed_form(parameter.terms, parameter.rules, methods)
         if isinstance(parameter, NumericParameter)

@@ -1,4 +1,4 @@
-"""One variable of many people: a checked column, and the degrees of its literals."""
+"""One variable for many people: a checked column, and the membership degrees of its literals."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from comity_fis.variables.variable import NominalVariable, NumericVariable, Vari
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Columns = Mapping[str, Any]
-"""By variable, one value per person: whatever numpy makes an array of."""
+"""By variable, one value per person: anything that numpy can convert to an array."""
 
 UNDISCLOSED = -1
-"""The number of no category."""
+"""Index of an undisclosed category."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,25 +31,25 @@ class VariableColumn:
 
     variable: Variable
     values: NDArray[Any]
-    """Numbers, or the numbers of categories in declared order."""
+    """Numbers, or indices of categories in declared order."""
     known: Bools | bool
-    """Who disclosed it; True: everybody."""
+    """Whether each person disclosed it; True: everyone."""
     own: tuple[str, ...] = ()
-    """Words of people's own; their numbers follow those of the categories."""
+    """Free words of people; their indices follow those of the categories."""
 
     def part(self, rows: slice) -> VariableColumn:
-        """Some of the people."""
+        """The column for some of the people."""
         known = self.known if isinstance(self.known, bool) else self.known[rows]
         return VariableColumn(self.variable, self.values[rows], known, self.own)
 
     def words(self) -> list[str | None]:
-        """The word of each person, by name; None where it was not disclosed."""
+        """The word of each person; None if undisclosed."""
         assert isinstance(self.variable, NominalVariable)
         by_number = (*self.variable.categories, *self.own, None)  # UNDISCLOSED counts from the end
         return [by_number[number] for number in self.values.tolist()]
 
     def degrees(self, literal: Literal) -> Floats:
-        """The degrees of a literal about the variable, 1 where it was not disclosed."""
+        """Degrees of a literal on this variable; 1 if undisclosed."""
         term: Any = self.variable.terms[literal.term]
         if not isinstance(self.variable, NumericVariable):
             said = (*self.variable.categories, *self.own)
@@ -62,10 +62,10 @@ class VariableColumn:
 
 
 def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[str, VariableColumn]:
-    """Every column, checked.
+    """Check all columns.
 
     Raises:
-        InputError: if a value is outside its variable's domain, or columns differ in length.
+        InputError: If a value is outside its variable's domain, or columns differ in length.
     """
     read: dict[str, VariableColumn] = {}
     for name, values in columns.items():
@@ -84,7 +84,7 @@ def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[st
 
 
 def cells(values: Any, name: str) -> list[Any]:
-    """The values of a column, one by one, as plain Python has them.
+    """The values of a column as Python objects.
 
     Raises:
         InputError: if they are not values one after the other.

@@ -1,6 +1,6 @@
-"""Inference for many people at once: the rules that serve one person, with columns in place of numbers.
+"""Inference for many people at once: the rules for one person, evaluated on columns.
 
-Columns are worked through in chunks, so that what one call holds does not grow with the number of people.
+Columns are processed in chunks, so that memory does not grow with the number of people.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from comity_fis.rules.methods import MAMDANI
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
 
 CHUNK = 8192
-"""People at a time: a column of them is 64 kB."""
+"""Number of people per chunk: a column of them takes 64 kB."""
 
 
 def _probor(one: Any, other: Any) -> Any:
@@ -43,31 +43,31 @@ OPERATORS: Mapping[str, Operator[Any]] = {
 """For columns; at least one degree each."""
 
 MIN_MAX = logic_of(MAMDANI, OPERATORS)
-"""For the requirements of categories, whatever the methods are."""
+"""Logic for the requirements of categories, independent of the methods."""
 
 Layer = tuple[str, Any]
-"""A term, and a column of strengths or one for all."""
+"""A term with its strengths: a column, or one value for all."""
 
 
 class Answers(dict[str, NDArray[Any]]):
-    """By parameter, the value for each person: a dictionary, of which pandas makes a table."""
+    """Values for each person, by parameter: a dictionary that pandas can convert to a table."""
 
     neutral: Mapping[str, Bools]
-    """By parameter, where the rules have nothing to go on, so that its neutral value stands."""
+    """By parameter, the people for whom no rule applies, so that the neutral value is used."""
     notes: tuple[str, ...]
-    """What was ignored, and cultures from which nothing follows."""
+    """Ignored columns, and cultures from which nothing follows."""
 
 
 def infer_columns(
     program: Program, parameters: Sequence[str], columns: Columns, notes: tuple[str, ...]
 ) -> Answers:
-    """The values of many people; see `Rulebook.infer_many`.
+    """Infer the values for many people; see `Rulebook.infer_many`.
 
     Args:
-        program: Of the rulebook.
-        parameters: In declared order.
-        columns: By variable.
-        notes: What was ignored in the table.
+        program: Compiled rules of the rulebook.
+        parameters: Parameter names in declared order.
+        columns: Input columns by variable.
+        notes: Notes on what was ignored in the table.
     """
     read = read_columns(program.variables, columns)
     count = len(next(iter(read.values())).values) if read else 0
@@ -91,15 +91,15 @@ def _dtype(block: Block) -> type:
 
 @dataclass(frozen=True, slots=True)
 class Decided:
-    """One parameter of many people."""
+    """One inferred parameter for many people."""
 
     values: NDArray[Any]
     """Numbers, or the numbers of categories in declared order."""
     grounded: Bools | bool
-    """Where rules that know something decided it, and not the neutral value stands."""
+    """Whether rules with a known input determined it, and not the neutral value."""
 
     def as_said(self, parameter: Parameter) -> NDArray[Any]:
-        """Numbers as they are, categories by name."""
+        """The values: numbers as they are, categories by name."""
         if isinstance(parameter, NumericParameter):
             return self.values
         categories: NDArray[Any] = np.array(parameter.terms, dtype=object)
@@ -107,7 +107,7 @@ class Decided:
         return words
 
     def degrees(self, parameter: Parameter, literal: Literal) -> Floats:
-        """The degrees of a literal about the parameter."""
+        """Degrees of a literal on this parameter."""
         if isinstance(parameter, NumericParameter):
             within = np.clip(self.values, *parameter.rules.ends)
             degrees: Floats = degrees_of_numbers(parameter.terms[literal.term], within)
@@ -118,26 +118,26 @@ class Decided:
 
 @dataclass(slots=True)
 class People:
-    """What is known of some people while their parameters are inferred one after the other."""
+    """Known facts of some people while their parameters are inferred one after the other."""
 
     program: Program
     columns: Mapping[str, VariableColumn]
     count: int
     logic: Logic[Any] = field(init=False)
-    """What `and` and `or` mean."""
+    """Meaning of `and` and `or`."""
     known: dict[str, Bools | bool] = field(init=False)
-    """Of whom a variable is known, or another parameter says more than its neutral value."""
+    """For whom a variable is known, or a parameter has more than its neutral value."""
     decided: dict[str, Decided] = field(default_factory=dict)
-    """Grows in the order of evaluation."""
+    """Parameters inferred so far."""
     degrees: dict[Literal, Floats | float] = field(default_factory=dict)
-    """Of the literals that were asked for: several rules read the same."""
+    """Cached degrees of literals, which several rules share."""
 
     def __post_init__(self) -> None:
         self.logic = logic_of(self.program.methods, OPERATORS)
         self.known = {name: column.known for name, column in self.columns.items()}
 
     def degree(self, literal: Literal) -> Floats | float:
-        """The degrees of a literal; 1 for what nobody disclosed."""
+        """Degrees of a literal; 1 if undisclosed."""
         if literal not in self.degrees:
             self.degrees[literal] = self._degree(literal)
         return self.degrees[literal]
@@ -149,7 +149,7 @@ class People:
         return self.columns[literal.name].degrees(literal) if literal.name in self.columns else 1.0
 
     def decide(self, block: Block) -> Decided:
-        """One parameter of everybody; whatever reads it knows it from then on."""
+        """Infer one parameter for everyone; later rules can read it."""
         parameter = block.parameter
         if isinstance(parameter, NumericParameter):
             decided = self._numbers(block, parameter)
@@ -190,7 +190,7 @@ class People:
         return known
 
     def _moved(self, decided: Decided, parameter: NumericParameter, block: Block) -> Decided:
-        """What the rules gave, moved by the situation."""
+        """The result of the rules, shifted by the situation."""
         difference = block.parameter
         assert isinstance(difference, NumericParameter)
         by = self._numbers(block, difference, only_told=True).values

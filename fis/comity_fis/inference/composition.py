@@ -1,4 +1,4 @@
-"""The value that stands, from what the rules give or what the person asked for.
+"""The final value, composed of the rules' result or the person's request.
 
 `value = safety(setting, or culture + situation + learnt)`; every value keeps its contributions.
 """
@@ -16,19 +16,18 @@ from comity_fis.membership.interval import Interval
 from comity_fis.variables.parameter import NominalParameter, NumericParameter
 
 TIE = 1e-12
-"""Desirabilities that differ by less are the same."""
+"""Desirabilities that differ by less than this are equal."""
 
 
 @dataclass(frozen=True, slots=True)
 class Basis:
-    """What a value rests on."""
+    """The origin of a value, with a note."""
 
     origin: Origin
-    """culture or situation; neutral where the rules have nothing to go on; setting where they were not
-    asked."""
+    """`culture` or `situation`; `neutral` if no rule applies; `setting` if the rules were not evaluated."""
     fired: tuple[FiredRule, ...]
     note: str = ""
-    """Why the neutral value stands, or what was left out."""
+    """Why the neutral value is used, or what was left out."""
 
     @property
     def text(self) -> str:
@@ -42,7 +41,7 @@ class Basis:
 
 
 def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, centre: float) -> ParameterValue:
-    """What the rules give, as one number; it lies in the safe range, which covers the rules' range."""
+    """The rules' result as one number; it lies in the safe range, which contains the rules' range."""
     return ParameterValue(
         name=parameter.name,
         neutral=parameter.neutral,
@@ -64,10 +63,10 @@ def neutral_number(parameter: NumericParameter, basis: Basis) -> ParameterValue:
 
 
 def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
-    """What the person asked for: only safety changes it.
+    """The requested value, limited only by safety.
 
-    Desirability falls to 0 at twice the spread on both sides (our choice), so that a robot that finds the
-    place taken stays as near to the wish as it can.
+    Desirability falls to 0 at twice the spread on both sides (our choice), so that if the place is occupied
+    the robot stays as near to the wish as it can.
     """
     safe = parameter.safe
     value = safe.clamp(asked)
@@ -96,10 +95,10 @@ def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
 def inferred_word(
     parameter: NominalParameter, basis: Basis, desirability: Mapping[str, float]
 ) -> ParameterValue:
-    """The most desirable of the permitted categories.
+    """The most desirable permitted category.
 
-    Where the neutral category wins a tie that it is not among, the rules have left the question open all the
-    same: it is as desirable as they are, so that a choice by desirability is the same.
+    If the neutral category wins a tie that it is not part of, the rules have left the question open: it then
+    gets the tied desirability, so that choosing by desirability gives the same result.
     """
     best = max(desirability.values())
     tied = [category for category, degree in desirability.items() if best - degree < TIE]
@@ -128,5 +127,5 @@ def neutral_word(parameter: NominalParameter, basis: Basis, permitted: tuple[str
 
 
 def asked_word(parameter: NominalParameter, asked: str) -> ParameterValue:
-    """What the person asked for: the only category that remains."""
+    """The requested category, the only one that remains."""
     return inferred_word(parameter, Basis("setting", ()), {asked: 1.0})

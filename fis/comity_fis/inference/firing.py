@@ -1,4 +1,4 @@
-"""The rules that hold for a person, and what a value rests on that they give."""
+"""The rules that fire for a person, and the origin of the resulting value."""
 
 from __future__ import annotations
 
@@ -17,39 +17,39 @@ from comity_fis.rules.rule import Rule
 
 
 class Firing(NamedTuple):
-    """A rule that holds, for one term that it concludes."""
+    """A fired rule, for one term that it concludes."""
 
     rule: Rule
     term: str
     strength: float
-    """In (0, 1]."""
+    """Strength, in (0, 1]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fired:
-    """The rules of a block that hold for a person."""
+    """The rules of a block that fire for a person."""
 
     firings: Sequence[Firing]
-    """By the numbers of the rules."""
+    """In the order of rule numbers."""
     origin: Origin
-    """culture or situation; neutral where no rule holds or none that holds knows anything.
+    """`culture` or `situation`; `neutral` if no rule fires that has a known input.
 
-    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess.
+    Rules without any disclosed input fire with degree 1, and would be a guess.
     """
 
     def strengths(self, methods: Methods) -> dict[str, float]:
-        """Of every concluded term, the strengths of its rules as one."""
+        """Combined strength of the rules for every concluded term."""
         return united(((one.term, one.strength) for one in self.firings), methods.aggregation)
 
     def given(self, methods: Methods) -> Iterable[tuple[str, float]]:
-        """Terms with their strengths: only the strongest of each where no other counts."""
+        """Terms with their strengths: only the strongest of each if others do not count."""
         if methods.aggregation == "max":
             return self.strengths(methods).items()
         return ((one.term, one.strength) for one in self.firings)
 
 
 def fire(block: Block, person: DisclosedPerson) -> Fired:
-    """What holds for a person of whom everything is known that the block reads."""
+    """Evaluate the rules for a person of whom everything is known that the block reads."""
     firings = [
         Firing(rule, term, rule.weight * strength(rule.antecedent, person.degree, person.logic))
         for rule, term in block.clauses
@@ -59,7 +59,7 @@ def fire(block: Block, person: DisclosedPerson) -> Fired:
 
 
 def basis_of(block: Block, fired: Fired) -> Basis:
-    """The rules that fired, strongest first, or why there is nothing to go on."""
+    """The fired rules, strongest first, or why none applies."""
     if not fired.firings:
         return Basis("neutral", (), "no rule fires" if block.clauses else "no rule that is on gives it")
     if fired.origin == "neutral":

@@ -1,8 +1,7 @@
-"""Inputs that are known only roughly: an interval, a fuzzy set of numbers, categories with degrees.
+"""Imprecise inputs: an interval, a fuzzy set of numbers, or categories with degrees.
 
-Such an input is itself a fuzzy set A, and a term holds to the degree to which it meets A: the largest of
-min(term, A) over the domain, the possibility of the term (Zadeh 1978). A value that was not disclosed is the
-case in which A is 1 everywhere.
+Such an input is a fuzzy set A, and a term holds to its possibility given A: the maximum of min(term, A) over
+the domain (Zadeh 1978). An undisclosed value is the case in which A is 1 everywhere.
 """
 
 from __future__ import annotations
@@ -20,14 +19,14 @@ from comity_fis.rules.antecedent import Literal, hedged
 
 @dataclass(frozen=True, slots=True)
 class RoughNumber:
-    """A fuzzy set of numbers, cut off at the ends of its variable's domain."""
+    """A fuzzy set of numbers, restricted to its variable's domain."""
 
     given: Interval | Membership
     low: float
     high: float
 
     def possibility(self, term: Membership, literal: Literal) -> float:
-        """The degree of a literal about the variable, with the membership function of its term."""
+        """Degree of a literal on the variable, given the membership function of its term."""
 
         def degree(x: float) -> float:
             return hedged(term(x), literal)
@@ -38,7 +37,7 @@ class RoughNumber:
         return largest_of_smallest([degree, self.given], knots, self.low, self.high)
 
     def as_json(self) -> object:
-        """An interval as its two ends, another fuzzy set in words."""
+        """An interval as its two ends; any other fuzzy set in words."""
         return list(self.given.ends) if isinstance(self.given, Interval) else str(self.given)
 
     def __str__(self) -> str:
@@ -47,12 +46,12 @@ class RoughNumber:
 
 @dataclass(frozen=True, slots=True)
 class RoughWord:
-    """Categories, each with the degree to which it is possible."""
+    """Categories with their degrees of possibility."""
 
     given: Mapping[str, float]
 
     def possibility(self, term: Categories, literal: Literal) -> float:
-        """The degree of a literal about the variable, with the categories of its term."""
+        """Degree of a literal on the variable, given the categories of its term."""
         return max(min(hedged(term(category), literal), degree) for category, degree in self.given.items())
 
     def as_json(self) -> object:
@@ -65,7 +64,7 @@ class RoughWord:
 
 Rough = RoughNumber | RoughWord
 Stated = float | str | RoughNumber | RoughWord
-"""What a rulebook can be told of one variable."""
+"""The kinds of input of a variable."""
 
 
 def largest_of_smallest(
@@ -73,8 +72,7 @@ def largest_of_smallest(
 ) -> float:
     """The largest value over [low, high] of the smallest of the functions, to 1e-12 of a gap between knots.
 
-    Between its own extremes a function only rises or only falls, and the smallest of such functions has one
-    peak.
+    Between its extremes each function is monotone, and the minimum of monotone functions has one peak.
     """
     # The possibility of a term is sup min(term, A) (Zadeh 1978). A grid would miss the peak of a narrow
     # set, and the error would reach the parameter, so the domain is cut where any function has a knot or

@@ -1,4 +1,4 @@
-"""The value of one parameter for one person, and everything it is made of."""
+"""The value of one parameter for one person, with its explanation."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral
 
 @dataclass(frozen=True, slots=True)
 class Contribution(Record):
-    """One step on the way to a value; numeric contributions add up to the value."""
+    """One step towards a value; numeric contributions add up to the value."""
 
     origin: Origin
     value: float | str
-    """In the parameter's unit. The first contribution is the start, every further one a difference."""
+    """Value in the parameter's unit: the first contribution is the start, later ones are differences."""
     text: str
     """Why, in one sentence."""
 
 
 class FiredRule(NamedTuple):
-    """A rule and the degree in (0, 1] to which its condition held."""
+    """A rule and the degree of its antecedent, in (0, 1]."""
 
     rule: Rule
     strength: float
@@ -42,18 +42,18 @@ class FiredRule(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class PartValue(Record):
-    """What one of several cultures alone would give."""
+    """The result of one of several cultures alone."""
 
     name: str
     """The culture, in the person's words."""
     share: float
-    """Its part of the whole, in (0, 1]."""
+    """Its share, in (0, 1]."""
     value: float | str
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterValue:
-    """What one parameter is for one person, and why."""
+    """The value of one parameter for one person, and why."""
 
     name: str
     value: float | str
@@ -62,33 +62,33 @@ class ParameterValue:
     spread: float | None
     """Standard deviation of people around the value, in `unit`; None for a category."""
     origin: Origin
-    """What decided: the last contribution that changed the value."""
+    """Origin: that of the last contribution that changed the value."""
     contributions: tuple[Contribution, ...]
     desirability: Curve | Choice
     fired: tuple[FiredRule, ...]
-    """Strongest first; empty where a neutral value or a setting stands."""
+    """Fired rules, strongest first; empty for a neutral value or a setting."""
     note: str
-    """What a reader should know, for example that a neutral value stands and why; may be empty."""
+    """Note for the reader, for example that a neutral value is used and why; may be empty."""
     shift: ParameterValue | None = None
-    """By how much the situation moved it, with the rules that said so; None where nothing did."""
+    """The shift by the situation, with its rules; None if there was none."""
     parts: tuple[PartValue, ...] = ()
-    """Of a person with several cultures: what each alone would give, where that differs."""
+    """For a person with several cultures: the result of each alone, if different."""
     neutral: float | str | None = None
-    """The parameter's declared neutral value, in `unit`, which wins ties; None where it is not known."""
+    """The parameter's declared neutral value, in `unit`, which wins ties; None if unknown."""
 
     @property
     def start(self) -> Contribution:
-        """What the value set out from: the rules, the neutral value, or what the person asked for."""
+        """The start of the value: the rules, the neutral value, or a request."""
         return self.contributions[0]
 
     @property
     def asked_for(self) -> bool:
-        """Whether it set out from what the person asked for."""
+        """Whether it starts from a request."""
         return self.start.origin == "setting"
 
     @property
     def decided_by_rules(self) -> bool:
-        """Whether it set out from what rules give, and not from a setting or the neutral value."""
+        """Whether it starts from the rules, not from a setting or the neutral value."""
         return self.start.origin in ("culture", "situation")
 
     @property
@@ -138,26 +138,26 @@ class ParameterValue:
         }
 
     def as_shift(self) -> dict[str, object]:
-        """A difference that the situation made, as plain dictionaries and lists."""
+        """A shift by the situation, as plain dictionaries and lists."""
         return {"value": self.value, "rules": [fired.as_json() for fired in self.fired]}
 
 
 @dataclass(frozen=True, slots=True)
 class Inference(Mapping[str, ParameterValue]):
-    """One person's parameters, as one rulebook sees them: a mapping of their names to their values."""
+    """One person's parameters, inferred by one rulebook: a mapping from names to values."""
 
     rulebook: str
     mode: str
     """How the centre of area was computed: exact, matlab or skfuzzy."""
     inputs: Mapping[str, Known | None]
-    """Every variable of the rulebook, None where it was not disclosed; and what else was read."""
+    """Every variable of the rulebook, None if undisclosed, and other facts that were read."""
     parameters: Mapping[str, ParameterValue]
     coercions: Mapping[str, Coercion] = field(default_factory=dict)
-    """Of the variables that are used above their own level of measurement."""
+    """Coercions of variables used above their level of measurement."""
     notes: tuple[str, ...] = ()
-    """What a reader should know about the inputs, for example that a country has no score."""
+    """Notes on the inputs, for example that a country has no score."""
     sources: Mapping[str, str] = field(default_factory=dict)
-    """Where a value comes from that was not declared itself, with the citation; by variable."""
+    """Sources of values that were not declared directly, with the citation; by variable."""
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]

@@ -1,1 +1,1 @@
-"""What people teach: one by signals of discomfort, many by a table from which rules and priors are learnt."""
+"""Learning: from one person's signals of discomfort, and from tables of many people (rules and priors)."""

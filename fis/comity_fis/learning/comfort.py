@@ -1,11 +1,11 @@
-"""What meetings tell about the interval of a parameter in which one person is comfortable.
+"""Learning the comfort interval of one person for a parameter, from meetings.
 
-Everything is counted from the value that the model gives in the situation at hand: 0 is that value, negative
-is nearer. The person's own interval has a middle, what they would like best, and a half width. The prior of
-the middle has the rulebook's spread, and heavy tails; a signal is evidence of one end of the interval (see
-`showing`); between visits the middle drifts. The posterior is a sum over a grid of middles, half widths and
-manners: how often the person shows anything at all, and whether they show the opposite. The mathematics
-stands in docs/explanation/learning.md; what standing in a wrong place costs, in `comfort_loss`.
+All quantities are offsets from the model's value in the current situation: 0 is that value, negative is
+nearer. The person's interval has a middle, which they like best, and a half width. The prior of the middle
+has the rulebook's spread, and heavy tails; a signal is evidence about one end of the interval (see
+`showing`); between visits the middle drifts. The posterior is a grid over middles, half widths and manners:
+how often the person shows anything at all, and whether they show the opposite. The mathematics is in
+docs/explanation/learning.md; the loss function in `comfort_loss`.
 """
 
 from __future__ import annotations
@@ -22,73 +22,73 @@ from comity_fis.learning.signals import AWAY, SIGNALS, WORDS, Signal
 
 Floats = NDArray[np.float64]
 
-# All in units of the spread, so that they hold for any parameter, and all our own choice. A spread of 0.30 m
-# makes the edge 3 cm, the half width about 15 cm, a step nearer 15 cm, the drift 12 cm in 100 days.
+# All in units of the spread, so that they apply to any parameter, and all our own choice. With a spread of
+# 0.30 m the edge is 3 cm, the half width about 15 cm, a step nearer 15 cm, the drift 12 cm in 100 days.
 MIDDLES: Floats = np.linspace(-4.0, 4.0, 121)
 HALF_WIDTHS: Floats = np.array([0.2, 0.35, 0.5, 0.7, 1.0])
 EDGE = 0.1
-"""How much the ends of one person's interval differ from day to day."""
+"""Day-to-day variation of the ends of one person's interval [spreads]."""
 INVITES: frozenset[Signal] = frozenset({"ask_closer", "lean_in"})
 STEP_NEARER = 0.5
-"""Most that one invitation brings the robot nearer; without an answer to the question, most that all do."""
+"""Maximum step nearer after one invitation [spreads]; without an answer to the question, the maximum of all
+together."""
 STEP_FARTHER = 1.0 / 6.0
-"""Least that a step back or a request for more distance moves the robot out: as little as is noticed."""
+"""Minimum step outwards after a step back or a request for more distance [spreads]: just noticeable."""
 FARTHEST = 2.0
-"""A personal offset is never larger, unless the person stepped back there."""
+"""Maximum absolute personal offset [spreads], unless the person stepped back there."""
 PLACES: Floats = np.linspace(-FARTHEST, FARTHEST, 241)
-"""Where the robot may choose to stand, half a centimetre apart with a spread of 0.30 m."""
+"""Candidate offsets of the robot [spreads]: half a centimetre apart with a spread of 0.30 m."""
 DRIFT = 0.04
-"""Standard deviation of the change of the middle in one day."""
+"""Standard deviation of the middle's drift in one day [spreads]."""
 ANSWER = 1.0 / 3.0
-"""Standard deviation of the distance that a person names around the one that they like: two answers of one
-person then correlate by 1 / (1 + ANSWER**2) = 0.9 between people. Our own choice too."""
+"""Standard deviation of a stated distance around the preferred one [spreads]: two answers of one person then
+correlate by 1 / (1 + ANSWER**2) = 0.9 between people (our choice)."""
 WITHIN = 0.1
-"""An invitation from so little beyond a boundary was given at it."""
+"""Tolerance for an invitation to count as given at a boundary [spreads]."""
 
 CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9, 0.6, 0.0])
-"""How often a person shows a discomfort at all, by manner."""
+"""Probability of showing a discomfort at all, by manner."""
 CONTRARY = np.array([False, False, False, False, True, False])
-"""Whether people of this manner show what others show for the opposite discomfort."""
+"""Whether people of this manner show the signals of the opposite discomfort."""
 HABITUAL = np.array([False, False, False, False, False, True])
-"""Whether what people of this manner show means nothing: they invite, lean in or make room by habit."""
+"""Whether signals of people of this manner are meaningless: they invite, lean in or make room by habit."""
 MANNER_WEIGHTS: Floats = np.array([0.19, 0.21, 0.24, 0.18, 0.06, 0.12])
-"""Some people never show anything: silence alone never makes anything less likely than 0.19 times its prior.
-A few may mean the opposite of what they show, and some mean nothing by it."""
+"""Prior probabilities of the manners. Some people never show anything, so silence alone reduces no hypothesis
+below 0.19 times its prior. A few mean the opposite of what they show, and some mean nothing by it."""
 UNUSUAL_SHARE, UNUSUAL_SPREADS = 0.11, 2.0
-"""The prior of the middle has heavy tails: so many people are spread so much wider around the model's value,
-because the model may be wrong about them."""
+"""Heavy tails of the prior of the middle: this share of people has a spread this many times wider, because
+the model may be wrong about them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ComfortPosterior:
-    """A posterior over one person's comfort interval, or over many people's at once.
+    """A posterior of one person's comfort interval, or of many people's at once.
 
-    `ComfortPosterior.before_meeting` is where everybody starts. Arrays have the shape of the people, `()`
-    for one.
+    `ComfortPosterior.before_meeting` is the prior. Arrays have the shape of the people, `()` for one.
     """
 
     spread: float
     """Standard deviation of people around the model's value, in the parameter's unit."""
     weights: Floats
-    """Shape (..., middles, half widths, manners); every person's add up to 1."""
+    """Probabilities, shape (..., middles, half widths, manners); they sum to 1 for each person."""
     nearest: Floats
     """How near the robot may come uninvited, shape (...), in the parameter's unit."""
     asked: NDArray[np.bool_]
-    """Whether they ever said themselves what they like, shape (...)."""
+    """Whether they ever stated a preference, shape (...)."""
     believed: NDArray[np.bool_]
-    """Whether they last spoke, or showed nothing nearer than the model's value, shape (...)."""
+    """Whether they last spoke, or showed no discomfort nearer than the model's value, shape (...)."""
     said: Floats
-    """How near invitations may bring the robot, shape (...): to the answer, or one step from the value."""
+    """Smallest offset by invitations, shape (...): the stated one, or one step from the value."""
     held: Floats
-    """How near it may come since a step back or a request for distance, shape (...); -inf without any."""
+    """Smallest offset since a step back or a request for distance, shape (...); -inf without any."""
 
     @classmethod
     def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> ComfortPosterior:
-        """Nothing is known but the model's value and its spread.
+        """The prior: the model's value and its spread.
 
         Args:
             spread: Standard deviation of people around the value, above 0.
-            shape: Of the people, where they are many.
+            shape: Shape of the people.
         """
         prior = _prior()
         weights = np.broadcast_to(prior, (*shape, *prior.shape))
@@ -103,7 +103,7 @@ class ComfortPosterior:
         )
 
     def later(self, days: float) -> ComfortPosterior:
-        """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
+        """The posterior after some days: preferences drift, and what was learnt fades into the prior."""
         if days <= 0.0:
             return self
         flat = self.weights.reshape(*self.weights.shape[:-2], -1)
@@ -113,8 +113,8 @@ class ComfortPosterior:
         """The posterior after one observation.
 
         Args:
-            signal: What was noticed, by name, or by its number in `SIGNALS`, shape (...).
-            offset: Where the robot stood, from the model's value, shape (...).
+            signal: The noticed signal, by name or index in `SIGNALS`, shape (...).
+            offset: Offset of the robot from the model's value, shape (...).
         """
         numbers = np.asarray(SIGNALS.index(signal) if isinstance(signal, str) else signal)
         at = np.asarray(offset, dtype=np.float64)
@@ -145,15 +145,15 @@ class ComfortPosterior:
         )
 
     def after_answer(self, offset: ArrayLike) -> ComfortPosterior:
-        """The posterior after the person said, asked about it, which distance they like best.
+        """The posterior after the person stated which distance they like best.
 
-        What they name is the middle of their interval, normally distributed around it with `ANSWER`; a share
-        of `MISREAD` of all answers was misunderstood and could be any. They have decided how near the robot
-        may come: no nearer than they said, whatever they show later, and as near as that without a further
-        invitation. A step back from before no longer holds.
+        The stated value is normally distributed around the middle of their interval with `ANSWER`; a share of
+        `MISREAD` of all answers was misunderstood and could be any. The answer also limits how near the robot
+        may come: exactly as near as stated, without a further invitation, whatever they show later. An
+        earlier step back no longer holds.
 
         Args:
-            offset: What they named, from the model's value, shape (...).
+            offset: The stated offset from the model's value, shape (...).
         """
         at = np.asarray(offset, dtype=np.float64)
         off = (at[..., None] / self.spread - MIDDLES) / ANSWER
@@ -171,10 +171,10 @@ class ComfortPosterior:
 
     @property
     def offset(self) -> Floats:
-        """Where to stand next, from the model's value.
+        """The next offset of the robot from the model's value.
 
-        It is the one of `PLACES` that is expected to cost least; and never nearer than the person allowed.
-        Harm does not count after an answer, nor after words, nor while they are at ease with it nearer.
+        It is the one of `PLACES` with the smallest expected loss, and never nearer than the person allowed.
+        Harm is not counted after an answer or spoken request, nor while they are at ease with it nearer.
         """
         of_middles = self.weights.sum(axis=(-2, -1))
         shown, said = ((of_middles @ costs.T).argmin(axis=-1) for costs in _losses())
@@ -183,13 +183,13 @@ class ComfortPosterior:
 
     @property
     def deviation(self) -> Floats:
-        """Standard deviation of the middle."""
+        """Posterior standard deviation of the middle."""
         of_middles = self.weights.sum(axis=(-2, -1))
         mean = of_middles @ MIDDLES
         return np.asarray(self.spread * np.sqrt(of_middles @ MIDDLES**2 - mean**2))
 
     def quantile(self, probability: ArrayLike) -> Floats:
-        """Of the middle of the interval, from the model's value, interpolated between points of the grid."""
+        """Quantile of the middle of the interval, from the model's value, interpolated on the grid."""
         wanted = np.asarray(probability, dtype=np.float64)
         mass = self.weights.sum(axis=(-2, -1))
         edges = np.concatenate([np.zeros((*mass.shape[:-1], 1)), np.cumsum(mass, axis=-1)], axis=-1)
@@ -200,11 +200,11 @@ class ComfortPosterior:
         return np.asarray(self.spread * (MIDDLES[cell] + width * ((wanted - below) / inside - 0.5)))
 
     def interval(self, share: float = 0.9, nearest: float = -np.inf) -> tuple[Floats, Floats]:
-        """Where the middle lies with so much probability, as much of the rest on either side.
+        """Central credible interval of the middle.
 
         Args:
-            share: In (0, 1).
-            nearest: What is possible: given that the middle is no nearer, from the model's value.
+            share: Probability, in (0, 1).
+            nearest: Condition on the middle being no nearer than this, from the model's value.
         """
         cells = np.clip((nearest / self.spread - MIDDLES) / (MIDDLES[1] - MIDDLES[0]) + 0.5, 0.0, 1.0)
         out = (self.weights.sum(axis=(-2, -1)) * cells).sum(axis=-1)

@@ -1,9 +1,8 @@
-"""What it costs to stand in one place while a person would like another best.
+"""Loss of standing at one place while a person would like another best.
 
-Counted from the model's value, in spreads. Being off costs the distance, as absolute errors are counted. On
-top comes harm: a person who is left noticeably worse than the model alone would have left them was better
-not learnt about at all. Both are our own choice. Where people may mean the opposite of what they show, it is
-this that keeps a robot from believing them too soon.
+In spreads, from the model's value. The loss is the absolute error plus a penalty for harm: a person left
+noticeably worse than by the model alone would have been better off without learning. Both are our own choice.
+If people may mean the opposite of what they show, the penalty keeps a robot from believing them too soon.
 """
 
 from __future__ import annotations
@@ -14,21 +13,21 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 HARM = 3.5
-"""To leave a person worse costs as much as being off by so many spreads. Set in the study of learning, with
-room to spare, so that at most one in twenty is left worse where one in ten means the opposite."""
+"""Loss of leaving a person worse off [spreads]. Set in the study of learning, with a margin, so that at most
+one in twenty is worse off if one in ten means the opposite."""
 NOTICED = 1.0 / 6.0
-"""Worse by less is not noticed: 5 cm of a spread of 30 cm. Nobody is worse off for a move of so little."""
+"""Change that is not noticed [spreads]: 5 cm with a spread of 30 cm."""
 _TIE = 1e-6
-"""Of two places that cost the same the one nearer to the model's value, then the one farther away."""
+"""Tie-break between places of equal loss: nearer to the model's value first, then farther away."""
 
 
 def losses(places: Floats, middles: Floats, harm: float = HARM) -> Floats:
-    """What each place costs with each person, shape (places, middles).
+    """Loss of each place for each person, shape (places, middles).
 
     Args:
-        places: Where to stand, shape (places,).
-        middles: What a person would like best, shape (middles,).
-        harm: What leaving them worse costs; nothing where they said themselves what they like.
+        places: Candidate offsets, shape (places,).
+        middles: Preferred offsets of people, shape (middles,).
+        harm: Loss of leaving them worse off; 0 if they stated what they like.
     """
     error = np.abs(places[:, None] - middles)
     worse = error > np.abs(middles) + NOTICED

@@ -1,11 +1,11 @@
-"""Partial pooling: what is known of one person, of their group and of everybody, each as far as it is known.
+"""Partial pooling: estimates for a person, their group and everyone, each weighted by its reliability.
 
-A value is everybody's, plus what the group adds, plus what the person adds, plus what one answer adds by
-chance. Each part has a variance of its own, which the data give (empirical Bayes: Efron and Morris, "Stein's
+A value is the mean of everyone, plus effects of the group and of the person, plus the noise of one answer.
+Each part has a variance of its own, estimated from the data (empirical Bayes: Efron and Morris, "Stein's
 estimation rule and its competitors", Journal of the American Statistical Association 68, 1973; Gelman and
-Hill, "Data Analysis Using Regression and Multilevel Models", 2007, chapter 12). What few answers say is drawn
-towards the next wider part: a person's towards their group's, a group's towards everybody's, everybody's
-towards 0, which is what stood before there were data.
+Hill, "Data Analysis Using Regression and Multilevel Models", 2007, chapter 12). Estimates from few answers
+are shrunk towards the next wider level: a person's towards their group's, a group's towards everyone's,
+everyone's towards 0, the value before there were data.
 """
 
 from __future__ import annotations
@@ -21,38 +21,40 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 DECLARED_PEOPLE = 4
-"""As many people the declared standard deviation counts for, beside the people measured (our choice)."""
+"""Number of people that the declared standard deviation counts for, in addition to the people measured (our
+choice)."""
 LEAST_PEOPLE = 3
-"""Below it a group is too thin to be told of by itself: that would tell what one person said (our choice)."""
+"""Minimum number of people for reporting a group: a smaller one would reveal what one person said (our
+choice)."""
 STEPS = 60
-"""Of the grid over each standard deviation, closer together near 0."""
+"""Number of grid points for each standard deviation, denser near 0."""
 
 
 @dataclass(frozen=True, slots=True)
 class StatedOffset:
-    """One number that one person gave, less what stood before."""
+    """One person's answer, minus the value before."""
 
     person: Hashable
     group: str | None
-    """None where it is not known."""
+    """The group; None if unknown."""
     offset: float
 
 
 @dataclass(frozen=True, slots=True)
 class GroupPrior:
-    """One group, after its people were asked."""
+    """The estimate for one group."""
 
     people: int
     mean: float
-    """Of its people's means."""
+    """Mean of its people's means."""
     offset: float
     """What to expect of a new person of this group."""
     standard_error: float
-    """Of `mean`."""
+    """Standard error of `mean`."""
 
     @property
     def is_thin(self) -> bool:
-        """Whether what is said of it would be said of one person or two."""
+        """Whether the group is too small to report without revealing one or two people."""
         return self.people < LEAST_PEOPLE
 
 
@@ -61,7 +63,7 @@ class PooledPrior:
     """What to expect of people, all in one unit, as offsets from what stood before."""
 
     everybody: float
-    """Of a person whose group is unknown, or was not asked."""
+    """Expected offset of a person whose group is unknown or was not asked."""
     groups: Mapping[str, GroupPrior]
     between_groups: float
     """Standard deviation."""
