@@ -18,12 +18,12 @@ def because(values: Inference, parameter: str, category: str | None = None) -> s
         return "asked for"
     if not value.fired:
         return value.note or f"{value.origin} value"
-    speaking = [fired for fired in value.fired if _concludes(fired, parameter, category)]
+    speaking = [fired for fired in value.fired if concludes(fired, parameter, category)]
     if category is not None and not speaking and category != value.value:
         return "no rule speaks for it"
     rule = facts_first(speaking or value.fired, values.inputs)[0].rule
-    hidden = listed(map(_words, kept_back(rule, values.inputs)))
-    said = f"rule {rule.number}: {_words(rule.text)}"
+    hidden = listed(map(words, kept_back(rule, values.inputs)))
+    said = f"rule {rule.number}: {words(rule.text)}"
     if not hidden:
         return said
     return f"{said}; {hidden} not disclosed" + (
@@ -31,10 +31,11 @@ def because(values: Inference, parameter: str, category: str | None = None) -> s
     )
 
 
-def _words(name: str) -> str:
+def words(name: str) -> str:
     """Names as people say them."""
     return name.replace("_", " ")
 
 
-def _concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:
+def concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:
+    """Whether a rule speaks for a category of a parameter."""
     return any((is_.name, is_.term) == (parameter, category) for is_ in fired.rule.consequents)

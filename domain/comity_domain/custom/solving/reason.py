@@ -9,10 +9,11 @@ from comity_domain.custom.costs.preference import Preference
 from comity_domain.custom.solving.bound import Bound
 from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import argument_of, other_ways, row_of, tries
+from comity_domain.explanation.evidence import concludes, words
 from comity_domain.plans.plan import Alternative, StepExplanation
 from comity_domain.problem.setting import is_setting
 from comity_fis.explanation.disclosure import facts_first, kept_back
-from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.inference.value import Inference, ParameterValue
 from comity_fis.listing import listed
 
 
@@ -60,28 +61,24 @@ def _option(name: str, parameter: str, preference: Preference, person: Inference
         return f"{name}: nothing to like or dislike"
     category = preference.value if isinstance(preference.value, str) else None
     because = _because(person[parameter], person, category)
-    return f"{name}: desirability {preference.desirability:.2f} as {_words(parameter)} ({because})"
+    return f"{name}: desirability {preference.desirability:.2f} as {words(parameter)} ({because})"
 
 
 def _value(value: ParameterValue, person: Inference) -> str:
     shown = value.value if isinstance(value.value, str) else f"{value.value:.3f} {value.unit or ''}".strip()
-    return f"{_words(value.name)} {_words(shown)} ({_because(value, person, None)})"
+    return f"{words(value.name)} {words(shown)} ({_because(value, person, None)})"
 
 
 def _because(value: ParameterValue, person: Inference, category: str | None) -> str:
     """The strongest rule behind a value; of a category, the strongest that speaks for it."""
     if is_setting(value):
         return "asked for"
-    speaking = [fired for fired in value.fired if _concludes(fired, value.name, category)]
+    speaking = [fired for fired in value.fired if concludes(fired, value.name, category)]
     if not value.fired or (category and not speaking):
         return "no rule speaks for it" if value.fired else value.note or f"{value.origin} value"
     rule = facts_first(speaking or value.fired, person.inputs)[0].rule
-    hidden = listed(map(_words, kept_back(rule, person.inputs)))
-    return f"rule {rule.number}: {_words(rule.text)}" + (f"; {hidden} not disclosed" if hidden else "")
-
-
-def _concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:
-    return any((is_.name, is_.term) == (parameter, category) for is_ in fired.rule.consequents)
+    hidden = listed(map(words, kept_back(rule, person.inputs)))
+    return f"rule {rule.number}: {words(rule.text)}" + (f"; {hidden} not disclosed" if hidden else "")
 
 
 def _runner_up(
@@ -95,8 +92,3 @@ def _runner_up(
     name = " with ".join(first.arguments[place] for place in places)
     price = f"{first.extra_cost} more" if first.extra_cost else "the same"
     return f"{name} would cost {price} with the rest as it is"
-
-
-def _words(name: str) -> str:
-    """Names as people say them."""
-    return name.replace("_", " ")
