@@ -22,22 +22,18 @@ from comity_fis.inference.column import Bools, Columns, Floats, VariableColumn, 
 from comity_fis.inference.composition import TIE
 from comity_fis.membership.arrays import degrees as degrees_of_numbers
 from comity_fis.rules.antecedent import Literal, Logic, Operator, hedged, logic_of, strength
-from comity_fis.rules.methods import MAMDANI
+from comity_fis.rules.methods import MAMDANI, probor
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
 
 CHUNK = 8192
 """Number of people per chunk: a column of them takes 64 kB."""
 
 
-def _probor(one: Any, other: Any) -> Any:
-    return one + other - one * other
-
-
 OPERATORS: Mapping[str, Operator[Any]] = {
     "min": partial(reduce, np.minimum),
     "max": partial(reduce, np.maximum),
     "prod": partial(reduce, np.multiply),
-    "probor": partial(reduce, _probor),
+    "probor": partial(reduce, probor),
     "sum": partial(reduce, np.add),
 }
 """For columns; at least one degree each."""

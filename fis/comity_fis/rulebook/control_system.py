@@ -13,7 +13,7 @@ from comity_fis.listing import listed
 from comity_fis.membership.arrays import degrees
 from comity_fis.membership.function import Singleton
 from comity_fis.rules.hedge import HEDGES
-from comity_fis.rules.methods import Methods
+from comity_fis.rules.methods import Methods, probor
 from comity_fis.rules.rule import And, Condition, Hedged, Is, Not, Rule
 from comity_fis.variables.parameter import NumericParameter
 from comity_fis.variables.variable import NumericVariable
@@ -153,7 +153,7 @@ def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], met
     from skfuzzy import control
 
     both: Mapping[str, Any] = {"min": np.fmin, "prod": np.multiply}
-    either: Mapping[str, Any] = {"max": np.fmax, "probor": _probor}
+    either: Mapping[str, Any] = {"max": np.fmax, "probor": probor}
     return control.Rule(
         _condition(rule.antecedent, inputs),
         [outputs[is_.name][is_.term] % float(rule.weight) for is_ in rule.consequents],
@@ -161,10 +161,6 @@ def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], met
         and_func=both[methods.conjunction],
         or_func=either[methods.disjunction],
     )
-
-
-def _probor(one: Any, other: Any) -> Any:
-    return one + other - one * other
 
 
 def _condition(condition: Condition, inputs: Mapping[str, Any]) -> Any:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import reduce
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from comity_fis.errors import WrongValueError
 
@@ -72,6 +72,11 @@ def united(strengths: Iterable[tuple[str, float]], aggregation: Aggregation) -> 
     return {term: combined(aggregation, degrees) for term, degrees in by_term.items()}
 
 
+def probor(one: Any, other: Any) -> Any:
+    """MATLAB's probabilistic or, of two degrees or two arrays of them."""
+    return one + other - one * other
+
+
 def _folded(operator: Callable[[float, float], float]) -> Callable[[Sequence[float]], float]:
     """In whatever order degrees come, their combination is the same to the last digit.
 
@@ -84,7 +89,7 @@ OPERATORS: Mapping[str, Callable[[Sequence[float]], float]] = {
     "min": min,
     "max": max,
     "prod": _folded(lambda one, other: one * other),
-    "probor": _folded(lambda one, other: one + other - one * other),
+    "probor": _folded(probor),
     "sum": _folded(lambda one, other: one + other),
 }
 """For one person; at least one degree each."""
