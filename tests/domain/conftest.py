@@ -32,6 +32,12 @@ from comity_fis.inference.value import Contribution, Inference, Origin, Paramete
 SIDES = ("front", "left", "right")
 
 
+def price(desirability: float, weight_m: float) -> int:
+    """What a choice of this desirability costs, in cm."""
+    tangent = max(0.0, 1.0 - 100.0 * desirability)
+    return round(100 * weight_m * (tangent - math.log(max(desirability, 0.01))))
+
+
 @dataclass(frozen=True)
 class Line:
     """Straight lines between points, x ascending."""

@@ -37,15 +37,11 @@ from comity_domain.choices.options import options
 from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.search import cheapest
 from comity_domain.tours.tour import times_s
+from tests.domain.conftest import price
 
 TEA = Offer("tea", "kitchen")
 GREETING_S, HANDOVER_S = 4.0, 3.0
 AGENDA_ACTIONS = {Say: "Say", Offer: "Offer", Wait: "Wait", TakeLeave: "Take_leave"}
-
-
-def price(desirability, weight_m):
-    tangent = max(0.0, 1.0 - 100.0 * desirability)
-    return round(100 * weight_m * (tangent - math.log(max(desirability, 0.01))))
 
 
 class Reference:

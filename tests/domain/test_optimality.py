@@ -12,13 +12,9 @@ from pareto import pareto
 from comity_domain import START, NoPlan, PlanningFailed, Spot, greetings, make_plan, sides
 from comity_domain.choices.options import options
 from comity_domain.labelling.search import cheapest
+from tests.domain.conftest import price
 
 GREETING_S = 4.0
-
-
-def price(desirability, weight_m):
-    tangent = max(0.0, 1.0 - 100.0 * desirability)
-    return round(100 * weight_m * (tangent - math.log(max(desirability, 0.01))))
 
 
 class Reference:

@@ -6,7 +6,6 @@ name.
 
 from __future__ import annotations
 
-import math
 from contextlib import suppress
 from dataclasses import replace
 from itertools import permutations, product
@@ -30,6 +29,7 @@ from comity_domain import (
 )
 from comity_domain.choices.options import options
 from comity_domain.tours.tour import Stay, Stop, best_tour, served, tie_break, tour_cost
+from tests.domain.conftest import price
 
 SIDES = ("front", "left", "right")
 LAW = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=80, deadline=None)
@@ -61,11 +61,6 @@ def requests(draw, infer, line):
     }
     weights = Weights(side_m=draw(st.sampled_from([0.0, 1.0])), greeting_m=draw(st.sampled_from([0.0, 1.0])))
     return VisitRequest("robot", tuple(visitees), travel, weights)
-
-
-def price(desirability, weight_m):
-    tangent = max(0.0, 1.0 - 100.0 * desirability)
-    return round(100 * weight_m * (tangent - math.log(max(desirability, 0.01))))
 
 
 def lacks(desirability):

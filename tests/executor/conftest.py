@@ -21,6 +21,7 @@ from comity_executor import (
     CapabilityValues,
     Execution,
     GoalId,
+    History,
     Intervention,
     Limits,
     Manner,
@@ -415,6 +416,20 @@ class Episode:
 
     def count(self, node: str, status: str) -> int:
         return sum(event.node == node and event.status == status for event in self.execution.events)
+
+
+def visits_with(hall: Hall) -> Execution:
+    """The visits of everybody in the hall."""
+    return Execution(plan_for(*hall.people), hall, {person: infer() for person in hall.people})
+
+
+def within(spans: Iterable[tuple[float, float]], now_s: float) -> bool:
+    """Whether a time is in one of some spans, each given by its start and its length [s]."""
+    return any(start <= now_s < start + length for start, length in spans)
+
+
+def history_of(visits: Episode) -> History:
+    return History(visits.execution.nodes, visits.execution.events)
 
 
 @pytest.fixture(scope="session")

@@ -6,8 +6,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from py_trees.common import Status
 
-from comity_executor import Execution, GoalId, MotionGoal
-from tests.executor.conftest import CONTROL_S, Hall, Stander, infer, plan_for
+from comity_executor import GoalId, MotionGoal
+from tests.executor.conftest import CONTROL_S, Hall, Stander, visits_with, within
 
 SPANS = st.lists(st.tuples(st.floats(0.0, 20.0), st.floats(0.05, 4.0)), max_size=3)
 """From when on, and for how long [s]."""
@@ -48,14 +48,6 @@ class Late(Logged):
             super().stop(goal)
         self._due = [each for each in self._due if each[0] > self.ticks]
         super().step()
-
-
-def visits_with(hall: Hall) -> Execution:
-    return Execution(plan_for(*hall.people), hall, {person: infer() for person in hall.people})
-
-
-def within(spans: list[tuple[float, float]], now_s: float) -> bool:
-    return any(t <= now_s < t + d for t, d in spans)
 
 
 @settings(max_examples=15)

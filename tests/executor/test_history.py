@@ -5,10 +5,7 @@ from __future__ import annotations
 import pytest
 
 from comity_executor import History, Limits, first_divergence, leaf_coverage
-
-
-def history_of(visits) -> History:
-    return History(visits.execution.nodes, visits.execution.events)
+from tests.executor.conftest import history_of
 
 
 @pytest.fixture

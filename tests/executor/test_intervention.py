@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from comity_executor import History, Intervention, Limits, Switch, switches
-from tests.executor.conftest import Episode, Hall, Stander, plan_for
+from tests.executor.conftest import Episode, Hall, Stander, history_of, plan_for
 
 
 def episode_of(*interventions: Intervention, limits: Limits | None = None, stuck: bool = False) -> Episode:
@@ -18,10 +18,6 @@ def episode_of(*interventions: Intervention, limits: Limits | None = None, stuck
         visits.run(for_s=0.5)
         hall.people["johanna"].x += 0.37
     return visits.run(for_s=60.0)
-
-
-def history_of(visits: Episode) -> History:
-    return History(visits.execution.nodes, visits.execution.events)
 
 
 def find(history: History, node: str, status: str) -> Switch:

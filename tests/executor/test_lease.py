@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_executor import CapabilityValues, Execution, RobotError, ScriptedRobot
-from tests.executor.conftest import CONTROL_S, LEASE_S, Hall, Stander, infer, plan_for
+from tests.executor.conftest import CONTROL_S, LEASE_S, Hall, Stander, infer, plan_for, visits_with
 
 
 class HeldUp(Hall):
@@ -25,10 +25,6 @@ class HeldUp(Hall):
             self.held_up_from = len(self.calls)
             for _ in range(round(self._takes_s / CONTROL_S)):
                 self.step()
-
-
-def visits_with(hall: Hall) -> Execution:
-    return Execution(plan_for(*hall.people), hall, {person: infer() for person in hall.people})
 
 
 @settings(max_examples=20)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from comity_executor import Execution, FaultError, Limits
 from comity_executor.nodes.leaf import Action
+from tests.executor.conftest import within
 
 spans = st.lists(st.tuples(st.floats(0.0, 20.0), st.floats(0.05, 12.0)), max_size=3)
 
@@ -70,12 +71,8 @@ def test_every_begin_is_one_start(episode, in_the_way, pressed, raising) -> None
         while visits.hall.now_s() < 120.0 and visits.execution.tick() == "running":
             visits.execution.resume()
             now_s = visits.hall.now_s()
-            visits.hall.in_the_way = "bob" if _within(in_the_way, now_s) else None
-            visits.hall.emergency_stop = "pressed" if _within(pressed, now_s) else False
+            visits.hall.in_the_way = "bob" if within(in_the_way, now_s) else None
+            visits.hall.emergency_stop = "pressed" if within(pressed, now_s) else False
             visits.hall.step()
     assert starts(visits.execution) == begun
     assert begun.total() > 5
-
-
-def _within(spans: list[tuple[float, float]], now_s: float) -> bool:
-    return any(start <= now_s < start + length for start, length in spans)

@@ -13,6 +13,15 @@ from comity.testing.collection.cases import claims_in
 from comity.testing.verdict import Verdict, judged
 
 
+def in_a_group(room: str) -> str:
+    """Sam stands beside the guest, and both are greeted at once."""
+    return (
+        room.replace("at_m: [4.6, 2.2], facing_deg: 0", "at_m: [6.8, 2.0], facing_deg: 180")
+        .replace("goals:\n", "groups: {pair: [guest, sam]}\ngoals:\n")
+        .replace("  - greet: guest\n", "  - greet: guest\n  - greet: sam\n")
+    )
+
+
 @pytest.fixture
 def write(tmp_path: Path) -> Callable[..., Path]:
     """A scenario file of two people to greet and one who stands by, with sentences and further lines."""

@@ -11,15 +11,7 @@ from comity.testing.collection.cases import claims_in
 from comity.testing.kinds.hearing import Hearing
 from comity.testing.trials.attempt import attempted
 from comity_fis import InputError
-
-
-def in_a_group(room: str) -> str:
-    """Sam stands beside the guest, and both are greeted at once."""
-    return (
-        room.replace("at_m: [4.6, 2.2], facing_deg: 0", "at_m: [6.8, 2.0], facing_deg: 180")
-        .replace("goals:\n", "groups: {pair: [guest, sam]}\ngoals:\n")
-        .replace("  - greet: guest\n", "  - greet: guest\n  - greet: sam\n")
-    )
+from tests.testing.conftest import in_a_group
 
 
 def test_a_group_and_each_of_its_members_hear_what_is_said_to_all_of_them(judge):

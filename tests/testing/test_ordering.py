@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from tests.testing.conftest import in_a_group
+
 
 def because(verdict) -> str:
     (failure,) = verdict.failures
@@ -83,12 +85,3 @@ def test_who_is_greeted_with_others_is_told_to_be_and_what_it_would_cost_to_come
     told = because(verdict)
     assert re.search(r"order     .*would cost \d+ cm more", told)
     assert re.search(r"visit     (sam|guest) is greeted with (sam|guest), before whom", told)
-
-
-def in_a_group(room: str) -> str:
-    """Sam stands beside the guest, and is greeted, too."""
-    return (
-        room.replace("at_m: [4.6, 2.2], facing_deg: 0", "at_m: [6.8, 2.0], facing_deg: 180")
-        .replace("goals:\n", "groups: {pair: [guest, sam]}\ngoals:\n")
-        .replace("  - greet: guest\n", "  - greet: guest\n  - greet: sam\n")
-    )
