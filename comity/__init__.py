@@ -72,28 +72,29 @@ def run(
         scenario: A shipped scenario's name or a file.
         profiles: Other profiles than the scenario's, by person: shipped or stored names, files, or profiles
             written out, as in `{"guest": {"culture": "SWE", "age": 70}}`.
-        rulebook: Another rulebook than the scenario's: a shipped name or a file.
+        rulebook: A rulebook instead of the scenario's: a shipped name or a file.
         at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
-        seed: For random places and the noise of sensors.
-        out: Write the run folder there; None writes nothing.
-        acts: Behaviours of your own in place of the robot's acts, by the act's name: `say`, or a gesture of
-            the rulebook. Each is a class or function of the name of its node and the person.
-        robot: A real robot in the place of the simulated one, on the scenario's map, from where it is and
-            sees people (`comity_executor.MapRobot` says what it needs).
-        adults_only: State `True` if every person of unknown age is 18 or older; a real robot goes to adults
-            alone.
-        reduced_margin: The operator's word that a real robot may pass people at the scenario's `margin_m`.
+        seed: Seed of random places and sensor noise.
+        out: Folder for the run's files; None writes nothing.
+        acts: Custom behaviours in place of the robot's acts, by the act's name: `say`, or a gesture of the
+            rulebook. Each is a class or function of its node's name and the person.
+        robot: A real robot in place of the simulated one, on the scenario's map; its position and the people
+            are what it senses (`comity_executor.MapRobot` is the protocol).
+        adults_only: `True` asserts that every person of unknown age is 18 or older; a real robot visits only
+            adults.
+        reduced_margin: The operator's permission for a real robot to pass people at the scenario's
+            `margin_m`.
         unreviewed_wordings: Let a real robot say wordings that no speaker of the language has reviewed. Else
             the robot says the name and a plain greeting in the language of the site.
         site_language: The language of the place, by code or name, instead of the scenario's.
         wordings: Files of wordings, before those that ship.
 
     Returns:
-        What happened: outcome, visits, trace, frames and metrics.
+        The episode: outcome, visits, trace, frames and metrics.
 
     Raises:
-        InputError: if anything given cannot be used.
-        PlanningFailed: if the planner finds no plan.
+        InputError: If an argument is invalid.
+        PlanningFailed: If the planner finds no plan.
     """
     from dataclasses import replace
 
@@ -162,7 +163,7 @@ def infer(
         **facts: Values of the rulebook's variables; they go before the profile, None takes a fact back.
 
     Raises:
-        InputError: if anything given cannot be used.
+        InputError: If an argument is invalid.
     """
     from comity.parameters.acquaintance import learnt_here
     from comity.parameters.unread import noting_unread

@@ -1,4 +1,4 @@
-"""A custom domain, its people inferred and its binding checked: ready to be planned."""
+"""A custom domain ready for planning: people's parameters inferred, the binding checked."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Others:
-    """What is other than a binding says."""
+    """Overrides of a binding."""
 
     profiles: Mapping[str, str]
-    """By person."""
+    """Profiles, by person."""
     rulebook: str | None = None
     at: date | None = None
 
@@ -77,7 +77,7 @@ def plan_domain(
     engine: str | None = None,
     time_limit_s: float = 30.0,
 ) -> CustomPlan:
-    """Read, bind and plan in one process of its own, which is ended at its limit: an answer, or a refusal.
+    """Read, bind and plan in a separate process, which is ended at its limit.
 
     Args:
         domain: As for `bound_domain`.
@@ -85,7 +85,7 @@ def plan_domain(
         binding: As for `bound_domain`.
         others: As for `bound_domain`.
         engine: The name of an engine in unified-planning; None takes one that fits.
-        time_limit_s: Wall-clock seconds for all of it, > 0; 5 s later there is an answer.
+        time_limit_s: Wall-clock time for everything, > 0 [s]; there is an answer at most 5 s later.
 
     Raises:
         InputError: with file, line and remedy, for whatever cannot be used.

@@ -15,98 +15,98 @@ if TYPE_CHECKING:
 
 
 class KnowingRobot(Robot, Protocol):
-    """A robot of which can also be asked what it takes the world for: a new plan is made from that."""
+    """A robot that also reports its belief about the world, from which new plans are made."""
 
     @property
     def pose(self) -> Pose:
-        """Where it is."""
+        """Pose of the robot."""
         ...
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """All people where it believes them to be."""
+        """All people at their believed poses."""
         ...
 
     @property
     def missing(self) -> frozenset[str]:
-        """Who is known not to be where they were believed to be."""
+        """People known not to be at their believed place."""
         ...
 
     @property
     def walking(self) -> frozenset[str]:
-        """Who is believed to be going somewhere."""
+        """People believed to be walking."""
         ...
 
     def lost(self) -> Mapping[str, str]:
-        """Of the missing, those for whom it looks no more, and why."""
+        """Missing people whom it no longer searches for, with the reason."""
         ...
 
     def would_see(self, person: str) -> bool:
-        """Whether it need only turn to see whether a person is where it believes them."""
+        """Whether turning is enough to check a person's believed place."""
         ...
 
     def has_to_watch(self, person: str) -> bool:
-        """Whether it has to face a person to notice that they go."""
+        """Whether it has to face a person to notice that they leave."""
         ...
 
     def carried(self) -> str | None:
-        """What it holds."""
+        """The object that it holds."""
         ...
 
     def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
-        """Know from now on how a person wants it to move near them."""
+        """Store how a person wants it to move near them."""
         ...
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
-        """Know where to stand to fetch things."""
+        """Add poses for fetching things."""
         ...
 
 
 class Environment(Protocol):
-    """A place with people and one robot, of which records are kept."""
+    """A place with people and one robot, with records."""
 
     @property
     def robot(self) -> KnowingRobot:
-        """Who carries the plan out."""
+        """The robot that executes the plan."""
         ...
 
     @property
     def scene(self) -> Scene:
-        """As it was at the start."""
+        """The initial scene."""
         ...
 
     @property
     def faults(self) -> ActiveFaults:
-        """What is wrong on purpose now."""
+        """Currently active faults."""
         ...
 
     @property
     def time_s(self) -> float:
-        """Since the start."""
+        """Time since the start [s]."""
         ...
 
     @property
     def doors(self) -> tuple[Door, ...]:
-        """As they are now."""
+        """Doors in their current state."""
         ...
 
     @property
     def door_turns(self) -> tuple[DoorTurn, ...]:
-        """Every door that was opened or shut since the start."""
+        """All openings and shuttings of doors since the start."""
         ...
 
     @property
     def frames(self) -> Frames:
-        """Where everybody was so far."""
+        """Poses of all entities so far."""
         ...
 
     def frames_since(self, count: int) -> Frames:
-        """The same without the first `count` frames."""
+        """The frames without the first `count`."""
         ...
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
-        """What the robot said and did."""
+        """Speech and acts of the robot."""
         ...
 
     @property
@@ -121,5 +121,5 @@ class Environment(Protocol):
 
     @property
     def shown(self) -> tuple[Shown, ...]:
-        """What people truly showed, as far as that is known."""
+        """True reactions of people, as far as known."""
         ...

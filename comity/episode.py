@@ -1,4 +1,4 @@
-"""One episode: what happened, all of it, to be looked at, measured and asked why."""
+"""One episode: everything that happened, to inspect, measure and explain."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ if TYPE_CHECKING:
 Outcome = Literal["success", "partial", "failed", "stopped", "stop_unconfirmed"]
 
 SHOWN = 8
-"""Visits in an episode's `repr`."""
+"""Number of visits in an episode's `repr`."""
 FRAME_PX = 720
-"""Height of an episode's page in a notebook."""
+"""Height of an episode's page in a notebook [px]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Episode:
-    """What happened, all of it."""
+    """Everything that happened in an episode."""
 
     prepared: PlannedEpisode
     seed: int
@@ -57,30 +57,30 @@ class Episode:
     frames: Frames
     acts: tuple[ActEvent, ...]
     door_turns: tuple[DoorTurn, ...]
-    """Every door that was opened or shut, in order."""
+    """All openings and shuttings of doors, in order."""
     metrics: Metrics
     nodes: tuple[Node, ...]
     """The behaviour trees, one for every plan."""
     values: Mapping[str, Inference]
-    """Everyone's parameters as they were in the end."""
+    """Everyone's final parameters."""
     steps: tuple[PlanStep, ...]
-    """What was planned for everybody, by the last plan that had them."""
+    """The steps planned for each person, from the last plan that included them."""
     revisions: tuple[PlanUpdate, ...]
-    """What took over from the first plan, in order."""
+    """All plan updates after the first plan, in order."""
     told: tuple[ParameterUpdate, ...]
-    """What people asked for on the way, in order: it counts from then on."""
+    """Requests of people during the episode, in order; each applies from then on."""
     disturbances: tuple[Disturbance, ...]
-    """Changes, faults, messages and walks of people, by time: what the robot had to cope with."""
+    """Changes, faults, messages and walks of people, by time: the disturbances that the robot faced."""
     readings: ReadingSeries
-    """What the robot's sensors told the tree."""
+    """The sensor readings received by the tree."""
     writes: tuple[Write, ...]
-    """Every value that an entry of the blackboard got, in order."""
+    """Every value written to the blackboard, in order."""
     loop: LoopReport | None = None
     """How the loop of a real robot kept its rate; None in the simulated world."""
     uncertain: frozenset[str] = frozenset()
-    """Of whom a real robot was not sure at some time who they were: nothing is learnt about them."""
+    """People whose identity a real robot was unsure of at some time: nothing is learnt about them."""
     page: Callable[[Episode], str] | None = None
-    """Makes the HTML page that a notebook shows; None where the episode is shown as text."""
+    """Makes the HTML page for notebooks; None to show the episode as text."""
 
     def __repr__(self) -> str:
         name, seconds = self.prepared.file.scenario.name, of_episode(self.metrics)["duration_s"]
@@ -116,30 +116,30 @@ class Episode:
         raise ValueError(f"expected frames, events or readings, got {table!r}")
 
     def values_at(self, person: str, t: float) -> Inference:
-        """A person's parameters at a time [s], as they had been told by then.
+        """A person's parameters at a time [s], given their requests until then.
 
         Raises:
-            KeyError: if nobody of the scenario is called so.
+            KeyError: If there is no such person.
         """
         return values_at(self.prepared.values, self.told, person, t)
 
     @property
     def known(self) -> Known:
-        """Whose distance was what, and whom the robot visited when: what metrics need beside the frames."""
+        """People's distances and the times of visits: what metrics need besides the frames."""
         return known_of(self.prepared, self.visits, self.events, revisions=self.revisions, told=self.told)
 
     @property
     def history(self) -> History:
-        """The trace, to ask about any moment."""
+        """The trace with queries about any moment."""
         return History(self.nodes, self.events)
 
     @property
     def trace_sha256(self) -> str:
-        """The digest of the trace, written out again whenever it is asked for: equal for equal episodes."""
+        """The digest of the trace, recomputed at every call: equal for equal episodes."""
         return trace_sha256(trace_lines(self.events, self.nodes))
 
     def why(self, t: float) -> tuple[NodeExplanation, ...]:
-        """Why the tree did at a time [s] what it did: one reason for every action that runs then.
+        """Explanations of the tree's behaviour at a time [s], one for every running action.
 
         Raises:
             ValueError: for anything but a time from 0 s on.
@@ -151,7 +151,7 @@ class Episode:
         return self.history.why_at(t)
 
     def assert_halted(self, node: str, *, by: str = "") -> None:
-        """Hold that a node was halted, and because of what.
+        """Assert that a node was halted, optionally by a given cause.
 
         Args:
             node: A part of its name: `say`.
@@ -178,7 +178,7 @@ def _stopped_at(visit: Visit) -> str:
 
 
 def fingerprint() -> str:
-    """What else the bytes of a trace depend on: interpreter, machine, libraries that compute with floats."""
+    """What the bytes of a trace also depend on: interpreter, machine, floating-point libraries."""
     from importlib.metadata import version
 
     libraries = " ".join(f"{name}-{version(name)}" for name in ("numpy", "pymunk", "shapely"))

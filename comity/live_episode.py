@@ -1,4 +1,4 @@
-"""An episode under way, in the simulated world or around a real robot, tick by tick."""
+"""An episode in progress, simulated or around a real robot, tick by tick."""
 
 from __future__ import annotations
 
@@ -62,35 +62,36 @@ if TYPE_CHECKING:
     from comity_sim2d.people.reactions import Shown
 
 AFTERMATH_S = 0.5
-"""The world goes on for so long after the last act, so that the frames show the robot at rest."""
+"""Time for which the world continues after the last act, so that the frames show the robot at rest [s]."""
 LONGEST_AFTERMATH_S, REST_M_S, REST_RAD_S = 5.0, 0.01, 0.01
-"""Longer, up to the first [s], while the robot moves faster than the second [m/s] or turns faster than the
-third [rad/s]: it may go back before a person who comes. A soft base takes longer to stop."""
+"""Maximum of that time [s] while the robot moves faster than `REST_M_S` [m/s] or turns faster than
+`REST_RAD_S` [rad/s]: it may retreat from an approaching person, and a base with slow dynamics takes longer to
+stop."""
 
 SOONER_S = 10
-"""People may come so much sooner because of the robot, and be compared still [s]."""
+"""Additional length of walks without the robot, for people who arrive sooner because of it [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class EpisodeProgress:
-    """How far an episode is, for whoever waits for it."""
+    """Progress of an episode, for display."""
 
     simulated_s: float
     doing: str
 
 
 class LiveEpisode:
-    """An episode under way: whatever ends it, what happened so far can be read.
+    """An episode in progress: whatever ends it, its record so far can be read.
 
     Args:
         prepared: The scenario with its plan.
-        seed: For the noise of sensors, where the scenario has any.
-        happenings: What happens while it runs, besides the scenario's changes and faults.
-        acts: Behaviours of your own in place of the robot's acts, by the act's name (see `Execution`).
+        seed: Seed of the sensor noise, if any.
+        happenings: Events during the episode, besides the scenario's changes and faults.
+        acts: Custom behaviours in place of the robot's acts, by the act's name (see `Execution`).
         robot: A real robot in the place of the simulated one, on the scenario's map (see `MapRobot`). What
             people say happens at its times; faults, walks, doors and stops are those of the real world.
-        planner: Whom to ask when things change, in the place of ours.
-        operator: Whose words a real robot goes by; every one is told in the trace.
+        planner: A planner in place of ours.
+        operator: Operator of a real robot; every command is recorded in the trace.
         unreviewed_wordings: Whether a real robot says wordings that nobody who speaks the language has
             reviewed; else it says the name and the plainest word for it in the language of the site.
 
@@ -162,7 +163,7 @@ class LiveEpisode:
         )
 
     def run(self, watch: Callable[[EpisodeProgress], None] | None = None) -> None:
-        """Carry the plan out to its end, or to the scenario's limit.
+        """Execute the plan to its end, or to the scenario's time limit.
 
         Args:
             watch: Called once per second of the episode.
@@ -240,15 +241,15 @@ class LiveEpisode:
         return execution.status
 
     def change(self, person: str, values: Inference, text: str) -> None:
-        """Somebody's parameters are others from the next tick on: they said, or one learnt, something.
+        """Update a person's parameters from the next tick on, after a request or learning.
 
         Args:
-            person: Who.
+            person: The person.
             values: All their parameters.
             text: What happened, in words, for the trace.
 
         Raises:
-            KeyError: if nobody is called so.
+            KeyError: If there is no such person.
         """
         self._guard.tell(person, values, text)
         now_s = self._world.time_s
@@ -256,17 +257,17 @@ class LiveEpisode:
 
     @property
     def plan(self) -> Plan:
-        """The plan under way: the first one, or what came of it."""
+        """The current plan."""
         return self._execution.plan
 
     @property
     def revisions(self) -> tuple[PlanUpdate, ...]:
-        """What took over from the first plan so far, in order."""
+        """All plan updates so far, in order."""
         return self._execution.revisions
 
     @property
     def door_turns(self) -> tuple[DoorTurn, ...]:
-        """Every door that was opened or shut so far, in order."""
+        """All openings and shuttings of doors so far, in order."""
         return self._world.door_turns
 
     @property
@@ -280,22 +281,22 @@ class LiveEpisode:
         return self._execution.events
 
     def frames_since(self, count: int) -> Frames:
-        """Where everybody was so far, without the first `count` frames."""
+        """Poses of all entities so far, without the first `count` frames."""
         return self._world.frames_since(count)
 
     @property
     def readings(self) -> ReadingSeries:
-        """What the robot's sensors told the tree so far."""
+        """The sensor readings received by the tree so far."""
         return self._execution.readings
 
     @property
     def writes(self) -> tuple[Write, ...]:
-        """Every value that an entry of the blackboard got so far."""
+        """Every value written to the blackboard so far."""
         return self._execution.writes
 
     @property
     def shown(self) -> tuple[Shown, ...]:
-        """What people truly showed so far, whether or not the robot noticed."""
+        """True reactions of people so far, whether or not the robot noticed."""
         return self._world.shown
 
     @property
@@ -323,7 +324,7 @@ class LiveEpisode:
         return {name: walk for name, walk in alone.items() if name not in changed}
 
     def so_far(self) -> Episode:
-        """What happened."""
+        """The episode so far."""
         world, execution = self._world, self._execution
         frames, told = world.frames, self._listener.told
         return Episode(
@@ -366,11 +367,11 @@ def execute(
     robot: MapRobot | None = None,
     unreviewed_wordings: bool = False,
 ) -> Episode:
-    """Carry a plan out.
+    """Execute a plan.
 
     Args:
         prepared: The scenario with its plan.
-        seed: For the noise of sensors, where the scenario has any.
+        seed: Seed of the sensor noise, if any.
         acts: Behaviours of your own in place of the robot's acts, by the act's name.
         robot: A real robot in the place of the simulated one.
         unreviewed_wordings: Whether a real robot says wordings that nobody has reviewed.
@@ -390,7 +391,7 @@ STATE_AGES = (
 
 
 def _refuse_children(file: ScenarioFile, profiles: Mapping[str, Profile], day: date | None) -> None:
-    """Refuse that a real robot visits a child or a person of unknown age, but in a study with consent."""
+    """Reject visits of a real robot to children or people of unknown age, except in a study with consent."""
     scenario = file.scenario
     for name in scenario.visited():
         is_child = is_under_age(profiles[name], day)
@@ -444,7 +445,7 @@ def _come_to_rest(world: World, execution: Execution) -> None:
 
 
 def _outcome(execution: Execution, visitees: Sequence[Visitee], unreachable: Collection[str]) -> Outcome:
-    """Partial where one person was greeted and another was not served to the end, or only late."""
+    """The outcome: partial if one person was greeted and another was late or not fully served."""
     if execution.status == "stop_unconfirmed":
         return execution.status
     fared = {visit.person: visit.outcome for visit in execution.visits}
@@ -457,7 +458,7 @@ def _outcome(execution: Execution, visitees: Sequence[Visitee], unreachable: Col
 
 
 def _doing(execution: Execution) -> str:
-    """Why the robot stands still, or the person whose visit goes on, if any."""
+    """Why the robot stands still, or the person whose visit is in progress, if any."""
     if execution.stopped_by is not None:
         return f"standing until it is resumed: {execution.stopped_by}"
     pending = (visit.person for visit in execution.visits if visit.outcome == "pending")

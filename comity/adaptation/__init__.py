@@ -1,1 +1,1 @@
-"""How the robot adapts to one person: asking and editing, learning, years together, back to the rules."""
+"""Adaptation to one person: asking and editing, learning, changes over years, back to the rules."""

@@ -1,1 +1,1 @@
-"""A real robot in the place of the simulated one: what it needs of a map, and an episode in real time."""
+"""Real robots in place of the simulated one: their requirements on a map, and episodes in real time."""

@@ -1,1 +1,1 @@
-"""Monitoring of a plan's execution: world changes, remaining goals, validity, plan updates, metrics."""
+"""Monitoring of execution: world changes, remaining goals, plan validity, plan updates, metrics."""

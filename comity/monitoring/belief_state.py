@@ -1,4 +1,4 @@
-"""What the robot takes the world for at a time, and the scene that a new plan is made in then."""
+"""The robot's belief about the world at a time, and the scene for making a new plan."""
 
 from __future__ import annotations
 
@@ -21,32 +21,32 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class BeliefState:
-    """What the robot takes the world for at a time."""
+    """The robot's belief about the world at a time."""
 
     people: tuple[Person, ...]
     doors: tuple[Door, ...]
     values: Mapping[str, Inference]
-    """Everybody's parameters."""
+    """Everyone's parameters."""
     lost: Mapping[str, str]
-    """Whose place it does not know although it looked for them, and why."""
+    """People whose place it does not know after searching, with the reason."""
     absent: frozenset[str]
-    """Who stands nowhere in the plan: they, and others who are not where they were and whom nobody visits."""
+    """People absent from planning: those, and unvisited people who are not at their believed place."""
     walking: frozenset[str]
-    """Who is going somewhere."""
+    """People who walk."""
 
     def own_m(self, name: str) -> float:
-        """How far a person likes to be passed [m]."""
+        """Distance at which a person likes to be passed [m]."""
         return own_distance_m(self.values[name])
 
     def scene(self, start: Scene, robot: Pose) -> Scene:
-        """The place as it is then, with the robot wherever it is by now.
+        """The current scene, with the robot at its current pose.
 
         Args:
-            start: The scene as it began.
-            robot: Where the robot is.
+            start: The initial scene.
+            robot: Pose of the robot.
 
         Raises:
-            SceneError: if a person seems to stand where no plan can be computed from, such as in the robot.
+            SceneError: If a person seems to stand where planning is impossible, such as in the robot.
         """
         left = start.without(self.absent)
         groups = (group.of_those_left(left.people, self.people) for group in left.groups)
@@ -60,17 +60,17 @@ class BeliefState:
         scene = partial(replace, left, groups=together, doors=self.doors, robot=body)
         try:
             return scene(people=people)
-        except SceneError:  # noise may have put a person where nobody can be
+        except SceneError:  # noise may have put a person in an impossible place
             return scene(people=taken_apart(people, body, floor_plan(left, self.doors)))
 
 
 def moment_of(world: Environment, values: Mapping[str, Inference], visited: Collection[str]) -> BeliefState:
-    """What the robot of a world takes it for now.
+    """The current belief of a world's robot.
 
     Args:
         world: Its robot knows where everybody is, and which doors are shut.
         values: Everybody's parameters.
-        visited: Who is to be visited.
+        visited: People to visit.
     """
     robot = world.robot
     lost = robot.lost()

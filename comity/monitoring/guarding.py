@@ -1,8 +1,8 @@
-"""What holds of people of whom the robot does not know for sure who they are.
+"""Safe defaults for people whose identity is uncertain.
 
-A person who may be one of several is met as all of them allow: as a stranger is, and farther and more
-slowly where anybody among them wants that. What permits (a nearer wish, consent to touch, what was learnt, a
-name) waits until the robot has made sure.
+A person who may be one of several is treated in a way acceptable to all of them: like a stranger, and farther
+away and more slowly if any of them wants that. Permissions (a wish for less distance, consent to touch,
+learnt values, a name) wait until the robot is sure.
 """
 
 from __future__ import annotations
@@ -26,24 +26,24 @@ if TYPE_CHECKING:
 
 
 class Guarding:
-    """Stands before who plans, and passes on what may be gone by while it is not sure who is who.
+    """Wraps a planner, and filters parameters while identities are uncertain.
 
     Args:
         prepared: The scenario, with everybody's parameters.
-        planner: Who plans.
+        planner: The wrapped planner.
     """
 
     def __init__(self, prepared: PlannedEpisode, planner: Listener) -> None:
         self._prepared = prepared
         self._planner = planner
         self._own = dict(prepared.values)
-        """Everybody's own parameters, as they were told last."""
+        """Everyone's own parameters, as last updated."""
         self._uncertain: frozenset[str] = frozenset()
         self.was_uncertain: set[str] = set()
-        """Of whom it was not sure at some time: nothing that was noticed is learnt about them."""
+        """People whose identity was uncertain at some time: nothing noticed is learnt about them."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
-        """A person's parameters are others: at once where it is sure who they are, or they protect."""
+        """Update a person's parameters: at once if their identity is certain, or the update protects them."""
         self._own[person] = values
         if person not in self._uncertain:
             self._planner.tell(person, values, text)
@@ -63,7 +63,7 @@ class Guarding:
         self._planner.break_down(error, calls)
 
     def doubt(self, uncertain: frozenset[str]) -> None:
-        """Know from now on of whom the robot is not sure."""
+        """Update the set of people with uncertain identity."""
         if uncertain == self._uncertain:
             return
         sure, self._uncertain = self._uncertain - uncertain, uncertain

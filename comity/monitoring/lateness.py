@@ -1,4 +1,4 @@
-"""By when greetings were to be over, how late they were, and which deadlines are past keeping."""
+"""Deadlines of greetings: lateness, and deadlines that can no longer be kept."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from comity_executor import Visit
 
 IN_TIME_S = 1e-6
-"""Times are sums of the world's steps: what they are off by is no lateness."""
+"""Tolerance of times, which are sums of the world's steps [s]."""
 
 
 def deadline_s(visitees: Iterable[Visitee], person: str) -> float | None:

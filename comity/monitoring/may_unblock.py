@@ -1,6 +1,6 @@
-"""What may still give a way to somebody who has none: a door that is opened, people who go or turn.
+"""What may still open a route to a person who has none: opening a door, or people who move or turn.
 
-The robot knows the place and which doors are shut, and not what is to happen.
+The robot knows the place and which doors are shut, but not future events.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 def what_may_help(
     scene: Scene, visitee: Visitee, *, met: Collection[str], refused: Collection[str] = ()
 ) -> str | None:
-    """What would give a way to somebody, in words; None where nothing is known that would.
+    """What would open a route to a person, in words; None if nothing is known.
 
     Args:
-        scene: As everything is now.
-        visitee: Who cannot be served as things are.
-        met: To whom there was a way before: they stood otherwise, and may do so again.
-        refused: Who was asked in vain to make way: they may think better of it.
+        scene: The current scene.
+        visitee: The person who cannot currently be served.
+        met: People to whom there was a route before: they stood differently, and may do so again.
+        refused: People asked in vain to make way: they may change their minds.
     """
     shut = [door.name for door in scene.doors if not door.is_open]
     keys = [name for name in shut if _is_served(opened(scene, [name]), visitee, refused)]

@@ -1,4 +1,4 @@
-"""From an episode to its figures: the trace, the scene and the visits tell what frames do not."""
+"""Computes the metrics of an episode, adding to the frames what trace, scene and visits know."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _DOCKED = "docked?"
 """What the nodes of the tree do that ask whether the robot has docked."""
 TAKES_OVER = ("rebound", "replanned")
-"""Events from which on another plan, or the same with other numbers, holds."""
+"""Events from which on another plan, or updated parameters, apply."""
 
 
 def figures(

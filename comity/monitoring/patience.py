@@ -1,4 +1,4 @@
-"""The limits of an execution, from those of the scenario."""
+"""Converts a scenario's limits to those of an execution."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 
 
 def limits_of(limits: written.LimitsSpec, *, attend_s: float) -> Limits:
-    """How patient the tree is.
+    """The limits of the tree.
 
     Args:
-        limits: As the scenario has them.
-        attend_s: How long the robot watches how each person takes its coming.
+        limits: Limits in the scenario.
+        attend_s: Time for watching each person's reaction [s].
     """
     return replace(
         Limits.attentive(attend_s),

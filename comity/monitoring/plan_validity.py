@@ -1,4 +1,4 @@
-"""Why the choices of a plan stand or fall, in the words of the trace."""
+"""Why the choices of a plan remain valid or not, in the words of the trace."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from comity_domain import Late, Plan
 
 OTHER_M = 0.5
-"""A way that is longer or shorter by more is another one, as what makes a move news; our choice."""
+"""Difference in path length above which a path counts as another one [m] (our choice)."""
 
 
 def known(plan: Plan) -> Cause:
@@ -34,12 +34,12 @@ def found_again(plan: Plan) -> Cause:
 def verdict(
     rest: Plan, kept: int | None, plan: Plan, unreachable: Mapping[str, str], too_late: Late | None
 ) -> Cause:
-    """Why the choices fall, in numbers.
+    """Why the choices are no longer valid, in numbers.
 
     Args:
-        rest: What is left of the plan under way.
-        kept: What its choices would cost now, in cm; None where one is not open any more.
-        plan: The plan that takes over.
+        rest: The rest of the current plan.
+        kept: Current cost of its choices [cm]; None if one is no longer possible.
+        plan: The new plan.
         unreachable: People whom no plan can serve now, and why.
         too_late: Who would be greeted too late with these choices, on the world's clock.
     """

@@ -1,8 +1,8 @@
-"""What to do when things change: new numbers where the choice is known to stay the best, else a new plan.
+"""Replanning: updates parameters if the choices are known to stay optimal, else makes a new plan.
 
-The world as the robot believes it to be now takes the place of the scenario's start: where it is, what it
-holds, where everybody stands, who is left, what is left to be done with them, and everybody's parameters of
-now. People who stand in the only way are taken to make way when asked.
+The world as currently believed replaces the scenario's start: the robot's pose and load, everyone's pose and
+current parameters, who is left, and the tasks left. People who block the only path are assumed to make way
+when asked.
 """
 
 from __future__ import annotations
@@ -50,11 +50,11 @@ if TYPE_CHECKING:
 
 
 class WorldPlanner:
-    """Plans again with the world as it is; it is the executor's `Planner`.
+    """Replans from the believed world; implements the executor's `Planner`.
 
     Args:
         prepared: The scenario with its first plan.
-        world: Its robot knows where everybody is, and which doors are shut.
+        world: The world; its robot knows people's positions and which doors are shut.
     """
 
     def __init__(self, prepared: PlannedEpisode, world: Environment) -> None:
@@ -65,13 +65,14 @@ class WorldPlanner:
         self._watch = Watch(world)
         self._before = self._now()
         self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
-        """To whom there was a way at some time."""
+        """People to whom there was a route at some time."""
         self._moved: set[str] = set()
-        """Who moved, of which the execution does not know yet."""
+        """People who moved, not yet reported to the execution."""
         self._barred = dict(prepared.asked.unreachable)
-        """To whom there was none at the start, and why: told with the first plan that serves them."""
+        """People without a route at the start, with the reason; reported with the first plan that serves
+        them."""
         self._skipped: dict[str, str] = {}
-        """Who is left out on the way, and why."""
+        """People left out during the episode, with the reason."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
         """A person's parameters are others from now on; the robot keeps to them on its way at once.

@@ -1,4 +1,4 @@
-"""What has changed since the plan was made or last looked at, once things have come to rest."""
+"""Changes of the world since the plan was last reviewed, reported once things have come to rest."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ if TYPE_CHECKING:
     from comity_sim2d import Person
 
 MOVED_M, TURNED_DEG = 0.5, 45.0
-"""A person who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
-robot follows smaller moves without another look at the plan."""
+"""A person who has moved farther [m] or turned more [deg] than this since planning is a change (our choice).
+The robot follows smaller moves without a review of the plan."""
 SETTLED_M, SETTLED_DEG, SETTLED_S = 0.1, 10.0, 0.5
-"""A plan is reviewed once a person who moved or turned has stayed within so much for so long."""
+"""A plan is reviewed once a person who moved or turned has stayed within this distance [m] and angle [deg]
+for this time [s]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,6 @@
-"""What bars every way to somebody: doors that are shut, people in the way, or gaps that are too narrow.
+"""What blocks all routes to a person: shut doors, people, or gaps that are too narrow.
 
-They may be in the way themselves, as in a corridor in which nobody gets past them to where they look.
+They may be blocking it themselves, as in a corridor that is too narrow to pass them.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 MOST_TRIED = 12
 """Doors, and people, one at a time, the rest together: leaving some out costs about 0.1 s (our choice)."""
 MOST_NAMED = 3
-"""People in the way: more are counted (our choice)."""
+"""Maximum number of blocking people that are named; more are counted (our choice)."""
 STEP_M = 0.01
 """To which the widest way is told."""
 
@@ -38,7 +38,7 @@ STEP_M = 0.01
 def barring(
     scene: Scene, person: str, goals: Sequence[XY], is_reached: Callable[[Scene], bool]
 ) -> str | None:
-    """What bars every way to somebody, in words; None where it is no thing of one kind.
+    """What blocks all routes to a person, in words; None if it is nothing of one kind.
 
     Args:
         scene: As everything is.

@@ -1,4 +1,4 @@
-"""What a scenario says of the moment: hands, noise, and what nobody consented to."""
+"""The circumstances of a greeting in a scenario: full hands, noise, missing consent."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From where a group of people can be greeted at once: where all of them see and hear the robot."""
+"""Positions from which a group can be greeted at once: all members see and hear the robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Why a goal cannot be met: which conditions stand in its way, found by lifting them one at a time."""
+"""Why a goal cannot be met: blocking conditions, found by removing them one at a time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Room for a gesture: no wall and no body may be within its reach, before or beside the robot that greets."""
+"""Space for a gesture: no wall or body may be within its reach, in front of or next to the robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far everything is apart: measured, or bounds that are quick to find, and how to measure the rest."""
+"""Route lengths between all positions: measured, or quick lower bounds, and how to measure the rest."""
 
 from __future__ import annotations
 

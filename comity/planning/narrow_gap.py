@@ -1,7 +1,7 @@
-"""The gap beside people that is too narrow for the robot, where they bar every way, and what it needs.
+"""The gap next to people that is too narrow for the robot if they block all routes, and the width needed.
 
-The margin to people is lowered, by halving, until there is a path, and where none is left, the robot's
-radius: the gap that opens then is the widest of those that bar the way. What stands still keeps its margin.
+The margin to people is lowered, by bisection, until there is a path; if none exists, the robot's radius is.
+The gap that opens then is the widest blocking one. Static obstacles keep their margin.
 """
 
 from __future__ import annotations

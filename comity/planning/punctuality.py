@@ -1,4 +1,4 @@
-"""Whose deadline stands in the way of a plan, and which one would do.
+"""Which deadlines make a plan impossible, and which ones would be possible.
 
 The cheap questions come first: which deadlines cannot be kept even as the only one; then which of the others,
 lifted one at a time, or together where that is not enough. Where there is no time for that, the answer is a
