@@ -1,4 +1,4 @@
-"""The visits of a plan as a subtree of a tree of the user's own."""
+"""The visits of a plan as a subtree of a custom tree."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What the robot says and in which manner: words by formality and language, loudness, pace, gestures."""
+"""Speech and manner: wordings by formality and language, volume, rate, gestures."""

@@ -1,4 +1,4 @@
-"""How a person is called: as they said they want to be addressed, else by the name of the scenario."""
+"""Forms of address: as the person asked for, else the scenario's name."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Address:
     title_first: bool = True
     """Whether the title is said before the name."""
     pronunciation: str | None = None
-    """How the name is spoken, in IPA or in letters of any kind; None where it is spoken as written."""
+    """Pronunciation of the name, in IPA or any letters; None if it is spoken as written."""
 
     @property
     def written(self) -> str:
@@ -34,7 +34,7 @@ class Address:
 
 
 def name_of(person: str) -> str:
-    """A scenario's name as it is said: with the capitals that it has, or else with one for each word."""
+    """A scenario's name as spoken: with its own capitals, else capitalised word by word."""
     name = person.replace("_", " ")
     return name.title() if name.islower() else name
 

@@ -1,4 +1,4 @@
-"""How an act is done: how loud and how fast the robot speaks, how large it gestures."""
+"""The manner of an act: volume and rate of speech, amplitude of gestures."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from comity_fis.errors import InputError
 from comity_fis.inference.value import Inference
 
 NORMAL_VOLUME, NORMAL_RATE, NORMAL_AMPLITUDE = 0.5, 1.0, 0.5
-"""Where a rulebook has no such parameter; our choice, the neutral values of the rulebook `evidence`."""
+"""Defaults if a rulebook has no such parameter (our choice: the neutral values of the rulebook
+`evidence`)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,11 +18,11 @@ class Manner:
     """The manner of one act; a robot uses of it what the act has."""
 
     volume: float = NORMAL_VOLUME
-    """Of the voice, as a share of the loudspeaker's range, in [0, 1]."""
+    """Volume of the voice, as a share of the loudspeaker's range, in [0, 1]."""
     rate: float = NORMAL_RATE
-    """Of speech, as a fraction of the normal rate, above 0."""
+    """Speech rate, as a multiple of the normal rate, above 0."""
     amplitude: float = NORMAL_AMPLITUDE
-    """Of a gesture, as a share of the largest one, in [0, 1]."""
+    """Amplitude of a gesture, as a share of the largest one, in [0, 1]."""
 
     def __post_init__(self) -> None:
         _require("voice_volume", self.volume, "a number in 0..1", 0 <= self.volume <= 1)
@@ -33,7 +34,7 @@ def manner_of(values: Inference) -> Manner:
     """The manner that suits one person.
 
     Raises:
-        InputError: where a rulebook means something else by one of these parameters.
+        InputError: If a rulebook uses one of these parameters with another meaning.
     """
     return Manner(
         volume=_number(values, "voice_volume", NORMAL_VOLUME),

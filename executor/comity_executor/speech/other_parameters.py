@@ -1,4 +1,4 @@
-"""The parameters of a person that no goal has an argument for: a robot receives them by their names."""
+"""Further parameters of a person, without an argument in goals: robots receive them by name."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from comity_fis.inference.value import Inference
 
 
 def other_parameters(values: Inference | None) -> Mapping[str, float | str]:
-    """All others of a rulebook, in the units that it states.
+    """All further parameters of a rulebook, in their units.
 
     A rulebook with a new parameter, such as the share of time in which the robot looks at the person, needs
     no change in Comity: a robot that knows the name reads it of its goals, every other robot leaves it.
 
     Args:
-        values: None for a person of whom nothing was inferred.
+        values: The person's parameters; None if nothing was inferred.
     """
     return {} if values is None else {name: one.value for name, one in values.items() if name not in BOUND}

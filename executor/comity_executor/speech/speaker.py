@@ -1,4 +1,4 @@
-"""What the robot says, by language, formality, directness and style, with people addressed as they asked."""
+"""Selects what the robot says by language, formality, directness and style, with forms of address."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ INFORMAL = 0.3
 FORMAL = 0.7
 """Of formality: below the one, above the other; where the terms of the rulebook `evidence` cross."""
 RHETORICAL = 0.5
-"""Of the style, above which something is said besides at a first meeting."""
+"""Style above which an additional phrase is said at a first meeting."""
 IMPLICIT = 0.45
 EXPLICIT = 0.55
 """Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
@@ -28,20 +28,20 @@ BEHIND_DEG = 150.0
 
 @dataclass(frozen=True, kw_only=True)
 class Speaker:
-    """How one robot speaks at one site.
+    """Chooses the words of one robot at one site.
 
-    A person is spoken to in the language that their parameter `greeting_language` has, or in the site's where
-    nothing gave that or the rulebook has no such parameter.
+    The language is the person's parameter `greeting_language`, or the site's if that is unknown or not in the
+    rulebook.
     """
 
     phrasebook: Phrasebook = SHIPPED
     site: str = DEFAULT_LANGUAGE
     """The language of the site, by its code in the phrasebook."""
     addresses: Mapping[str, Address] = field(default_factory=dict)
-    """How people asked to be addressed, by person."""
+    """Forms of address that people asked for, by person."""
     reviewed_only: bool = False
-    """Whether wordings that nobody has reviewed are left unsaid: then the robot says the name and the
-    plainest word for it in the language of the site."""
+    """Whether unreviewed wordings are avoided: then the robot says the name and the plainest word in the
+    language of the site."""
 
     def greeting(self, people: Sequence[str], values: Inference) -> Utterance:
         """What the robot says to one person or a company; without parameters of the words, just hello.

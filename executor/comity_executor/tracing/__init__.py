@@ -1,1 +1,1 @@
-"""The record of a run, written and read: events, any node at any moment, causes, switches, divergence."""
+"""The record of a run, written and read: events, node states, causes, switches, divergence of runs."""

@@ -1,4 +1,4 @@
-"""Which outcomes of which leaves a set of runs has shown, and which it has not."""
+"""Coverage: which outcomes of which leaves a set of runs has shown."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
     "condition": ("success", "failure"),
     "action": ("success", "failure", "halted"),
 }
-"""How a leaf of each kind can end."""
+"""Possible outcomes by kind of leaf."""
 
 
 @dataclass(frozen=True, slots=True)
 class LeafCoverage:
-    """One behaviour, of all people it was about."""
+    """One behaviour, over all people."""
 
     leaf: str
     """The name without the person: `docked?`, `Dock_to_user`."""
     seen: Mapping[str, int]
-    """How often each outcome came, by outcome; those that never came with 0."""
+    """Count of each outcome; 0 for those that never occurred."""
 
     @property
     def never(self) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Where two runs part: the first event that one has and the other has not, and why."""
+"""Divergence of two runs: the first event in which they differ, and why."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from comity_executor.tracing.history import History
 from comity_executor.tracing.trace import TraceEvent
 
 _TICK_SHARE = 1e-6
-"""Times are written down to a millionth."""
+"""Times are rounded to a millionth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,9 +18,9 @@ class Divergence:
     """The first difference between two traces."""
 
     t: float
-    """When they part: the earlier of the two events [s]."""
+    """Time of divergence: that of the earlier event [s]."""
     one: TraceEvent | None
-    """What the one did; None where it had ended."""
+    """Event of the first run; None if it had ended."""
     other: TraceEvent | None
     causes: tuple[tuple[Cause | None, Cause | None], ...]
     """The links in which the two chains of causes differ, nearest first, side by side."""

@@ -1,8 +1,8 @@
-"""Why a node was halted: the kind of the halt, and the leaf that is to blame for it.
+"""Why a node was halted: the kind of halt, and the leaf that caused it.
 
-The cause of a halt is the first leaf, in the order of the visit, whose result changed in this tick, within
-the branch that decided: the sibling of the halted node that ran, failed or succeeded instead. Siblings that
-changed and decided nothing are not blamed.
+The cause of a halt is the first leaf, in visiting order, whose result changed in this tick, within the
+deciding branch: the sibling of the halted node that ran, failed or succeeded instead. Siblings that changed
+without deciding are not causes.
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ WORDS: Mapping[Status, EventStatus] = {
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """Why a node is where it is."""
+    """The reason for a node's state."""
 
     halt: Halt | None
-    """Of which kind the halt is; None where it is the node's own result."""
+    """Kind of halt; None if it is the node's own result."""
     because: tuple[Cause, ...] = ()
     """The chain of causes, nearest first."""
 
@@ -42,12 +42,12 @@ class Reason:
 def halted_by(
     parent: Behaviour | None, seen: Mapping[Behaviour, Status], changed: Container[Behaviour]
 ) -> Reason:
-    """Why the running children of a node were halted that was not halted itself.
+    """Why the running children of a node were halted, when the node itself was not.
 
     Args:
         parent: That node; None above the root.
-        seen: What every node of the tree came to last. A reset forgets it, so the nodes cannot be asked.
-        changed: The nodes that came to something else in this tick.
+        seen: The last result of every node of the tree. A reset clears results, so the nodes cannot be asked.
+        changed: Nodes whose result changed in this tick.
     """
     if parent is None:
         return Reason("emergency")

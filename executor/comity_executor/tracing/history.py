@@ -1,4 +1,4 @@
-"""What a trace tells about any moment: the state of every node, and the reason for it.
+"""Queries on a trace: the state of every node at any moment, and the reason for it.
 
 A running node stands on results of others. In a fallback the children before it have failed, in a sequence
 they have succeeded, and so on up to the root. Of the results that came in the last tick, a condition's goes
@@ -20,7 +20,7 @@ from comity_executor.tracing.intervention import INSTANT_S
 from comity_executor.tracing.trace import TraceEvent
 
 _GIVES_WAY = {"fallback": "failure", "sequence": "success", "memory_sequence": "success"}
-"""The result of a child with which its parent goes on to the next one."""
+"""Result of a child after which its parent continues with the next one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,11 +28,11 @@ class NodeExplanation:
     """Why a node is in its state."""
 
     event: TraceEvent
-    """What it did last; the state holds since then."""
+    """Its last event, whose state still holds."""
     switched_by: TraceEvent | None
-    """The result of a leaf that led to it; None where the event has its own causes."""
+    """The leaf result that led to it; None if the event has its own causes."""
     standing_on: tuple[TraceEvent, ...]
-    """Further results that have to stay as they are, the latest first."""
+    """Further results it depends on, the latest first."""
 
     @property
     def because(self) -> tuple[Cause, ...]:
@@ -41,7 +41,7 @@ class NodeExplanation:
 
 
 class History:
-    """A trace to ask.
+    """A trace for queries.
 
     Args:
         nodes: The tree, in pre-order.
@@ -58,7 +58,7 @@ class History:
 
     @property
     def end_s(self) -> float:
-        """When the last thing happened [s]."""
+        """Time of the last event [s]."""
         return self.events[-1].t if self.events else 0.0
 
     def states(self, until: float | None = None) -> dict[int, TraceEvent]:
@@ -66,9 +66,9 @@ class History:
         return {path: self.events[place] for path, place in self._latest(until).items()}
 
     def why_at(self, t: float) -> tuple[NodeExplanation, ...]:
-        """Why the actions run, or pause, that do so at a time [s]; where none does, why the last event came.
+        """Why actions run, or pause, at a time [s]; if none does, why the last event happened.
 
-        An action pauses that failed and is to be tried again.
+        An action pauses if it failed and will be retried.
         """
         latest = self._latest(t)
         running = [
@@ -97,7 +97,7 @@ class History:
         return (place for place in below if self._pauses(place, latest))
 
     def why_node(self, path: int, until: float | None = None) -> NodeExplanation | None:
-        """Why a node did what it did last, up to a time [s]; None where it did nothing yet."""
+        """Why a node did what it last did, up to a time [s]; None if it has done nothing yet."""
         latest = self._latest(until)
         place = latest.get(path)
         if place is None:

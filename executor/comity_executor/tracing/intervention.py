@@ -1,9 +1,8 @@
 """An intervention: one node's result in one tick, held at another value while everything else goes on.
 
-It is how a claimed cause is put to the test. Run the episode again with the same seed and hold the leaf that
-is blamed for a switch, and the reading that it is blamed for, at what they were before: where the switch does
-not happen then, the claim was right, as the switch could not do without it (Pearl, Causality, 2nd edition
-2009, chapter 7: an intervention sets a variable and cuts it off from what usually determines it).
+It tests a claimed cause. Repeat the episode with the same seed, holding the leaf blamed for a switch, and its
+reading, at their previous values: if the switch then does not happen, the claim was right (Pearl, Causality,
+2nd edition 2009, chapter 7: an intervention sets a variable and cuts it off from its usual causes).
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from comity_executor.robots.senses import Senses
 
 Result = Literal["running", "success", "failure"]
 INSTANT_S = 1e-6
-"""Times are written down to a millionth."""
+"""Times are rounded to a millionth."""
 
 _STATUS: Mapping[Result, Status] = {
     "running": Status.RUNNING,
@@ -31,7 +30,7 @@ _STATUS: Mapping[Result, Status] = {
 
 @dataclass(frozen=True, slots=True)
 class Intervention:
-    """What to hold; the node neither asks nor does anything in this tick."""
+    """What to hold; the node is not evaluated in this tick."""
 
     path: int
     """The place of a leaf or decorator in the tree, in pre-order."""
@@ -39,14 +38,14 @@ class Intervention:
     """The time of the tick [s]."""
     result: Result
     reading_of: str | None = None
-    """A leaf that looks at this person in this tick sees what the tree saw in the tick before."""
+    """Person whose reading is held: leaves see the reading of the previous tick."""
 
 
 @contextmanager
 def held(
     interventions: Iterable[Intervention], nodes: tuple[Behaviour, ...], senses: Senses
 ) -> Iterator[None]:
-    """Hold what is to be held in a tick that has begun.
+    """Apply the interventions of a tick that has begun.
 
     Args:
         interventions: Those of the whole execution.

@@ -1,4 +1,4 @@
-"""The recorder: a visitor of a behaviour tree that writes down what every node comes to, and why.
+"""The recorder: a visitor of the behaviour tree that records every node's results and their causes.
 
 `py_trees.trees.BehaviourTree` shows its visitors the nodes that were ticked. A node that its parent stops in
 the same tick is never shown, and an action that ends and begins again looks as if nothing had happened. So
@@ -39,15 +39,15 @@ class Recorder(VisitorBase):
         self.nodes: tuple[Node, ...] = ()
         """The trees so far, one after the other, each in pre-order."""
         self.events: list[TraceEvent] = []
-        """What happened so far."""
+        """The events so far."""
         self._clock = clock
         self._t = 0.0
         self._paths: dict[Behaviour, int] = {}
         self._seen: dict[Behaviour, Status] = {}
         self._changed: set[Behaviour] = set()
-        """Nodes with another result in this tick than before."""
+        """Nodes whose result changed in this tick."""
         self._begun: set[Behaviour] = set()
-        """Actions that have begun and come to nothing yet."""
+        """Actions that have begun and have no result yet."""
         self._halted: list[Behaviour] = []
         """Nodes that were halted since the last tick, in that order."""
         self._attempts: dict[Behaviour, tuple[Behaviour, ...]] = {}
@@ -141,7 +141,7 @@ class Recorder(VisitorBase):
         vars(node).update(initialise=begin, terminate=end)
 
     def _see(self, node: Behaviour, status: Status) -> None:
-        """A node came to something: an event if it is another result, or the first since an action began."""
+        """Record a result, if it changed or is the first since an action began."""
         changed = self._seen[node] is not status
         if status is Status.INVALID or not (changed or node in self._begun):
             return

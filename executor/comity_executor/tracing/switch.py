@@ -1,4 +1,4 @@
-"""Switches of branch: every action that began or was halted, and the result that is blamed for it."""
+"""Switches: every start or halt of an action, with the result that caused it."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ class Switch:
 
     event: TraceEvent
     cause: TraceEvent
-    """The result in the same tick that the trace blames."""
+    """The causing result in the same tick."""
     before: Result
-    """What the blamed node had come to before."""
+    """Previous result of the causing node."""
 
     reading_of: str | None
-    """The person that the blamed node read, where the trace gives the reading in numbers."""
+    """The person whose reading caused it, if the trace contains the reading."""
 
     @property
     def without_cause(self) -> Intervention:
-        """The claim put to the test: what is blamed stays in this tick what it was."""
+        """The intervention that tests the claim: the cause keeps its previous value in this tick."""
         return Intervention(self.cause.path, self.cause.t, self.before, self.reading_of)
 
     def happens_in(self, history: History) -> bool:

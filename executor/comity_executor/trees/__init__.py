@@ -1,1 +1,1 @@
-"""From a plan to a behaviour tree and its subtrees, and the same as BehaviorTree.CPP XML."""
+"""Converts a plan to a behaviour tree with subtrees, and exports it as BehaviorTree.CPP XML."""

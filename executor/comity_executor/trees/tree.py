@@ -29,10 +29,10 @@ Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` ta
 and Achieve(u) is a sequence of such blocks, the greeting's first. A person who does not see is told that the
 robot comes, has stopped and leaves, see `announcing`.
 
-One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at
-Achieve failed, Give_up remembers why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
-Goal goes on to the next person. The last node, `all_greeted?`, then makes the root fail. Who was served
-stands in the visits; the caller reads from them whether the run was a success, partial or failed.
+One person's failure must not cost the others their visit, so `visited(u)` never fails: if every attempt at
+Achieve failed, Give_up records why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
+Goal continues with the next person. The last node, `all_greeted?`, then makes the root fail. The visits
+record who was served; from them the caller reads whether the run was a success, partial or failed.
 """
 
 from __future__ import annotations
@@ -83,19 +83,19 @@ from comity_executor.trees.task_tree import block
 from comity_fis.inference.value import Inference
 
 VISITED, DOCKED = "visited", "docked"
-"""What the nodes do in which a whole visit runs, and in which the robot comes to its pose."""
+"""Names of the nodes of a whole visit, and of getting to the docking pose."""
 KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
 
 
 @dataclass(frozen=True, slots=True)
 class Tree:
-    """A tree that is ready, and what its branches share; every tick starts with `senses.begin_tick`."""
+    """A tree ready to tick, with what its branches share; every tick starts with `senses.begin_tick`."""
 
     root: Behaviour
     plans: list[Plan]
     """The plan, and what was left of it each time that its parameters were updated."""
     meetings: tuple[VisitContext, ...]
-    """In the order of the visits."""
+    """Visit contexts, in the order of the visits."""
     returns: tuple[VisitContext, ...]
     """Where the robot comes back to a person with what it has fetched in the middle of their visit."""
     senses: Senses
@@ -108,7 +108,7 @@ class Tree:
         return self.plans[-1]
 
     def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
-        """Give every node that stands on a step of the plan the numbers of the same step of another one.
+        """Update the parameters of all nodes from the same steps of another plan.
 
         Args:
             plan: The same choices; steps that it does not have stay as they are.
@@ -154,9 +154,9 @@ def build_tree(
         plan: Per stop a Reach_user, and then a Greet_person or a Greet_company of the person and companions;
             before it a Fetch and after it an agenda, where there is more to do. Whoever was greeted by an
             earlier plan is not greeted again.
-        robot: Who carries it out.
+        robot: The robot that executes it.
         values: Everyone's parameters, by name.
-        limits: How patient and how exact.
+        limits: Timeouts, attempts and tolerances.
         senses: Those of the tree before, so that the readings go on.
         memory: What is remembered of the plans before; a new one is the tree's own.
         acts: Behaviours of the user's own in place of the robot's acts, by the act's name.
