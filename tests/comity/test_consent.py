@@ -38,14 +38,6 @@ goals:
 """
 
 
-@pytest.fixture
-def home(tmp_path_factory, monkeypatch):
-    """A store of its own."""
-    home = tmp_path_factory.mktemp("home")
-    monkeypatch.setenv("COMITY_HOME", str(home))
-    return home
-
-
 def of(**facts):
     return Declared(Profile.model_validate({**FORMAL, **facts}), None)
 

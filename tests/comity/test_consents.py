@@ -18,20 +18,13 @@ from comity.people.remembered import remember, remembered
 from comity.people.store import Store
 from comity_fis import InputError
 
-pytestmark = pytest.mark.nobody_agreed
+pytestmark = [pytest.mark.nobody_agreed, pytest.mark.usefixtures("home")]
 DAY = date(2026, 1, 1)
 SEEN = Observation(
     day=DAY, situation={"posture": "standing"}, model_m=0.85, distance_m=0.85, signal="step_back"
 )
 days = st.integers(-400, 400).map(lambda n: DAY + timedelta(days=n))
 some = st.lists(st.sampled_from(SCOPES), unique=True)
-
-
-@pytest.fixture(autouse=True)
-def home(tmp_path_factory, monkeypatch):
-    home = tmp_path_factory.mktemp("home")
-    monkeypatch.setenv("COMITY_HOME", str(home))
-    return home
 
 
 @pytest.fixture

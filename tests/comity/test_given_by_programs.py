@@ -12,6 +12,7 @@ import comity as front_door
 from comity.people.consents import SCOPES, give
 from comity_fis import InputError
 
+pytestmark = pytest.mark.usefixtures("home")
 nothing_usable = st.one_of(
     st.integers(),
     st.floats(),
@@ -20,11 +21,6 @@ nothing_usable = st.one_of(
     st.binary(max_size=3),
 )
 steering = st.text(max_size=5).map(lambda text: f"{text}\x1b[31m{text}\nNote: forged")
-
-
-@pytest.fixture(autouse=True)
-def home(tmp_path_factory, monkeypatch):
-    monkeypatch.setenv("COMITY_HOME", str(tmp_path_factory.mktemp("home")))
 
 
 @given(st.none() | nothing_usable)

@@ -16,6 +16,7 @@ from comity.output.holding import search
 from comity.output.run_folder import RUN, RunFolder
 from comity.people.store import Store
 
+pytestmark = pytest.mark.usefixtures("home")
 ACCOUNT = RunAnswer(
     status="done",
     outcome="success",
@@ -34,13 +35,6 @@ ACCOUNT = RunAnswer(
 )
 who = st.sampled_from(["amal", "amalia", "berta", "ama", "Ünal"])
 places = st.lists(st.sampled_from("abc"), max_size=3).map("/".join)
-
-
-@pytest.fixture(autouse=True)
-def home(tmp_path_factory, monkeypatch):
-    home = tmp_path_factory.mktemp("home")
-    monkeypatch.setenv("COMITY_HOME", str(home))
-    return home
 
 
 def a_run(path, **profiles):

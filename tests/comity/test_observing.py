@@ -43,13 +43,6 @@ meetings = st.lists(
 
 
 @pytest.fixture
-def home(tmp_path_factory, monkeypatch):
-    home = tmp_path_factory.mktemp("home")
-    monkeypatch.setenv("COMITY_HOME", str(home))
-    return home
-
-
-@pytest.fixture
 def amal(home, comity):
     assert comity("profile", "set", "amal", "culture=DEU", "gender=female", "age=70").code == 0
     return home / "people" / "amal"

@@ -37,14 +37,6 @@ LEARNT = {
 }
 
 
-@pytest.fixture
-def home(tmp_path_factory, monkeypatch):
-    """A store of its own, outside the folder that a test works in."""
-    home = tmp_path_factory.mktemp("home")
-    monkeypatch.setenv("COMITY_HOME", str(home))
-    return home
-
-
 def everything(home):
     """Every path below a folder with what it holds."""
     return {path: path.read_bytes() if path.is_file() else None for path in sorted(home.rglob("*"))}

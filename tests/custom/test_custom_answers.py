@@ -13,19 +13,9 @@ from comity_domain import NoPlan
 from comity_domain.custom import bind, plan_custom, read_custom, weigh, without
 from comity_domain.custom.weighing import CustomFlip
 from comity_fis import InputError
+from tests.custom.conftest import PAGE
 
-PAGE_FILE = Path(__file__).parents[2] / "docs" / "how-to" / "use-a-custom-domain.md"
-PAGE = dict(re.findall(r"^```\w+ (\S+)\n(.*?)^```$", PAGE_FILE.read_text("utf-8"), re.MULTILINE | re.DOTALL))
 FILES = Path("waiter.pddl"), Path("evening.pddl"), Path("waiter.yaml")
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    """The files of the page in the current folder."""
-    monkeypatch.chdir(tmp_path)
-    for name, text in PAGE.items():
-        Path(name).write_text(text)
-    return tmp_path
 
 
 def test_the_parts_of_every_cost_add_up_to_it(folder):

@@ -20,10 +20,8 @@ from comity_domain.custom import bind, custom_pddl, plan_custom, read_custom
 from comity_domain.custom.solving.solution import GroundAction
 from comity_domain.custom.solving.swap import works
 from comity_fis import InputError
+from tests.custom.conftest import PAGE
 
-PAGE_FILE = Path(__file__).parents[2] / "docs" / "how-to" / "use-a-custom-domain.md"
-PAGE = dict(re.findall(r"^```\w+ (\S+)\n(.*?)^```$", PAGE_FILE.read_text("utf-8"), re.MULTILINE | re.DOTALL))
-"""The waiter and the museum guide are taken from the page, so that the page is what is tested."""
 PROFILES = (
     "arab_woman",
     "german_woman",
@@ -33,15 +31,6 @@ PROFILES = (
     "british_elder",
     "unknown",
 )
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    """The files of the page in the current folder."""
-    monkeypatch.chdir(tmp_path)
-    for name, text in PAGE.items():
-        Path(name).write_text(text)
-    return tmp_path
 
 
 def waiter(binding: str | dict | None = "waiter.yaml", problem: str = "evening.pddl"):
