@@ -14,19 +14,7 @@ from hypothesis import strategies as st
 from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import EmergencyStopPressed, WalkStart
 from comity_sim2d import Person, RobotBody, Room, Scene, Wall, World
-
-
-class Nobody:
-    """A planner and a tree to which nothing happens."""
-
-    def tell(self, person, values, text) -> None:
-        raise AssertionError("nothing is said here")
-
-    def break_down(self, error, calls) -> None:
-        raise AssertionError("nothing breaks down here")
-
-    def raise_in(self, leaf, error, *, times=1) -> None:
-        raise AssertionError("nothing raises here")
+from tests.comity.nobody import Nobody
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,7 @@ from comity_sim2d import (
 from comity_sim2d.people.social_force import FASTEST
 from comity_sim2d.scene.robot_reaction import THREATENING_M_S
 from comity_sim2d.senses import active_faults
+from tests.comity.nobody import Nobody
 
 TABLE = Furniture.box("table", 3.5, 2.5, width_m=1.0, depth_m=1.0)
 ANN = Person("ann", 4.0, 5.0, -math.pi / 2)
@@ -48,22 +49,6 @@ KINDS: list[dict] = [
     {"walk": replace(PACES, loop=False, pauses_s=(1.0, 1.0), stops=True), "reacts": "threatening"},
 ]
 """Whatever may move somebody besides: steps back, reactions to the robot, a walk of their own."""
-
-
-class Nobody:
-    """A planner and a tree to which nothing happens."""
-
-    def tell(self, person, values, text) -> None:
-        raise AssertionError("nothing is said here")
-
-    def note(self, about, text, fault) -> None:
-        raise AssertionError("no door waits here")
-
-    def break_down(self, error, calls) -> None:
-        raise AssertionError("nothing breaks down here")
-
-    def raise_in(self, leaf, error, *, times=1) -> None:
-        raise AssertionError("nothing raises here")
 
 
 def played(
