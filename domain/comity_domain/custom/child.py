@@ -1,6 +1,6 @@
-"""The one process of a request: `python -m comity_domain.custom.child FOLDER MEGABYTES SECONDS`.
+"""The child process of a request: `python -m comity_domain.custom.child FOLDER MEGABYTES SECONDS`.
 
-It computes the call in the folder and writes its answer there (`process.py`).
+It runs the call stored in the folder and writes its answer there (`process.py`).
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from comity_domain.errors import PlanningFailed
 from comity_fis.errors import ComityError
 
 FRAMES = 10_000
-"""unified-planning's reader takes about 20 for a pair of brackets, of which 60 may be nested."""
+"""Recursion limit: unified-planning's reader takes about 20 frames per bracket pair; 60 may be nested."""
 
 
 def main() -> None:
-    """Compute one call."""
+    """Run one call."""
     folder, megabytes, seconds = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     ending = threading.Event()
     threading.Thread(target=_end_with_parent, args=(folder, ending), daemon=True).start()
@@ -40,14 +40,14 @@ def main() -> None:
             (False, error if isinstance(error, ComityError) else _failure(error, megabytes))
         )
     if ending.is_set():
-        threading.Event().wait()  # the other thread ends all of this
+        threading.Event().wait()  # the other thread ends the process
     (folder / "part").write_bytes(written)
     (folder / "part").replace(folder / ANSWER)
     os._exit(0)  # an engine may have left threads that never end
 
 
 def _failure(error: Exception, megabytes: int) -> PlanningFailed:
-    """What a mistake, in a library or in the files, comes to."""
+    """The failure to report for an exception in a library or caused by the files."""
     if isinstance(error, MemoryError):
         return out_of_memory(megabytes)
     if isinstance(error, ZeroDivisionError):
@@ -59,7 +59,7 @@ def _failure(error: Exception, megabytes: int) -> PlanningFailed:
 
 
 def _end_with_parent(folder: Path, ending: threading.Event) -> None:
-    """Wait for the process that asks to end, however it ends; then nothing may stay."""
+    """Wait until the parent process ends, however it ends, then end all processes started here."""
     while os.read(sys.stdin.fileno(), 1):
         pass
     ending.set()
@@ -69,7 +69,7 @@ def _end_with_parent(folder: Path, ending: threading.Event) -> None:
 
 
 def _note_engines(folder: Path) -> None:
-    """Note every process that this one starts until it has ended: the session of an engine is its own."""
+    """Record every process that this one starts, until it has ended: each engine has its own session."""
 
     class Noted(subprocess.Popen):  # type: ignore[type-arg]
         def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -85,10 +85,10 @@ def _note_engines(folder: Path) -> None:
 
 
 def _limit(megabytes: int, seconds: int) -> None:
-    """Limit the address space and the processor time, where the system can.
+    """Limit address space and processor time, where the system supports it.
 
-    Windows has no such limits, macOS refuses that of memory. The processor time ends what the process that
-    asks could not end, because it was killed itself.
+    Windows has no such limits; macOS refuses the memory limit. The processor time limit also ends a process
+    whose parent was killed before it could end it.
     """
     try:
         import resource

@@ -1,4 +1,4 @@
-"""The limit of a request, shared out: reading and binding, the engine, and what is asked beside the plan."""
+"""The time budget of a request, divided between reading and binding, the engine, and further questions."""
 
 from __future__ import annotations
 
@@ -12,40 +12,41 @@ from comity_domain.custom.solving.planning import CustomPlan, diagnosed, plan_cu
 from comity_domain.errors import PlanningFailed, out_of_time
 
 READING_S = 0.5
-"""So much of starting, reading and binding takes nothing from the engine's time (our choice)."""
+"""Time for starting, reading and binding that is not taken from the engine's time [s] (our choice)."""
 HANDING_OVER_S = 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class PlanningClock:
-    """The time of one plan. It goes on while the request is handed to another process."""
+    """The time budget of one plan; it keeps running while the request passes to another process."""
 
     limit_s: float
     started_s: float = field(default_factory=time.time)
 
     @property
     def engine_s(self) -> float:
-        """What is left for the engine [s]."""
+        """Time left for the engine [s]."""
         taken = max(time.time() - self.started_s - READING_S, 0.0)
         return max(round(self.limit_s - taken, 1), LEAST_S)
 
     @property
     def left_s(self) -> float:
-        """What is left for engines that look what stands in the way, so that the answer is in time [s]."""
+        """Time left for diagnosing why there is no plan, so that the answer is in time [s]."""
         return self.started_s + self.limit_s + LATEST_S - GRACE_S - HANDING_OVER_S - time.time()
 
 
 def planned(bound: Bound, clock: PlanningClock) -> CustomPlan:
-    """The plan within the limit, or why there is none.
+    """The plan within the time limit.
 
     Raises:
-        PlanningFailed: None was found within the limit, or there is none: with what stands in its way.
+        PlanningFailed: None was found within the limit, or none exists; the error then includes the
+            diagnosis.
     """
     engine_s = clock.engine_s
     try:
         return plan_custom(bound, time_limit_s=engine_s, diagnose=False)
     except PlanningFailed as failed:
         if failed.reason == out_of_time(engine_s).reason:
-            raise out_of_time(clock.limit_s) from None  # reading took the rest
+            raise out_of_time(clock.limit_s) from None  # reading used up the time
         left_s = clock.left_s
         raise (diagnosed(bound, failed, patience_s=left_s) if left_s > LEAST_S else failed) from None

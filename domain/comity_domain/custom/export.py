@@ -1,4 +1,4 @@
-"""A bound problem as PDDL for other planners: whole numbers stay whole, names stay or the change is told."""
+"""Exports a bound problem as PDDL for other planners: integer costs, and a record of renamed items."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class CustomPddl:
-    """What is written."""
+    """The exported PDDL."""
 
     domain: str
     problem: str
     renamed: Mapping[str, str]
-    """What the PDDL calls what it could not name as the files do: by kind and name, such as `object bow`."""
+    """New names of items that could not keep theirs, by kind and name, such as `object bow`."""
 
 
 def custom_pddl(bound: Bound) -> CustomPddl:
-    """The problem that the planner gets, as PDDL; any planner with action costs finds the same cost on it."""
+    """The planner's problem as PDDL; any planner with action costs finds the same cost for it."""
     from unified_planning.io import PDDLWriter
 
     writer = PDDLWriter(stated(bound.problem))
     domain, problem = writer.get_domain(), writer.get_problem()
     renamed = dict(_renamed(writer, bound))
     comment = "".join(f"; {line}\n" for line in _legend(bound, renamed))
-    # unified-planning makes up names of its own for these two.
+    # unified-planning makes up its own names for these two.
     name = bound.own.domain_name
     domain = re.sub(r"\(domain [^)]*\)", f"(domain {name})", domain, count=1)
     problem = re.sub(r"\(:domain [^)]*\)", f"(:domain {name})", problem, count=1)
@@ -66,7 +66,7 @@ def _renamed(writer: PDDLWriter, bound: Bound) -> Iterator[tuple[str, str]]:
 
 
 def _name(writer: PDDLWriter, item: Action | Fluent | Object | Type) -> str | None:
-    """What the PDDL calls something; None of `object`, and of an action that can never be done."""
+    """The name in the PDDL; None for `object` and for an action that can never be applied."""
     from unified_planning.exceptions import UPException
 
     try:

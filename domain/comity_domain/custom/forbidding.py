@@ -1,4 +1,4 @@
-"""What the plan would be without one choice of it: the engine is asked again, with that choice forbidden."""
+"""Replans with one choice forbidden, to show what that choice saves."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ class PlanWithout(Record):
     """The best plan without a choice."""
 
     forbidden: str
-    """The choice, as the files name it."""
+    """The forbidden choice, as the files name it."""
     extra_cost: int | None
-    """In plan cost units; None where there is no such plan, or none was found."""
+    """Additional cost in planner units; None if no plan was found."""
     proven: bool
-    """No plan without that choice costs less, or none is possible."""
+    """Whether it is proven that no plan without the choice costs less, or that none exists."""
     no_longer: tuple[str, ...]
-    """Steps of the plan that are not in this one."""
+    """Steps of the original plan that this one lacks."""
     instead: tuple[str, ...]
-    """Steps of this one that are not in the plan."""
+    """Steps of this plan that the original one lacks."""
 
 
 def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float = 30.0) -> PlanWithout:
-    """The best plan without what one step chooses: the options of its person, or else the step as it is.
+    """The best plan without one step's choice: its person's options, or else the step itself.
 
     Args:
         bound: A classical problem.
-        found: Its plan.
-        index: Of the step, from 0.
-        time_limit_s: Wall-clock seconds for the engine, > 0.
+        found: The plan of this problem.
+        index: Index of the step, from 0.
+        time_limit_s: Wall-clock time for the engine [s], > 0.
     """
     action = found.actions[index]
     chosen = _chosen(action, bound)
@@ -58,7 +58,7 @@ def without(bound: Bound, found: CustomPlan, index: int, *, time_limit_s: float 
 
 
 def _chosen(action: GroundAction, bound: Bound) -> Sequence[str]:
-    """The arguments that make the choice, in the action's order."""
+    """The arguments that define the choice, in the action's order."""
     names = [parameter.name for parameter in bound.problem.action(action.name).parameters]
     binding = bound.binding.of(action.name)
     if binding is None or not binding.options:
@@ -76,4 +76,4 @@ def _forbidding(problem: Problem, action: GroundAction, chosen: Sequence[str], b
     forbidding.set_initial_value(forbidden(*objects), True)
     manager = problem.environment.expression_manager
     declared.add_precondition(manager.Not(forbidden(*map(declared.parameter, chosen))))
-    return priced_anew(forbidding, costs)  # costs are found by actions as they stand
+    return priced_anew(forbidding, costs)  # costs are looked up by the current action objects

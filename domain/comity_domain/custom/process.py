@@ -1,8 +1,8 @@
-"""Runs a request in a separate process, which is ended at its limit with everything that it started.
+"""Runs a request in a child process; at the time limit it is ended with everything that it started.
 
-Reading, grounding, solving and validating may each take forever, in libraries without time limits. The
-process (`child.py`) computes one call and writes its answer to a folder; this one waits, on every platform,
-in any thread, and leaves neither a process nor a file behind.
+Reading, grounding, solving and validating may each run forever, in libraries without time limits. The child
+process (`child.py`) runs one call and writes its answer to a folder. The parent waits, on every platform and
+in any thread, and leaves neither processes nor files behind.
 """
 
 from __future__ import annotations
@@ -23,26 +23,26 @@ from comity_domain.errors import PlanningFailed, out_of_time
 T = TypeVar("T")
 
 MEMORY_MB = 2048
-"""Address space of the process, and of each one that it starts, where the system can limit it."""
+"""Address space limit of the process, and of each one it starts, where the system supports it [MB]."""
 LATEST_S = 2.8
-"""Time after the limit of a request at which the process is ended [s] (our choice): it has to start, too."""
+"""Time after the request's limit at which the process is ended [s] (our choice): it includes start-up."""
 HAS_SESSIONS = hasattr(os, "killpg")
-"""Processes can be ended by session, as POSIX has it."""
+"""Whether processes can be ended by session, as in POSIX."""
 CALL, ANSWER, STARTED, LOG = "call", "answer", "started", "log"
-"""In the folder: what to compute, what came of it, the processes that were started, and what was printed."""
+"""Files in the folder: the call, its answer, the ids of the started processes, and the printed output."""
 
 
 def in_one_process(call: Callable[[], T], *, limit_s: float, plans: int = 1, memory_mb: int = MEMORY_MB) -> T:
-    """What a call returns, or raises.
+    """Run a call in a child process; returns or raises what the call does.
 
     Args:
-        call: Picklable, such as a `functools.partial` of a function of a module; so must be its answer.
-        limit_s: Wall-clock seconds for a plan, > 0; `LATEST_S` later all of it is ended.
-        plans: How many plans it may look for.
-        memory_mb: Megabytes of address space, > 0.
+        call: Picklable, such as a `functools.partial` of a module-level function, with a picklable result.
+        limit_s: Wall-clock time per plan [s], > 0; everything is ended `LATEST_S` later.
+        plans: Maximum number of plans that the call searches for.
+        memory_mb: Address space limit [MB], > 0.
 
     Raises:
-        PlanningFailed: The time or the memory was over, or the process was ended from outside.
+        PlanningFailed: Time or memory ran out, or the process was killed from outside.
     """
     with tempfile.TemporaryDirectory(prefix="comity-plan-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
@@ -59,7 +59,7 @@ def in_one_process(call: Callable[[], T], *, limit_s: float, plans: int = 1, mem
 
 
 def _run(folder: Path, seconds: float, memory_mb: int) -> int | None:
-    """The exit code of the process, negative where a signal ended it; None where the time was over."""
+    """Exit code of the process, negative if a signal ended it; None on timeout."""
     words = (str(folder), str(memory_mb), f"{seconds:.0f}")
     command = [sys.executable, "-P", "-m", "comity_domain.custom.child", *words]
     with (folder / LOG).open("wb") as log:
@@ -76,7 +76,7 @@ def _run(folder: Path, seconds: float, memory_mb: int) -> int | None:
     except TimeoutExpired:
         return None
     finally:
-        end([process.pid])  # first, so that it starts no more
+        end([process.pid])  # first, so that it starts no more processes
         end(started(folder))
         process.kill()
         process.wait()
@@ -85,13 +85,12 @@ def _run(folder: Path, seconds: float, memory_mb: int) -> int | None:
 
 
 def _environment(folder: Path, memory_mb: int) -> dict[str, str]:
-    """What the process and its engines find in their surroundings.
+    """Environment variables of the process and its engines.
 
-    Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
-    Java takes little enough of the address space to start under its limit: by default it reserves more; what
-    the user's own `JAVA_TOOL_OPTIONS` say comes after, and so wins. numpy's threads would reserve it, too.
-    `PYTHONSAFEPATH` is not passed on: an engine that is a script finds its modules beside it, or says that
-    there is no plan.
+    A fixed hash seed makes engines written in Python deterministic. Java is told to reserve less address
+    space, since its default exceeds the limit; the user's own `JAVA_TOOL_OPTIONS` come later and take
+    precedence. numpy's threads would also reserve address space. `PYTHONSAFEPATH` is not passed on: it would
+    keep an engine that is a script from finding its modules.
     """
     java = f"-Xmx{memory_mb // 4}m -XX:CompressedClassSpaceSize=64m -XX:ReservedCodeCacheSize=64m"
     return {
@@ -105,28 +104,26 @@ def _environment(folder: Path, memory_mb: int) -> dict[str, str]:
 
 
 def started(folder: Path) -> list[int]:
-    """The processes that the one in a folder started, and that have not ended.
+    """Ids of the processes started by the process of a folder that have not ended.
 
-    unified-planning starts engines in sessions of their own: to end that of the process would not end them.
+    unified-planning starts engines in their own sessions, so ending the parent's session does not end them.
     """
     return [int(note.name) for note in (folder / STARTED).glob("[0-9]*")]
 
 
 def end(processes: Iterable[int]) -> None:
-    """End processes with their sessions, as far as they still run."""
+    """End processes and their sessions, if they still run."""
     for number in processes:
         if HAS_SESSIONS:
             with suppress(ProcessLookupError, PermissionError):
                 os.killpg(number, signal.SIGKILL)
         else:
-            with suppress(
-                FileNotFoundError
-            ):  # Windows ends a process and what it started by this program alone
+            with suppress(FileNotFoundError):  # on Windows, only taskkill ends a process tree
                 run(["taskkill", "/F", "/T", "/PID", str(number)], capture_output=True, check=False)
 
 
 def _nothing(code: int | None, log: str, limit_s: float, memory_mb: int) -> PlanningFailed:
-    """Why there is no answer."""
+    """The failure to report when there is no answer."""
     if code is None:
         return out_of_time(limit_s)
     if "MemoryError" in log:
@@ -139,6 +136,6 @@ def _nothing(code: int | None, log: str, limit_s: float, memory_mb: int) -> Plan
 
 
 def out_of_memory(memory_mb: int) -> PlanningFailed:
-    """That no plan was found within so many megabytes."""
+    """The failure to report when memory ran out."""
     reason = f"no plan was found within {memory_mb} MB of memory"
     return PlanningFailed(reason, remedy="Ask for less at once.", cut_off=True)

@@ -1,9 +1,9 @@
-"""How far the weights of a binding's options can change before another plan is cheaper.
+"""Stability of a plan: how far the options' weights can change before another plan is cheaper.
 
-A plan's cost is a straight line over the factor of a weight, so that the cheapest plans make a concave line
-of straight pieces. Where the plan in hand stops being the cheapest is found as Eisner and Severance (1976)
-do: the plan that is cheapest at the end crosses it somewhere, and whatever is cheaper still at that crossing
-crosses it earlier.
+A plan's cost is linear in the factor of a weight, so the minimum over all plans is concave and piecewise
+linear. The factor at which the current plan stops being the cheapest is found as in Eisner and Severance
+(1976): the plan that is cheapest at the end of the range crosses the current one somewhere; a plan that is
+cheaper still at that crossing crosses it earlier.
 """
 
 from __future__ import annotations
@@ -21,32 +21,32 @@ from comity_fis.errors import InputError
 
 ALL = "all"
 MOST_CROSSINGS = 12
-"""Engine calls for one weight in one direction; each finds another plan or is the last."""
+"""Maximum number of engine calls per weight and direction; each finds another plan or is the last."""
 NEAR = 1e-6
-"""Costs nearer to each other are the same, in units of the domain's own cost."""
+"""Tolerance for equal costs, in units of the domain's own cost."""
 
 
 @dataclass(frozen=True, slots=True)
 class CustomFlip:
-    """A factor of weights from which on another plan is cheaper."""
+    """The factor of weights beyond which another plan is cheaper."""
 
     weight: str
     """An action and the argument of its option, such as `greet ?how`, or `all`."""
     factor: float
     no_longer: tuple[str, ...]
-    """Steps of the plan that are not in the one that is cheaper beyond."""
+    """Steps of the current plan that the cheaper one lacks."""
     instead: tuple[str, ...]
-    """Steps of that one that are not in the plan."""
+    """Steps of the cheaper plan that the current one lacks."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stability:
-    """What was found."""
+    """Result of the stability analysis."""
 
     flips: tuple[CustomFlip, ...]
-    """The nearest in each direction, by weight."""
+    """The nearest flip in each direction, by weight."""
     exact: bool
-    """Every search ended by itself; otherwise there may be nearer ones."""
+    """Whether every search completed; if not, there may be nearer flips."""
 
 
 def weigh(
@@ -55,12 +55,12 @@ def weigh(
     *,
     time_limit_s: float = 30.0,
 ) -> Stability:
-    """Follow each weight, and all at once, from a quarter to four times what they are.
+    """Vary each weight, and all at once, from a quarter to four times its value.
 
     Args:
         bound: A classical domain and a binding with options.
-        found: Its plan.
-        time_limit_s: For each engine call.
+        found: The plan of this problem.
+        time_limit_s: Wall-clock time for each engine call [s].
     """
     return _Weighing(bound, found, time_limit_s).all()
 
@@ -81,7 +81,7 @@ class _Weighing:
         return Stability(tuple(flips), exact)
 
     def weights(self) -> Iterator[tuple[str, list[tuple[str, str]]]]:
-        """Each weight by its name, with the options that it is of."""
+        """Each weight by its name, with the options it belongs to."""
         options = [
             (action, argument)
             for action, one in self.bound.binding.actions.items()
@@ -96,7 +96,7 @@ class _Weighing:
     def first_flip(
         self, name: str, options: list[tuple[str, str]], end: float
     ) -> tuple[CustomFlip | None, bool]:
-        """Where another plan is cheaper on the way to the end; whether that is exact."""
+        """The factor at which another plan gets cheaper before `end`, and whether that is exact."""
         flip, factor = None, end
         for _ in range(MOST_CROSSINGS):
             other = self.cheapest(dict.fromkeys(options, factor))
@@ -109,7 +109,7 @@ class _Weighing:
         return flip, False
 
     def crossing(self, other: CustomPlan, options: list[tuple[str, str]], factor: float) -> float | None:
-        """Where another plan costs as much as the one in hand; None where it is not cheaper at the factor."""
+        """The factor at which another plan costs the same as the current one; None if it is not cheaper."""
         fixed, moving = self.line(self.found.actions, options)
         other_fixed, other_moving = self.line(other.actions, options)
         more = other_fixed + factor * other_moving > fixed + factor * moving - NEAR
@@ -118,11 +118,11 @@ class _Weighing:
         return min(HIGHEST, max(LOWEST, (other_fixed - fixed) / (moving - other_moving)))
 
     def line(self, actions: Sequence[GroundAction], options: list[tuple[str, str]]) -> tuple[float, float]:
-        """What a plan costs whatever the weights are, and what it costs on top at a factor of 1."""
+        """A plan's cost independent of the weights, and its weighted cost at a factor of 1."""
         fixed = moving = 0.0
         for action in actions:
             row = row_of(action, self.bound)
-            assert row is not None  # no weight rules anything out
+            assert row is not None  # no weight excludes a combination
             own = {one.lower() for bound, one in options if bound.lower() == action.name}
             part = sum(
                 preference.preference_cost for key, preference in row.preferences.items() if key in own
@@ -131,7 +131,7 @@ class _Weighing:
         return fixed, moving
 
     def cheapest(self, factors: Mapping[tuple[str, str], float]) -> CustomPlan | None:
-        """The cheapest plan with other weights, by action and option; None where none was found."""
+        """The cheapest plan under other weights, by action and option; None if none was found."""
         actions = {
             action: replace(
                 one,

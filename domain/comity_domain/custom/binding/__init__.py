@@ -1,1 +1,1 @@
-"""A binding: what it says, whether it names what there is, and whose parameters are meant."""
+"""Bindings: their content, the check of their names, and the people whose parameters they use."""

@@ -1,4 +1,4 @@
-"""Whether a binding names what there is: actions, arguments, objects, functions, parameters, categories."""
+"""Checks that a binding names existing actions, arguments, objects, functions, parameters and categories."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 
 def check_binding(own: CustomProblem, binding: Binding, people: BoundPeople) -> None:
-    """Refuse a name that nothing bears; it would silently bind nothing.
+    """Reject unknown names, which would silently bind nothing.
 
     Raises:
-        BindingRefusedError: at the first one.
+        BindingRefusedError: At the first unknown name.
     """
     _Check(own, people).all(binding)
 
@@ -48,7 +48,7 @@ class _Check(BoundNames):
         self.everybody_matters(binding)
 
     def everybody_matters(self, binding: Binding) -> None:
-        """Refuse a person that no binding can reach: the profile would silently mean nothing."""
+        """Reject a person that no binding can reach, whose profile would silently have no effect."""
         bound = [self.types(name)[action.person.lower()] for name, action in binding.actions.items()]
         bound += [self.function(name).signature[0].type for name in binding.fluents]
         reached = {one.name for type_ in bound for one in self.own.problem.objects(type_)}
@@ -62,12 +62,12 @@ class _Check(BoundNames):
                 )
 
     def types(self, action: str) -> dict[str, Type]:
-        """Of the arguments of an action that is known."""
+        """Types of the arguments of an existing action, by name."""
         declared = self.own.problem.action(action.lower())
         return {parameter.name: parameter.type for parameter in declared.parameters}
 
     def function(self, name: str) -> Fluent:
-        """One that is known."""
+        """An existing function."""
         return self.own.problem.fluent(name.lower())
 
     def action(self, name: str, action: ActionBinding) -> None:
@@ -101,7 +101,7 @@ class _Check(BoundNames):
             raise refused((*place, "parameter"), "a numeric parameter", got, "Name another.")
 
     def person(self, bound: str, type_: Type, others: Mapping[str, Type], place: Location) -> None:
-        """Refuse an argument that may be no person: it would silently be taken for an unknown one."""
+        """Reject an argument that may be a non-person: it would silently be an unknown person."""
         if not (no_people := strangers(self.own, self.people, type_)):
             return
         better = listed((f"?{name}" for name in can_be_people(self.own, self.people, others)), "or")

@@ -1,4 +1,4 @@
-"""Whether the options of a binding mean something: categories and numbers that their parameter can be."""
+"""Checks that the options of a binding stand for categories or numbers that their parameter can have."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ if TYPE_CHECKING:
 
 
 def check_option(names: BoundNames, argument: str, option: Option, type_: Type, place: Location) -> None:
-    """Refuse what an object cannot stand for.
+    """Reject meanings of objects that the parameter cannot have.
 
     Args:
-        names: Of all that there is.
-        argument: Of the action.
-        option: That is bound to it.
-        type_: The argument's.
-        place: Of the option in the binding.
+        names: All known names.
+        argument: The action's argument.
+        option: The option bound to the argument.
+        type_: Type of the argument.
+        place: Location of the option in the binding.
 
     Raises:
-        BindingRefusedError: at the first one.
+        BindingRefusedError: At the first such meaning.
     """
     names.parameter(option.parameter, (*place, "parameter"))
     possible = [one.name for one in names.own.problem.objects(type_)]
@@ -51,14 +51,14 @@ def check_option(names: BoundNames, argument: str, option: Option, type_: Type, 
 
 
 def refuse_options(binding: Binding, beyond: str) -> None:
-    """Refuse all options: engines of numeric and durative domains do not add up costs of actions.
+    """Reject all options: engines for numeric and durative domains do not add up action costs.
 
     Args:
-        binding: Any.
-        beyond: What is more than classical about the domain, in words.
+        binding: Any binding.
+        beyond: The feature that goes beyond classical planning, in words.
 
     Raises:
-        BindingRefusedError: at the first one, which would silently have no weight.
+        BindingRefusedError: At the first option, which would silently have no weight.
     """
     for name in _with_options(binding):
         raise refused(
@@ -74,7 +74,7 @@ def _with_options(binding: Binding) -> Iterator[str]:
 
 
 def _in_range(meaning: OptionValue, parameter: NumericParameter, place: Location) -> None:
-    """Refuse numbers that the parameter never has."""
+    """Reject numbers outside the parameter's range."""
     low = min(parameter.rules.low, parameter.ask.low)
     high = max(parameter.rules.high, parameter.ask.high)
     ends = meaning if isinstance(meaning, tuple) else (meaning,)

@@ -1,4 +1,4 @@
-"""Whose parameters there are."""
+"""The people of a problem, with their inferred parameters."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class BoundPeople:
-    """The people of a problem, as one rulebook sees them; of those who are not named nothing is known."""
+    """The people of a problem, inferred with one rulebook; people not named have no profile."""
 
     known: Mapping[str, Inference]
-    """By the object's name, as the files have it, in any case."""
+    """Inferences by the object's name as the files write it; case-insensitive."""
     rulebook: Rulebook
     anybody: Inference = field(init=False, repr=False)
-    """A person without a profile."""
+    """Inference for a person without a profile."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "anybody", self.rulebook.infer({}))

@@ -1,4 +1,4 @@
-"""Whether what a binding calls a person can be one: PDDL itself does not say which objects are people."""
+"""Checks that an argument bound as a person can be one: PDDL does not say which objects are people."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ MOST_NAMED = 3
 
 
 def strangers(own: CustomProblem, people: BoundPeople, type_: Type) -> tuple[str, ...]:
-    """The objects of a type that are no people, as the files name them.
+    """The objects of a type that are not people, as the files name them.
 
-    An object is a person if it is named, or of the type of an object that is. Where none is named, all may be
-    people without a profile.
+    An object is a person if it is named, or has the type of a named object. If none is named, all objects may
+    be people without a profile.
 
     Args:
         own: The problem.
-        people: Those who are named, all of them objects of the problem.
-        type_: Of an argument that is bound as a person.
+        people: The named people, all of them objects of the problem.
+        type_: Type of an argument that is bound as a person.
     """
     named = [own.problem.object(name.lower()) for name in people.known]
     people_too = {one.name for person in named for one in own.problem.objects(person.type)}
@@ -38,7 +38,7 @@ def can_be_people(own: CustomProblem, people: BoundPeople, types: Mapping[str, T
     Args:
         own: The problem.
         people: As for `strangers`.
-        types: Of all arguments.
+        types: Types of all arguments, by name.
     """
     return tuple(
         name
@@ -48,6 +48,6 @@ def can_be_people(own: CustomProblem, people: BoundPeople, types: Mapping[str, T
 
 
 def first_named(names: tuple[str, ...]) -> str:
-    """The first names, and how many more there are."""
+    """The first names, and the number of the others."""
     more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
     return ", ".join(names[:MOST_NAMED]) + more

@@ -1,21 +1,21 @@
-"""A value of a binding that cannot be used, and where it stands."""
+"""The error for a value of a binding that cannot be used, with its location."""
 
 from __future__ import annotations
 
 from comity_fis.errors import WrongValueError
 
 Location = tuple[str | int, ...]
-"""The way to a value of a binding, as its file nests it."""
+"""Path to a value of a binding: the keys and indices in its file."""
 
 
 class BindingRefusedError(WrongValueError):
     """A binding that does not fit its domain.
 
     Args:
-        location: The value's.
-        expected: What would have been right.
-        got: What came.
-        remedy: What to do.
+        location: Path to the value.
+        expected: The expected value.
+        got: The given value.
+        remedy: What to change.
     """
 
     def __init__(self, location: Location, *, expected: str, got: object, remedy: str) -> None:
@@ -24,5 +24,5 @@ class BindingRefusedError(WrongValueError):
 
 
 def refused(place: Location, expected: str, got: str, remedy: str) -> BindingRefusedError:
-    """The refusal of a word."""
+    """The error for a rejected word."""
     return BindingRefusedError(place, expected=expected, got=repr(got), remedy=remedy)

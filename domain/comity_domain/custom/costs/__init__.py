@@ -1,1 +1,1 @@
-"""What every action costs: by the domain itself, and by how much people like it."""
+"""Cost of every action: the domain's own cost plus preference costs."""

@@ -1,4 +1,4 @@
-"""What a domain has beyond classical planning, where numbers stand in fixed costs of actions only."""
+"""Detects features beyond classical planning, in which numbers occur only in constant action costs."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ NUMERIC = "numbers that change or are compared"
 
 @dataclass(frozen=True, slots=True)
 class Beyond:
-    """Something that is more than classical planning."""
+    """A feature beyond classical planning."""
 
     words: str
     part: str
-    """Where it stands: an action's name, or a section of the problem such as `:metric`."""
+    """Where it occurs: an action's name, or a section of the problem such as `:metric`."""
 
 
 def beyond_classical(problem: Problem) -> Beyond | None:
-    """The first such thing; None where there is none."""
+    """The first feature beyond classical planning; None if there is none."""
     metric = problem.quality_metrics[0] if problem.quality_metrics else None
     if metric is not None and metric.is_maximize_expression_on_final_state():
         return Beyond(MAXIMIZED, ":metric")
@@ -42,7 +42,7 @@ def beyond_classical(problem: Problem) -> Beyond | None:
 
 
 def timed_part(problem: Problem) -> str | None:
-    """The first part in which actions take time, or something happens at a time; None where nothing does."""
+    """The first part with durative actions or timed effects; None if there is none."""
     from unified_planning.model import InstantaneousAction
 
     if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
@@ -51,11 +51,11 @@ def timed_part(problem: Problem) -> str | None:
 
 
 def used_in(problem: Problem, *, changed: bool = True) -> Iterator[tuple[str, FNode]]:
-    """All that decides whether something is done or holds, or what a number becomes, by part.
+    """All conditions, and the expressions that determine numeric values, by part.
 
     Args:
-        problem: One in which nothing is timed.
-        changed: Whether what actions change counts, too.
+        problem: A problem without timed parts.
+        changed: Whether to include the targets of effects.
     """
     for action in problem.actions:
         yield from ((action.name, one) for one in action.preconditions)
@@ -71,10 +71,10 @@ _STRIPS_LACKS = {
     "DISJUNCTIVE_CONDITIONS": {"DISJUNCTIVE_CONDITIONS"},
     "CONDITIONAL_EFFECTS": {"CONDITIONAL_EFFECTS"},
 }
-"""Features of unified-planning, by the compiler that takes them away."""
+"""Features of unified-planning, by the compiler that removes them."""
 
 
 def beyond_strips(problem: Problem) -> list[str]:
-    """The compilers of unified-planning that have something to take away."""
+    """The compilers of unified-planning that this problem needs to become STRIPS."""
     features = problem.kind.features
     return [name for name, lacks in _STRIPS_LACKS.items() if features & lacks]

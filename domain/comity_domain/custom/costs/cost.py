@@ -1,4 +1,4 @@
-"""What actions cost by the domain itself: its formulas worked out for every combination of objects."""
+"""The domain's own action costs: its formulas evaluated for every combination of objects."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from unified_planning.model import Action, FNode, Problem
 
 MAX_GROUNDED = 100_000
-"""Combinations of objects in one action's costs."""
+"""Maximum number of object combinations for the cost of one action."""
 
 Assignment = Mapping[str, str]
 """Objects by the action's arguments."""
 
 
 def own_costs(problem: Problem) -> Mapping[str, FNode | None]:
-    """The formula of every action's cost; None where it is free. Without a metric each action costs 1."""
+    """Cost formula of every action; None if it is free. Without a metric each action costs 1."""
     one = problem.environment.expression_manager.Int(1)
     metric = problem.quality_metrics[0] if problem.quality_metrics else None
     if metric is None or not metric.is_minimize_action_costs():
@@ -42,7 +42,7 @@ def functions_in(formula: FNode | None) -> frozenset[str]:
 
 
 def _fluents(formula: FNode | None) -> list[FNode]:
-    """What a formula reads, in the order of the alphabet."""
+    """The function terms in a formula, sorted alphabetically."""
     if formula is None:
         return []
     return sorted(formula.environment.free_vars_extractor.get(formula), key=str)
@@ -51,16 +51,16 @@ def _fluents(formula: FNode | None) -> list[FNode]:
 def groundings(
     problem: Problem, action: Action, arguments: Sequence[str], where: Where
 ) -> Iterator[dict[str, str]]:
-    """Every combination of objects for some arguments of an action.
+    """Every combination of objects for the given arguments of an action.
 
     Args:
-        problem: With the objects.
-        action: With the arguments.
-        arguments: Some of them.
-        where: Of the action, in its file.
+        problem: The problem that declares the objects.
+        action: The action that has the arguments.
+        arguments: The arguments to instantiate.
+        where: Location of the action in its file.
 
     Raises:
-        InputError: if there are more than `MAX_GROUNDED`.
+        InputError: There are more than `MAX_GROUNDED` combinations.
     """
     pools = [objects_for(problem, action, argument) for argument in arguments]
     if prod(map(len, pools)) > MAX_GROUNDED:
@@ -80,11 +80,11 @@ def objects_for(problem: Problem, action: Action, argument: str) -> list[str]:
 
 
 Values = Mapping[tuple[str, ...], Fraction]
-"""The initial values of numeric functions, by function and objects."""
+"""Initial values of numeric functions, keyed by function and objects."""
 
 
 def initial_numbers(problem: Problem) -> Values:
-    """The numbers of the initial state."""
+    """Numeric values of the initial state."""
     return {
         (fluent.fluent().name, *(argument.object().name for argument in fluent.args)): Fraction(
             value.constant_value()
@@ -95,7 +95,7 @@ def initial_numbers(problem: Problem) -> Values:
 
 
 def evaluated(formula: FNode | None, assignment: Assignment, values: Values) -> Fraction | None:
-    """What a formula comes to; None where a function has no value, or something is divided by 0."""
+    """Value of a formula; None if a function has no value or a divisor is 0."""
     if formula is None:
         return Fraction(0)
     if formula.is_int_constant() or formula.is_real_constant():
@@ -109,7 +109,7 @@ def evaluated(formula: FNode | None, assignment: Assignment, values: Values) -> 
 
 
 def atoms_in(formula: FNode | None, assignment: Assignment) -> Iterator[tuple[str, ...]]:
-    """The functions that a formula reads, each with its objects."""
+    """The ground function terms in a formula: each function with its objects."""
     for node in _fluents(formula):
         yield (node.fluent().name, *(_name(argument, assignment) for argument in node.args))
 

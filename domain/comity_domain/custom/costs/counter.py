@@ -1,4 +1,4 @@
-"""A metric of any name that actions only increase, such as `(minimize (walked))`, as what actions cost."""
+"""Converts a metric that actions only increase, such as `(minimize (walked))`, to action costs."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 def counter_as_costs(problem: Problem) -> Problem:
-    """The problem with the increases of such a function as costs of actions; otherwise the problem itself.
+    """The problem with such increases as action costs; otherwise the problem itself.
 
-    Any function is a cost that no action does anything to but increase, on no condition, and that no
-    condition reads: a plan's last value is its first, which no plan changes, plus what the actions add.
+    A function qualifies if actions only increase it, unconditionally, and no condition reads it. Its final
+    value is then its initial value, the same for every plan, plus the sum of the action costs.
 
     Args:
-        problem: As unified-planning reads it.
+        problem: A problem as read by unified-planning.
     """
     from unified_planning.model.metrics import MinimizeActionCosts
 
@@ -34,7 +34,7 @@ def counter_as_costs(problem: Problem) -> Problem:
 
 
 def _minimized(problem: Problem) -> str | None:
-    """The function without arguments that the metric is; `total-cost` where there is no metric."""
+    """The function without arguments that the metric minimises; `total-cost` without a metric."""
     metrics = problem.quality_metrics
     if not metrics and problem.has_fluent(COST):
         return COST
@@ -61,7 +61,7 @@ def _taken_out(action: InstantaneousAction, counter: str) -> FNode:
     """Remove the increases from an action.
 
     Returns:
-        What they add up to.
+        Sum of the removed increases.
     """
     effects = list(action.effects)
     manager = action.environment.expression_manager

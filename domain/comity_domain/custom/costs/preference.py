@@ -1,4 +1,4 @@
-"""Preference of a person for an option, and its cost."""
+"""A person's preference for an option, and its cost."""
 
 from __future__ import annotations
 
@@ -16,31 +16,31 @@ from comity_fis.inference.value import ParameterValue
 
 @dataclass(frozen=True, slots=True)
 class Preference:
-    """One option as one person judges it."""
+    """One option as evaluated for one person."""
 
     value: OptionValue
     desirability: float
-    """In [0, 1]."""
+    """Desirability in [0, 1]."""
     permitted: bool
-    """Whether it is permitted; not without consent to a gesture, nor against an explicit request."""
+    """Whether the option is permitted: not without consent to a gesture, nor against an explicit request."""
     preference_cost: float
     """Preference cost, in units of the domain's own cost; 0 for the person's best option."""
 
 
 def preferences(option: Option, value: ParameterValue, person: str) -> Mapping[str, Preference]:
-    """The preferences of one person among the objects.
+    """The preferences of one person over the objects.
 
-    An option costs the more, the less desirable it is than the best available one. So no person is more
-    expensive to serve than another because of a preference: culture decides how, never whom.
+    The cost grows as the desirability falls below that of the best available option. A person's best option
+    costs nothing, so preferences affect how people are served, never which people.
 
     Args:
-        option: All objects that the argument may be, with what they stand for.
-        value: The person's parameter.
-        person: What messages call them.
+        option: The option, with the meaning of every object that the argument may be.
+        value: The person's inferred parameter.
+        person: The person's name in messages.
 
     Raises:
-        WrongValueError: an object stands for something that the parameter does not have, or nothing on offer
-            is what the person asked for.
+        WrongValueError: An object stands for something that the parameter cannot be, or no object matches the
+            person's explicit request.
     """
     judged = {name: _judged(name, meaning, value) for name, meaning in option.objects.items()}
     allowed = [desirability for desirability, permitted in judged.values() if permitted]
@@ -92,7 +92,7 @@ def _number(name: str, meaning: OptionValue, value: ParameterValue, liked: Curve
     if low > high:
         raise _means_nothing(name, meaning, value, "Write the smaller number first.")
     if is_setting(value):
-        # A single number can only be near what was asked for; a range holds it or not.
+        # A single number only needs to be near the requested value; a range has to contain it.
         holds = low <= value.number <= high if low < high else math.isclose(low, value.number)
         return float(holds), holds
     return (liked.height(low, high) if low < high else liked(low)), True

@@ -1,4 +1,4 @@
-"""What every action costs for every combination of objects, preference included, and what is ruled out."""
+"""Cost of every action for every combination of objects, with preferences; excluded combinations."""
 
 from __future__ import annotations
 
@@ -33,27 +33,27 @@ if TYPE_CHECKING:
 
 MOST_SCALE = 1_000_000
 MOST_COST = 10_000_000
-"""Of one action, as the planner counts: it adds 200 of them up in 32 bits."""
+"""Maximum cost of one action, in planner units: the planner adds up 200 of them in 32 bits."""
 
 
 @dataclass(frozen=True, slots=True)
 class CostRow:
-    """One combination of objects that is not ruled out."""
+    """A permitted combination of objects, with its cost."""
 
     cost: int
-    """As the planner counts it."""
+    """Total cost in planner units."""
     base: float
-    """The cost without any preference cost, in units of the domain's own cost."""
+    """Cost without preferences, in units of the domain's own cost."""
     preferences: Mapping[str, Preference] = field(default_factory=dict)
-    """Of the person, by option argument."""
+    """The person's preferences, by option argument."""
 
     @property
     def preference_cost(self) -> float:
-        """Preference cost of all choices, in the same units."""
+        """Sum of the preference costs, in units of the domain's own cost."""
         return sum(preference.preference_cost for preference in self.preferences.values())
 
     def parts(self) -> Mapping[str, int]:
-        """What the cost is made of: `domain`, and each option by its argument; they add up to it."""
+        """Parts that add up to `cost`: `domain`, and one per option, by its argument."""
         exact = {"domain": self.base} | {
             f"?{name}": one.preference_cost for name, one in self.preferences.items()
         }
@@ -68,24 +68,24 @@ class CostRow:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """One action."""
+    """The costs of one action."""
 
     arguments: tuple[str, ...]
-    """Those that decide, in the action's order."""
+    """The arguments that determine the cost, in the action's order."""
     rows: Mapping[tuple[str, ...], CostRow]
-    """By the objects for `arguments`; what is ruled out is not there."""
+    """Costs by the objects for `arguments`; excluded combinations are missing."""
     unpriced: Mapping[tuple[str, ...], Atom | None]
-    """What has no cost, with the first function that has no value; None where something is divided by 0."""
+    """Combinations without a cost, with the first function that has no value; None for a division by 0."""
     complete: bool
-    """Nothing is ruled out."""
+    """Whether no combination is excluded."""
 
 
 def tables(own: CustomProblem, binding: Binding, people: BoundPeople | None) -> Mapping[str, Table]:
     """The table of every action, by its name in the problem.
 
     Raises:
-        InputError: a cost below 0, or more combinations than can be written out.
-        BindingRefusedError: an option that cannot be priced.
+        InputError: A cost is below 0, or there are too many combinations.
+        BindingRefusedError: An option cannot be priced.
     """
     pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
     bound = {name.lower(): name for name in binding.actions}
@@ -96,10 +96,10 @@ def tables(own: CustomProblem, binding: Binding, people: BoundPeople | None) -> 
 
 
 def natural_scale(own: CustomProblem) -> int:
-    """The least factor that makes the domain's own costs whole numbers.
+    """The least factor that makes all of the domain's own costs whole numbers.
 
     Raises:
-        InputError: if it is too large for the planner.
+        InputError: The factor is too large for the planner.
     """
     values, scale = initial_numbers(own.problem), 1
     for name, formula in own_costs(own.problem).items():
@@ -121,7 +121,7 @@ def natural_scale(own: CustomProblem) -> int:
 
 
 Preferences = Mapping[str, Mapping[str, Mapping[str, Preference]]]
-"""By option argument, person and object."""
+"""Preferences by option argument, person and object."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,12 +133,12 @@ class _Pricing:
     values: Values
 
     def table(self, action: Action, bound_as: str = "", binding: ActionBinding | None = None) -> Table:
-        """The table of an action.
+        """The cost table of an action.
 
         Args:
-            action: It.
-            bound_as: What the binding calls it.
-            binding: What is bound to it; None where nothing is.
+            action: The action.
+            bound_as: Its name in the binding.
+            binding: Its binding; None if it has none.
         """
         base = None if binding is None else binding.base
         formula, fixed = (self.formulas[action.name], 0.0) if base is None else (None, base)
@@ -150,7 +150,7 @@ class _Pricing:
         for assignment in self.groundings(action, deciding):
             count += 1
             cost = evaluated(formula, assignment, self.values)
-            if cost is None:  # PDDL has no action whose cost has no value
+            if cost is None:  # PDDL gives no semantics to an action whose cost is undefined
                 unpriced[tuple(assignment.values())] = self.missing(formula, assignment)
                 continue
             seen = {name: by[assignment[person]][assignment[name]] for name, by in preferences.items()}
@@ -164,15 +164,15 @@ class _Pricing:
         return Table(deciding, rows, unpriced, complete=len(rows) == count)
 
     def groundings(self, action: Action, deciding: Sequence[str]) -> Iterator[Assignment]:
-        """Every combination of the objects that decide."""
+        """Every combination of objects for the arguments that determine the cost."""
         return groundings(self.own.problem, action, deciding, self.own.places.of_cost(action.name))
 
     def missing(self, formula: FNode | None, assignment: Assignment) -> Atom | None:
-        """The first function of a formula that has no value."""
+        """The first function in a formula that has no value."""
         return next((atom for atom in atoms_in(formula, assignment) if atom not in self.values), None)
 
     def preferences(self, action: Action, bound_as: str, binding: ActionBinding) -> Preferences:
-        """How everybody who may be the action's person sees what may be chosen."""
+        """The preferences of every possible person of the action over its options."""
         assert self.people is not None
         people = self.people
         persons = objects_for(self.own.problem, action, binding.person.lower())
@@ -195,7 +195,7 @@ class _Pricing:
         return found
 
     def whole(self, cost: float, action: Action, formula: FNode | None, assignment: Assignment) -> int:
-        """A cost as the planner counts it."""
+        """A cost in planner units."""
         if 0.0 <= cost * self.scale < MOST_COST:
             return round(cost * self.scale)
         names = ", ".join(map(self.own.as_written, assignment.values()))
@@ -210,7 +210,7 @@ class _Pricing:
         )
 
     def blamed(self, formula: FNode | None, assignment: Assignment, *, lowest: bool) -> Where | None:
-        """Where the lowest, or the highest, of the numbers of a cost stands; None where it reads none."""
+        """Location of the lowest or highest number that a cost reads; None if it reads none."""
         places = self.own.places.numbers()
         stated = [atom for atom in atoms_in(formula, assignment) if atom in places]
         by_value = sorted(stated, key=lambda atom: self.values[atom])
@@ -220,7 +220,7 @@ class _Pricing:
 def _too_heavy(
     bound_as: str, binding: ActionBinding, seen: Mapping[str, Preference], limit: float
 ) -> BindingRefusedError:
-    """A weight that makes a cost larger than the planner can count."""
+    """The error for a weight that makes a cost too large for the planner."""
     worst = max(binding.options, key=lambda name: seen[name.lower()].preference_cost)
     return BindingRefusedError(
         ("actions", bound_as, "options", worst, "weight"),

@@ -1,1 +1,1 @@
-"""PDDL files as a problem of unified-planning: what its reader refuses or would misread, with a place."""
+"""Reads PDDL files into a unified-planning problem; locates what its reader rejects or misreads."""

@@ -1,4 +1,4 @@
-"""What unified-planning's reader would take for something else, or refuse without saying what to write."""
+"""Rejects PDDL that unified-planning's reader would misread, or reject without a helpful message."""
 
 from __future__ import annotations
 
@@ -55,22 +55,22 @@ INSTEAD = {
     ":observe": "State what is true at the start; what is not stated is false.",
     ":length": "Leave it out: it has no effect.",
 }
-"""What to write instead of what is known, and cannot be planned with."""
+"""What to write instead of known but unsupported PDDL features."""
 _PARTS = {
     **dict.fromkeys(("not",), 1),
     **dict.fromkeys(("when", "forall", "exists", "imply", "increase", "decrease", "assign"), 2),
     **dict.fromkeys(("<", ">", "<=", ">=", "="), 2),
 }
-"""How many parts these words take: the reader leaves out any further one without a word."""
+"""Number of arguments of these keywords: the reader silently drops further ones."""
 _NUMBER = re.compile(r"[+-]?[\d.]+([e/][+-]?\d+)?")
 _PLAIN_NUMBER = re.compile(r"[+-]?(\d{1,15}(\.\d{0,12})?|\.\d{1,12})")
 
 
 def refuse_misread(domain: PddlText, problem: PddlText) -> None:
-    """Refuse the first such thing.
+    """Reject the first construct that would be misread.
 
     Raises:
-        InputError: with its place, and what to write instead.
+        InputError: With its location and what to write instead.
     """
     for text, kind, other in ((domain, "domain", "problem"), (problem, "problem", "domain")):
         _refuse_other_file(text, kind, other)
@@ -130,7 +130,7 @@ def _when(effect: Form) -> Form | None:
 
 
 def _refuse_twice(domain: PddlText, action: Form) -> None:
-    """Refuse a parameter that stands twice: one of the two would silently be left out."""
+    """Reject a duplicate parameter: the reader would silently drop one of the two."""
     at = next((i for i, item in enumerate(action.items) if item.word == ":parameters"), None)
     listed = action.items[at + 1].items if at is not None and at + 1 < len(action.items) else ()
     seen: set[str] = set()
@@ -149,7 +149,7 @@ def _refuse_other_domain(domain: PddlText, problem: PddlText) -> None:
 
 
 def _refuse_second_values(problem: PddlText) -> None:
-    """Refuse a second value of a function: it would silently win."""
+    """Reject a second value of a function, which would silently override the first."""
     seen: dict[str, Form] = {}
     for function, value in stated_numbers(problem):
         key = " ".join(item.word for item in function.items)
@@ -160,7 +160,7 @@ def _refuse_second_values(problem: PddlText) -> None:
 
 
 def stated_numbers(problem: PddlText) -> Iterator[tuple[Form, Form]]:
-    """Each function with the value that the initial state gives it."""
+    """Each function with its value in the initial state."""
     section = problem.section(":init")
     for fact in section.rest if section else ():
         if fact.head == "=" and len(fact.items) == 3:

@@ -1,4 +1,4 @@
-"""Where in the files the things of a problem stand, for complaints that only planning gives rise to."""
+"""Locations of a problem's parts in its files, for errors found only during planning."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ Atom = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class DomainPlaces:
-    """Of one domain and one problem; names in lower case."""
+    """Locations in one domain file and one problem file; names in lower case."""
 
     domain: PddlText
     problem: PddlText
 
     def of(self, part: str) -> Where:
-        """Where an action's name stands, or a section of the problem."""
+        """Location of an action's name, or of a section of the problem."""
         if (action := self.domain.actions().get(part)) is not None:
             return self.domain.where(action.items[1])
         return self.problem.where(self.problem.section(part) or self.problem.define)
 
     def of_cost(self, action: str) -> Where:
-        """Where an action's cost is stated, or else the action's name."""
+        """Location of an action's cost, or else of its name."""
         form = self.domain.actions()[action]
         increases = (one for one in form.all() if one.head == "increase")
         costs = (one for one in increases if TOTAL_COST in (one.rest[0].head, one.rest[0].word))
         return self.domain.where(next(costs, form.items[1]))
 
     def numbers(self) -> dict[Atom, Where]:
-        """Where the initial state gives functions their values."""
+        """Locations of the initial values of functions."""
         return {
             tuple(item.word for item in function.items): self.problem.where(value)
             for function, value in stated_numbers(self.problem)

@@ -1,4 +1,4 @@
-"""PDDL files as a problem of unified-planning, read by its reader; every complaint with its file and line."""
+"""Reads PDDL files with unified-planning's reader; every error gets its file and line."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ if TYPE_CHECKING:
     from unified_planning.model import Problem
 
 COST = "total_cost"
-"""What `total-cost` is called in the problem: a name that unified-planning's reader treats like any other.
+"""Name of `total-cost` in the problem: one that unified-planning's reader does not treat specially.
 
-By its own name the reader takes the first increase for the cost of an action, and leaves further ones out.
+For `total-cost`, the reader takes the first increase as the action's cost and drops further ones.
 """
 
 
 @dataclass(frozen=True, slots=True)
 class CustomProblem:
-    """A domain and a problem, read."""
+    """A domain and a problem read from PDDL."""
 
     problem: Problem
-    """In an environment of its own; all names in lower case."""
+    """The problem in its own environment; all names in lower case."""
     domain_name: str
     problem_name: str
     written: Mapping[str, str]
-    """What the files call things, by name in `problem`."""
+    """Names as written in the files, by name in `problem`."""
     places: DomainPlaces
 
     def as_written(self, name: str) -> str:
-        """A name as the files have it where they name it first."""
+        """A name as the files write it at its first occurrence."""
         return self.written.get(name, name)
 
 
@@ -50,7 +50,7 @@ def read_custom(domain: Path, problem: Path) -> CustomProblem:
         problem: A PDDL file for this domain.
 
     Raises:
-        InputError: with file, line and remedy, for whatever cannot be used.
+        InputError: Something cannot be used; with file, line and remedy.
     """
     texts = read_text(domain), read_text(problem)
     refuse_misread(*texts)
@@ -62,7 +62,7 @@ def read_custom(domain: Path, problem: Path) -> CustomProblem:
 
 
 def _written(domain: PddlText, problem: PddlText) -> Iterator[tuple[str, str]]:
-    for text in (problem, domain):  # what is given last counts
+    for text in (problem, domain):  # the text given last takes precedence
         for form in reversed(list(text.define.all())):
             if form.word:
                 yield form.word, text.text[form.start : form.start + len(form.word)]
@@ -75,7 +75,7 @@ def _read(domain: PddlText, problem: PddlText) -> Problem:
     texts = [text.text.replace("\t", " ").lower().replace(TOTAL_COST, COST) for text in (domain, problem)]
     words = {form.word for text in (domain, problem) for form in text.define.all()}
     whole = not any(word == "/" or _is_fraction(word) for word in words)
-    # The domain first by itself: the reader does not say which of two files it complains about.
+    # The domain first, alone: the reader does not say which of two files an error is in.
     for read, blamed in ((texts[:1], domain), (texts, problem)):
         with fresh_environment(whole=whole) as environment:
             try:
@@ -90,10 +90,10 @@ def _is_fraction(word: str) -> bool:
 
 
 def _with_goals_that_matter(problem: Problem, text: PddlText) -> Problem:
-    """The problem without goals that are always true: unified-planning cannot write them.
+    """The problem without goals that are always true, which unified-planning cannot write.
 
     Raises:
-        InputError: if one of them is never true.
+        InputError: A goal is never true.
     """
     goals = [problem.environment.simplifier.simplify(goal) for goal in problem.goals]
     if any(goal.is_false() for goal in goals):
@@ -108,10 +108,10 @@ def _with_goals_that_matter(problem: Problem, text: PddlText) -> Problem:
 
 @contextmanager
 def fresh_environment(*, whole: bool) -> Iterator[Environment]:
-    """An environment of unified-planning's own: in a shared one, a failed call can make the next one fail.
+    """A new unified-planning environment: in a shared one, a failed call can make the next one fail.
 
     Args:
-        whole: Whether all numbers are whole: the reader takes them for reals, which most engines refuse.
+        whole: Whether to make all numbers integers: the reader makes them reals, which most engines reject.
     """
     from unified_planning.environment import Environment
 
@@ -125,7 +125,7 @@ def fresh_environment(*, whole: bool) -> Iterator[Environment]:
 
 @contextmanager
 def as_global(environment: Environment) -> Iterator[None]:
-    """Make an environment the global one meanwhile: the reader and the simulator build parts there."""
+    """Temporarily make an environment the global one, which the reader and the simulator use."""
     import unified_planning.environment as up
 
     before = up.GLOBAL_ENVIRONMENT
@@ -137,7 +137,7 @@ def as_global(environment: Environment) -> Iterator[None]:
 
 
 def _complaint(refusal: Exception, text: PddlText, domain: PddlText) -> InputError:
-    """What unified-planning's reader refuses, with its place in a file as far as it is known."""
+    """An error of unified-planning's reader, with its location if known."""
     from pyparsing import ParseBaseException
 
     if isinstance(refusal, ParseBaseException):
@@ -161,7 +161,7 @@ PARTS = (":parameters", ":precondition", ":duration", ":condition", ":effect")
 
 
 def _in_short(said: str) -> str:
-    """What the reader says, without its own place, the name of its error, and advice for programmers."""
+    """The reader's message without its own location, error name and advice for programmers."""
     first = _PLACE.sub("", said.split("\n", maxsplit=1)[0]).split("! ")[0]
     inner = re.fullmatch(r"\w+\([\"'](.*)[\"']\)", first)
     return inner[1] if inner else first
@@ -178,7 +178,7 @@ def _refused(text: PddlText, form: Form | None, said: str, remedy: str) -> Input
 
 
 def _form_of(text: PddlText, refusal: Exception, said: str) -> Form | None:
-    """What is complained about: by its place, or by the name that the complaint holds."""
+    """The form that the error is about: found by its location, or by a name in the message."""
     named = _NAMED.search(said)
     place = _AT.search(said)
     if place and not named:
@@ -187,18 +187,18 @@ def _form_of(text: PddlText, refusal: Exception, said: str) -> Form | None:
         str(refusal.args[0]) if isinstance(refusal, KeyError) else (named[1] or named[2]) if named else None
     )
     found = [form for form in text.define.all() if form.word == name]
-    return found[min(1, len(found) - 1)] if found else None  # the second one, where a name is given twice
+    return found[min(1, len(found) - 1)] if found else None  # the second one, for a duplicate name
 
 
 def _form_at(text: PddlText, line: int, column: int) -> Form:
-    """The innermost form that begins at a place or before it."""
+    """The innermost form that starts at or before a position."""
     lines = text.text.split("\n")
     offset = sum(len(one) + 1 for one in lines[: line - 1]) + column - 1
     return [form for form in text.define.all() if form.start <= max(offset, text.define.start)][-1]
 
 
 def _out_of_order(form: Form) -> str:
-    """What to write where the grammar does not go on as the file does."""
+    """The remedy where the file departs from the grammar."""
     word = form.word or form.head
     if word.startswith(":") and word not in (*SECTIONS, ":durative-action", *PARTS):
         return closest(word, (*SECTIONS, *PARTS))
@@ -209,7 +209,7 @@ def _out_of_order(form: Form) -> str:
 
 
 def _remedy(form: Form | None, said: str, text: PddlText, domain: PddlText) -> str:
-    """The name that may be meant, where one is used that is not declared."""
+    """The remedy: the name probably meant, for an undeclared name."""
     declared = {name for one in (text, domain) for name in _declared(one)}
     if missing := _TYPE.search(said):
         if missing[1] in (None, "", "object"):

@@ -1,4 +1,4 @@
-"""A PDDL file as nested forms that know where they stand: for places in messages, not for planning."""
+"""Parses a PDDL file into nested forms with positions: for locations in messages, not for planning."""
 
 from __future__ import annotations
 
@@ -12,33 +12,33 @@ from comity_fis.validation.no_file import no_file
 from comity_fis.validation.undecodable import REMEDY, undecodable
 
 MAX_DEPTH = 60
-"""Nesting of brackets. Real domains stay below 20."""
+"""Maximum nesting of brackets; real domains stay below 20."""
 _TOKEN = re.compile(r"(?:;[^\n]*|\s+)|([()]|[^\s();]+)")
 _ONE_DEFINE = "Keep one (define ...) in each file, and check the brackets before this place."
 
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """A word, or a pair of brackets and what stands between them."""
+    """A word, or a bracketed list of forms."""
 
     word: str
-    """In lower case, as PDDL does not tell cases apart; empty for brackets."""
+    """The word in lower case, since PDDL ignores case; empty for a list."""
     items: tuple[Form, ...]
     start: int
-    """Characters before it in the file."""
+    """Offset in the file, in characters."""
 
     @property
     def head(self) -> str:
-        """The first word between the brackets; empty where there is none."""
+        """The first word of a list; empty if there is none."""
         return self.items[0].word if self.items else ""
 
     @property
     def rest(self) -> tuple[Form, ...]:
-        """Everything behind the head."""
+        """All forms after the head."""
         return self.items[1:]
 
     def all(self) -> Iterator[Form]:
-        """The form and every form in it, in the order of the file."""
+        """The form and all forms nested in it, in file order."""
         waiting: list[Form] = [self]
         while waiting:
             form = waiting.pop()
@@ -52,24 +52,24 @@ class Form:
 
 @dataclass(frozen=True, slots=True)
 class PddlText:
-    """One file."""
+    """The parsed text of one file."""
 
     name: str
-    """As messages call it."""
+    """File name in messages."""
     text: str
     define: Form
-    """All of it: `(define ...)`."""
+    """The whole file: `(define ...)`."""
 
     def where(self, form: Form) -> Where:
-        """The line and the column of a form."""
+        """Line and column of a form."""
         return _where(self.name, self.text, form.start)
 
     def refused(self, form: Form, expected: str, got: str, remedy: str) -> InputError:
-        """The refusal of a form, at its place."""
+        """The error for a rejected form, with its location."""
         return InputError(expected=expected, got=got, remedy=remedy, where=self.where(form))
 
     def section(self, keyword: str) -> Form | None:
-        """The first section of that name."""
+        """The first section with that keyword."""
         return next((form for form in self.define.items if form.head == keyword), None)
 
     def actions(self) -> dict[str, Form]:
@@ -80,10 +80,10 @@ class PddlText:
 
 
 def read_text(path: Path) -> PddlText:
-    """The forms of a file.
+    """Parse a file.
 
     Raises:
-        InputError: There is no such file, it is no text, or its brackets do not match.
+        InputError: The file does not exist, is not text, or has unmatched brackets.
     """
 
     def refuse(got: str, remedy: str) -> InputError:
@@ -103,10 +103,10 @@ def read_text(path: Path) -> PddlText:
 
 
 def parsed(text: str, name: str) -> Form:
-    """The one pair of brackets around all of a text.
+    """Parse a text into the one list that encloses it.
 
     Raises:
-        InputError: There is none, there are several, or one is not closed.
+        InputError: There is no list, there are several, or one is not closed.
     """
     open_forms: list[tuple[int, list[Form]]] = []
     done: list[Form] = []
@@ -133,7 +133,7 @@ def parsed(text: str, name: str) -> Form:
 
 
 def _misplaced(token: str, *, depth: int, ended: bool) -> tuple[str, str] | None:
-    """What was expected in the place of a token and what to do; None where it may stand there."""
+    """What was expected in place of a token, and the remedy; None if the token may stand there."""
     if ended:
         return "nothing after the closing bracket", _ONE_DEFINE
     if depth == 0 and token != "(":

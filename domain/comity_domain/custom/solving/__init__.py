@@ -1,1 +1,1 @@
-"""A bound problem solved by whichever engine can, with the reason of every step or what is in the way."""
+"""Solves a bound problem with a suitable engine; explains each step, or why there is no plan."""

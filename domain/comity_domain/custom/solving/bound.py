@@ -1,4 +1,4 @@
-"""A problem with everything that a binding says built in, as a planner takes it."""
+"""A planning problem with a binding compiled in, ready for a planner."""
 
 from __future__ import annotations
 
@@ -19,51 +19,51 @@ if TYPE_CHECKING:
     from unified_planning.model import Action, Fluent, FNode, InstantaneousAction, Problem
 
 Numbers = Mapping[tuple[str, str], int]
-"""What functions are for people, by function and object."""
+"""Values of bound functions, keyed by function and object."""
 
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """Ready to be planned."""
+    """A problem that is ready for planning."""
 
     own: CustomProblem
     binding: Binding
     people: BoundPeople | None
     problem: Problem
-    """What the planner gets: one whole number for each action's cost."""
+    """The problem for the planner, with one integer cost per action."""
     tables: Mapping[str, Table]
-    """By action; empty where the domain is more than classical."""
+    """Cost tables by action; empty for a domain beyond classical planning."""
     beyond: Beyond | None
-    """What is more than classical: nothing where only costs are numeric, and actions take no time."""
+    """The feature beyond classical planning; None if only costs are numeric and actions take no time."""
     rulings: Mapping[str, str]
-    """By action, the predicate that was made up to rule out some of its combinations of objects."""
+    """For each action with excluded combinations of objects, the added predicate that excludes them."""
     dropped: tuple[str, ...]
-    """Functions that are in the costs and not in `problem`, because they are no whole numbers."""
+    """Functions used in the costs but left out of `problem` because their values are not integers."""
     engine: str | None = None
-    """The one that is to plan, by its name in unified-planning; None where Comity takes one that fits."""
+    """Name of the engine in unified-planning; None lets Comity choose a suitable one."""
 
     @property
     def classical(self) -> bool:
-        """Whether nothing but costs is numeric, and actions take no time."""
+        """Whether only costs are numeric and actions take no time."""
         return self.beyond is None
 
     @property
     def cost_scale(self) -> int:
-        """A cost of so much is 1 of the domain's own."""
+        """Planner cost units per unit of the domain's own cost."""
         return self.binding.cost_scale if self.classical else 1
 
 
 def bind(own: CustomProblem, binding: Binding | None = None, people: BoundPeople | None = None) -> Bound:
-    """Build a binding into a problem.
+    """Compile a binding into a problem.
 
     Args:
         own: The domain and the problem.
-        binding: What comes from people; None plans the domain as it is.
-        people: Their parameters; needed with a binding.
+        binding: What comes from people's parameters; None plans the domain unchanged.
+        people: Their inferred parameters; required with a binding.
 
     Raises:
-        InputError: a cost that no planner takes.
-        BindingRefusedError: something in the binding that does not fit.
+        InputError: A cost is unsuitable for planners.
+        BindingRefusedError: Part of the binding does not fit.
     """
     if binding is not None and people is None:
         raise ValueError("a binding needs people, if only the rulebook for those without a profile")
@@ -105,7 +105,7 @@ def _with_numbers(problem: Problem, numbers: Numbers) -> Problem:
 def _compiled(
     problem: Problem, priced: Mapping[str, Table]
 ) -> tuple[Problem, Mapping[str, str], tuple[str, ...]]:
-    """The problem with one whole number per action's cost; functions that are not whole are left out."""
+    """The problem with one integer cost per action, without functions that are not integers."""
     from unified_planning.model import Problem as Empty
     from unified_planning.model.metrics import MinimizeActionCosts
 
@@ -119,7 +119,7 @@ def _compiled(
     costs, rulings = {}, {}
     for action in problem.actions:
         if not action.effects:
-            continue  # no plan is better with it, and Fast Downward refuses it
+            continue  # it never improves a plan, and Fast Downward rejects it
         priced_action, table = action.clone(), priced[action.name]
         if not table.complete:
             rulings[action.name] = _rule_out(priced_action, table, compiled)
@@ -132,7 +132,7 @@ def _compiled(
 
 
 def priced_anew(problem: Problem, costs: Mapping[str, FNode]) -> Problem:
-    """The same problem with other costs, by action."""
+    """A copy with other action costs."""
     from unified_planning.model.metrics import MinimizeActionCosts
 
     problem.clear_quality_metrics()
@@ -178,7 +178,7 @@ def _copy_fluents(problem: Problem, compiled: Problem) -> tuple[str, ...]:
 
 
 def _rule_out(action: InstantaneousAction, table: Table, problem: Problem) -> str:
-    """A precondition that holds for what is not ruled out: the name of its predicate."""
+    """Add a precondition that holds for permitted combinations only; returns the name of its predicate."""
     allowed = new_fluent(f"allowed_{action.name}", "bool", action, table.arguments, problem)
     for objects in table.rows:
         problem.set_initial_value(allowed(*map(problem.object, objects)), True)
@@ -187,7 +187,7 @@ def _rule_out(action: InstantaneousAction, table: Table, problem: Problem) -> st
 
 
 def _price(action: InstantaneousAction, table: Table, problem: Problem) -> FNode:
-    """The action's cost as one constant or one function."""
+    """The action's cost as one constant or one function term."""
     costs = {row.cost for row in table.rows.values()}
     if len(costs) < 2:
         return problem.environment.expression_manager.Int(min(costs, default=0))
@@ -206,15 +206,15 @@ def new_fluent(
     *,
     default: int | None = None,
 ) -> Fluent:
-    """A predicate, false by default, or a function over some arguments of an action, added to a problem.
+    """Add a predicate (default false) or a function over some arguments of an action to a problem.
 
     Args:
-        wanted: Its name, as far as that is free.
-        kind: Which of the two.
-        action: With the arguments.
-        arguments: Some of them.
-        problem: Where it is added.
-        default: Of a function; None where it has no value by default.
+        wanted: Preferred name; changed if it is taken.
+        kind: `bool` for a predicate, `int` for a function.
+        action: The action that has the arguments.
+        arguments: Names of the arguments.
+        problem: The problem to extend.
+        default: Default value of a function; None for no default.
     """
     from unified_planning.model import Fluent, Parameter
 

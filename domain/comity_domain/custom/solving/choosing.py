@@ -1,7 +1,6 @@
-"""Which engine of unified-planning plans: by the kind of problem and its metric, or by its name.
+"""Chooses an engine of unified-planning by problem kind and metric, or by its name.
 
-What an engine says that it supports does not tell whether it looks at the metric: many take one and leave it
-aside.
+The features an engine declares do not tell whether it respects the metric: many accept one and ignore it.
 """
 
 from __future__ import annotations
@@ -21,9 +20,9 @@ if TYPE_CHECKING:
 
 FAST_DOWNWARD = "fast-downward"
 _PREFERRED = ("aries", "enhsp-opt", "enhsp", "tamer", "lpg", "symk-opt", "pyperplan")
-"""Tried in this order; others that are installed come after them, in the order of their names."""
+"""Engines in order of preference; other installed ones follow alphabetically."""
 _ANSWERED_BY_COST = ("fast-downward", "lpg", "lpg-anytime")
-"""They find no proof, and cheap plans all the same."""
+"""Engines that prove no optimum but do find cheap plans."""
 _FREE = "pip install up-aries (MIT; whole numbers and durations)"
 _JAVA = "pip install up-enhsp (GPL-3, needs Java 17; numeric, no durations)"
 _EXTRA = "pip install 'comity[fast-downward]'"
@@ -41,18 +40,18 @@ _LACKS = (
         "Write it in whole numbers",
     ),
 )
-"""What aries does not take, the engine for numbers and durations that pip installs without Java.
+"""What aries, the engine for numbers and durations that pip installs without Java, does not support.
 
-By its names in unified-planning, in words, and what to write instead. Quantifiers and conditional effects are
-compiled away.
+Each entry: the features of unified-planning, a description, and what to write instead. Quantifiers and
+conditional effects are compiled away.
 """
 
 
 def engine_for(problem: Problem) -> str:
-    """The name of an installed engine that can solve a problem, by preference one that looks at its metric.
+    """The name of an installed engine that can solve a problem, preferably one that respects its metric.
 
     Raises:
-        NoEngine: naming an engine to install.
+        NoEngine: None can; the error names an engine to install.
     """
     able = [name for name in installed(problem.environment.factory) if _can(problem, name)]
     ranked = [name for name in _PREFERRED if name in able] + [name for name in able if name not in _PREFERRED]
@@ -67,8 +66,8 @@ def without_quantifiers(problem: Problem) -> tuple[Problem, Callable[[Any], Any]
     """The problem without quantifiers, disjunctions and conditional effects, by unified-planning's compilers.
 
     Returns:
-        It, and from an action of it to one of the problem; None where there is nothing to compile away, or it
-        cannot be.
+        The compiled problem and a map from its actions to the original ones; None if there is nothing to
+        compile away, or the compilers fail.
     """
     from unified_planning.engines import CompilationKind
 
@@ -80,22 +79,22 @@ def without_quantifiers(problem: Problem) -> tuple[Problem, Callable[[Any], Any]
         with factory.Compiler(problem_kind=problem.kind, compilation_kinds=kinds) as compiler:
             result: Any = compiler.compile(problem)
             return result.problem, result.map_back_action_instance
-    except Exception:  # whatever they do not take, there is none
+    except Exception:  # any failure of a compiler means that there is no result
         return None
 
 
 def require_able(engine: str, problem: Problem, *, classical: bool) -> None:
-    """Refuse an engine that is named and cannot plan.
+    """Reject a requested engine that cannot plan.
 
     Args:
         engine: Its name in unified-planning.
         problem: What it is to plan.
-        classical: Whether the problem is one for Fast Downward: whatever its costs are called or typed, they
-            are whole numbers by now.
+        classical: Whether Fast Downward can solve the problem: whatever its costs are named or typed, they
+            are integers by now.
 
     Raises:
-        InputError: It is not installed.
-        NoEngine: It does not take the problem.
+        InputError: The engine is not installed.
+        NoEngine: The engine does not support the problem.
     """
     require_installed(engine, problem.environment.factory)
     able = [
@@ -110,14 +109,14 @@ def require_able(engine: str, problem: Problem, *, classical: bool) -> None:
 
 
 def require_installed(engine: str, factory: Factory | None = None) -> None:
-    """Refuse an engine that unified-planning does not find.
+    """Reject an engine that unified-planning does not find.
 
     Args:
         engine: Its name there.
-        factory: Where it is looked for; None asks unified-planning's own.
+        factory: The factory to search; None takes the global one of unified-planning.
 
     Raises:
-        InputError: naming those that it finds.
+        InputError: The engine is not installed; the error names those that are.
     """
     from unified_planning.environment import get_environment
 
@@ -133,12 +132,12 @@ def require_installed(engine: str, factory: Factory | None = None) -> None:
 
 
 def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
-    """Why an engine broke off: what it does not take, or its words; and which to name instead.
+    """The failure to report when an engine aborts: unsupported features or its message, and alternatives.
 
     Args:
-        name: Of the engine.
-        problem: What it was given.
-        text: What it broke off with.
+        name: Name of the engine.
+        problem: The problem it was given.
+        text: Its error message.
     """
     factory = problem.environment.factory
     lacks = _lacking(problem, name)
@@ -154,7 +153,7 @@ def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
 
 
 def _lacking(problem: Problem, name: str) -> frozenset[str]:
-    """What a problem has and an engine says that it does not take; numbers that nothing reads aside."""
+    """Features of a problem that an engine does not support, not counting unused numeric functions."""
     supported = problem.environment.factory.engine(name).supported_kind().features
     return frozenset(problem.kind.features - supported - {"UNDEFINED_INITIAL_NUMERIC"})
 
@@ -162,20 +161,20 @@ def _lacking(problem: Problem, name: str) -> frozenset[str]:
 def _plans(factory: Factory, name: str) -> bool:
     try:
         return bool(factory.engine(name).is_oneshot_planner())
-    except Exception:  # an engine that does not even load, whatever its reason, is none
+    except Exception:  # an engine that cannot be loaded, for whatever reason, does not count
         return False
 
 
 def installed(factory: Factory) -> list[str]:
-    """The planners that unified-planning finds, without those that are made of others."""
+    """The planners that unified-planning finds, without meta-engines."""
     return sorted(name for name in factory.engines if "[" not in name and _plans(factory, name))
 
 
 def optimizes(engine: Any) -> bool:
-    """Whether the one plan that an engine gives is the best by the metric, or looked for by it.
+    """Whether an engine that returns one plan optimises the metric, exactly or heuristically.
 
     Args:
-        engine: The class of an engine of unified-planning.
+        engine: Engine class of unified-planning.
     """
     from unified_planning.engines.mixins.oneshot_planner import OptimalityGuarantee
 
@@ -184,10 +183,10 @@ def optimizes(engine: Any) -> bool:
 
 
 def improves(engine: Any) -> bool:
-    """Whether an engine that proves nothing gives one plan after another, each better by the metric.
+    """Whether an engine is an anytime planner: it returns plans that improve by the metric, without a proof.
 
     Args:
-        engine: The class of an engine of unified-planning.
+        engine: Engine class of unified-planning.
     """
     from unified_planning.engines.mixins.anytime_planner import AnytimeGuarantee
 
@@ -199,7 +198,7 @@ def improves(engine: Any) -> bool:
 
 
 def _sees_metric(problem: Problem, name: str) -> bool:
-    """Whether an engine looks at the metric; aries breaks on costs of actions, and then leaves them aside."""
+    """Whether an engine respects the metric; aries fails on action costs, which are then ignored."""
     engine = problem.environment.factory.engine(name)
     by_costs = problem.quality_metrics[0].is_minimize_action_costs()
     return optimizes(engine) or (improves(engine) and not (name == "aries" and by_costs))

@@ -1,7 +1,7 @@
-"""A problem solved by an engine of unified-planning: the best plan that it finds in the time there is.
+"""Solves a problem with an engine of unified-planning: the best plan found within the time limit.
 
-Engines write into the current folder, start processes and keep their limits more or less: all of this is
-meant to run in the one process that ends at the limit (`comity_domain.custom.process`).
+Engines write to the current folder, start processes and keep time limits only roughly, so all of this is
+meant to run in the child process that ends at the limit (`comity_domain.custom.process`).
 """
 
 from __future__ import annotations
@@ -35,29 +35,29 @@ if TYPE_CHECKING:
     from unified_planning.model import Problem
 
 GRACE_S = 1.5
-"""So much longer than its limit an engine may take to end by itself and to answer [s] (our choice)."""
+"""Time beyond its limit that an engine gets to end by itself and answer [s] (our choice)."""
 LEAST_S = 0.1
-"""An engine is given so much also where its time is over [s] (our choice)."""
+"""Minimum time that an engine gets, even if the budget is used up [s] (our choice)."""
 EPSILON = Fraction(1, 1000)
-"""Least time [s] from the end of an action to the start of one that needs it to have ended, if the problem
-states none (our choice); aries alone would take 0.1 s."""
+"""Minimum time between the end of an action and the start of a dependent one, if the problem states none [s]
+(our choice); aries alone would take 0.1 s."""
 
 
 def solve(
     problem: Problem, *, engine: str | None = None, time_limit_s: float, any_plan: bool = False
 ) -> Solution:
-    """What an engine finds.
+    """Solve a problem with an engine.
 
     Args:
-        problem: Any that PDDL can say.
-        engine: Its name in unified-planning; None, or one that is not installed, takes one that can, by
-            preference one that looks at the problem's metric.
-        time_limit_s: Wall-clock seconds for the engine, > 0.
-        any_plan: Whether Fast Downward takes the first plan, and no better one is looked for.
+        problem: Any problem that PDDL can express.
+        engine: Its name in unified-planning; if None or not installed, a suitable one is chosen, preferably
+            one that respects the metric.
+        time_limit_s: Wall-clock time for the engine [s], > 0.
+        any_plan: Whether Fast Downward stops at its first plan.
 
     Raises:
-        NoPlan: There is none.
-        PlanningFailed: None was found within the limit, or no engine can.
+        NoPlan: There is no plan.
+        PlanningFailed: No plan was found within the limit, or no engine supports the problem.
     """
     name, problem, back = _chosen(problem, engine)
     search = ANY_PLAN if any_plan else search_for(problem, time_limit_s)
@@ -76,7 +76,7 @@ def solve(
             for last, ignored in _in_time(results, time_limit_s + GRACE_S):  # noqa: B007 - the last one counts
                 if last.plan is not None and (best is None or _is_better(last.plan, best, copy, name)):
                     best = last.plan
-        except Exception as broke:  # whatever an engine breaks with
+        except Exception as broke:  # an engine may fail with any exception
             text = " ".join(f"{type(broke).__name__}: {broke}".split())[:200]
             raise broken_off(name, problem, text) from None
     if best is None:
@@ -86,11 +86,11 @@ def solve(
 
 
 Back = Callable[[Any], Any]
-"""From an action of the problem that is solved to that of the problem that was given."""
+"""Maps an action of the compiled problem to the original one."""
 
 
 def _chosen(problem: Problem, engine: str | None) -> tuple[str, Problem, Back | None]:
-    """The engine, and the problem that it gets: compiled where no engine takes it as it is."""
+    """The engine, and the problem it gets: compiled if no engine supports the original."""
     if engine is not None and engine in installed(problem.environment.factory):
         return engine, problem, None
     try:
@@ -103,7 +103,7 @@ def _chosen(problem: Problem, engine: str | None) -> tuple[str, Problem, Back | 
             return engine_for(compiled), compiled, back
         except NoEngine:
             pass
-        raise  # as it is, it is the user's own
+        raise  # the original problem is the user's own
 
 
 def _writes_pddl(problem: Problem, name: str) -> bool:
@@ -113,20 +113,20 @@ def _writes_pddl(problem: Problem, name: str) -> bool:
 
 
 Results = Iterator[tuple[Any, bool]]
-"""Results of unified-planning, and whether the engine left the metric aside."""
+"""Results of unified-planning, each with whether the engine ignored the metric."""
 
 
 def _fast_downward(problem: Problem, name: str, search: str, until: float) -> Results:
-    """Plans as the searches find them; the last result says how the process ended."""
+    """Plans in the order in which the searches find them; the last result has the exit status."""
     params = {"fast_downward_anytime_search_config": search}
     with problem.environment.factory.AnytimePlanner(name=name, params=params) as planner:
-        planner.skip_checks = True  # functions that nothing reads are no matter
+        planner.skip_checks = True  # functions that nothing reads do not matter
         for result in planner.get_solutions(problem, timeout=_left(until)):
             yield result, False
 
 
 def _other(problem: Problem, name: str, _: str, until: float) -> Results:
-    """Better and better plans, where the engine gives them; otherwise one."""
+    """Successively better plans from an anytime engine; one plan from any other."""
     factory = problem.environment.factory
     engine = factory.engine(name)
     if problem.quality_metrics and improves(engine):
@@ -136,16 +136,16 @@ def _other(problem: Problem, name: str, _: str, until: float) -> Results:
                 for result in planner.get_solutions(problem, timeout=_left(until)):
                     found |= result.plan is not None
                     yield result, False
-        except Exception:  # aries breaks on costs that depend on objects
+        except Exception:  # aries fails on costs that depend on objects
             if found:
                 return
         if found:
             return
     ignored = bool(problem.quality_metrics) and not optimizes(engine)
     if ignored and improves(engine):
-        problem.clear_quality_metrics()  # it broke on it
+        problem.clear_quality_metrics()  # the engine failed on it
     with factory.OneshotPlanner(name=name) as planner:
-        planner.skip_checks = True  # functions that nothing reads are no matter
+        planner.skip_checks = True  # functions that nothing reads do not matter
         yield planner.solve(problem, timeout=_left(until)), ignored
 
 
@@ -154,7 +154,7 @@ def _left(until: float) -> float:
 
 
 def _in_time(results: Results, seconds: float) -> Results:
-    """The results that come in time, whatever the engine does: it runs in a thread that is left behind."""
+    """The results that arrive in time; the engine runs in a thread that may be abandoned."""
     queue: Queue[tuple[Any, bool] | Exception | None] = Queue()
 
     def run() -> None:
@@ -180,7 +180,7 @@ def _in_time(results: Results, seconds: float) -> Results:
 
 
 def _is_better(plan: Any, than: Any, problem: Problem, name: str) -> bool:
-    """Of plans that cost the same the last one counts: the proof's own, which no clock has a part in."""
+    """Whether a plan is better; at equal cost the later one: the proof's plan does not depend on timing."""
     return name != FAST_DOWNWARD or _cost(plan, problem) <= _cost(than, problem)
 
 
@@ -200,7 +200,7 @@ def _cost(plan: Any, problem: Problem) -> int:
 
 
 def _solution(name: str, plan: Any, last: Any, *, ignored: bool) -> Solution:
-    """The best plan, with what the last result says about better ones."""
+    """The best plan, with what the last result says about optimality."""
     actions, status, log = tuple(ground_actions(plan)), last.status.name, _log(last)
     if name == FAST_DOWNWARD:
         finished = status.startswith("SOLVED") and "search exit code: 0" in log
@@ -213,9 +213,9 @@ def _log(result: Any) -> str:
 
 
 def _proven_bound(log: str) -> int:
-    """What LM-cut says of the start, or the last layer that A* began: neither ever overrates.
+    """The initial LM-cut value or the last f-layer that A* began: both are admissible lower bounds.
 
-    A* alone prints layers.
+    Only A* prints layers.
     """
     return max(map(int, re.findall(r"(?:\bf = |heuristic value for lmcut: )(\d+)", log)), default=0)
 

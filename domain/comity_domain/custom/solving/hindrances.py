@@ -1,6 +1,6 @@
-"""Which goal has no plan, and which condition of an action stands in its way.
+"""Diagnoses an unsolvable problem: which goal has no plan, and which action's condition prevents it.
 
-As for visits (`relaxing`), goals and conditions are lifted one at a time, each time looking for any plan.
+As for visits (`relaxing`), goals and conditions are removed one at a time, and any plan is searched for.
 """
 
 from __future__ import annotations
@@ -23,25 +23,25 @@ if TYPE_CHECKING:
     from unified_planning.model import FNode, Problem
 
 MOST_NAMED = 3
-"""Of the steps that are ruled out."""
+"""Maximum number of excluded steps to name."""
 EACH_S, ALL_S = 5.0, 30.0
-"""For one look, and for all of them (our choice); what takes longer is not claimed."""
+"""Time for one search, and for all of them [s] (our choice); a search that times out proves nothing."""
 
 
 @dataclass(frozen=True, slots=True)
 class Needed:
-    """One condition of one action."""
+    """One precondition of one action."""
 
     action: str
     condition: FNode
 
 
 def no_plan(bound: Bound, *, patience_s: float = ALL_S) -> NoPlan:
-    """That there is no plan, with the goals that fail and what would have to be otherwise.
+    """The error for a problem without a plan: the failing goals, and what would have to change.
 
     Args:
         bound: A problem without a plan.
-        patience_s: Wall-clock seconds for all of them, > 0.
+        patience_s: Wall-clock time for all searches [s], > 0.
     """
     return _Search(bound, time.monotonic() + patience_s).told()
 
@@ -68,7 +68,7 @@ class _Search:
         return NoPlan(f"no plan reaches the goal {names}", remedy=self._remedy(failing))
 
     def _conflict(self, goals: Sequence[FNode]) -> NoPlan:
-        """Each goal has a plan, and all of them together have none."""
+        """The diagnosis if each goal alone has a plan, but all of them together have none."""
         found = in_the_way(
             goals, lambda lifted: bool(self.reaches([one for one in goals if one not in lifted]))
         )
@@ -106,7 +106,7 @@ class _Search:
         return "No single condition of an action stands in the way: look for what several of them need."
 
     def _if_open(self, steps: Sequence[GroundAction]) -> str:
-        """That the plan stands and falls with steps whose costs are missing, or that are not permitted."""
+        """The diagnosis if the plan depends on steps that have no cost or are not permitted."""
         reasons = dict(reason(step, self.bound) for step in steps)
         conditions = listed([*reasons][:MOST_NAMED])
         more = f" and {len(reasons) - MOST_NAMED} more" if len(reasons) > MOST_NAMED else ""
@@ -114,19 +114,19 @@ class _Search:
 
     @property
     def left_s(self) -> float:
-        """What is left for all looks."""
+        """Time left for all searches [s]."""
         return self.until - time.monotonic()
 
     def reaches(self, goals: Sequence[FNode], without: Sequence[Needed] = ()) -> bool | None:
-        """Whether there is a plan for these goals, and without these conditions of actions.
+        """Whether there is a plan for these goals, with these action conditions removed.
 
         Returns:
-            None where that was not known in time.
+            None if that is not known in time.
         """
         if self.left_s <= 0.0:
             return None
         problem = with_goals(self.bound.problem, goals)
-        problem.clear_quality_metrics()  # any plan will do
+        problem.clear_quality_metrics()  # any plan suffices
         for one in without:
             action = problem.action(one.action)
             require(action, [part for part in _parts(action.preconditions) if part != one.condition])
@@ -143,7 +143,7 @@ class _Search:
         return True
 
     def _is_made(self, goal: FNode) -> bool:
-        """Whether some action makes it true of anything."""
+        """Whether some action can make the goal's predicate true, for any objects."""
         return (
             any(
                 effect.fluent.fluent() == goal.fluent() and not effect.value.is_false()
@@ -154,7 +154,7 @@ class _Search:
         )
 
     def words(self, node: FNode) -> str:
-        """A condition as PDDL has it."""
+        """A condition in PDDL syntax."""
         from unified_planning.io.pddl_writer import ConverterToPDDLString
         from unified_planning.model import Parameter, Variable
 
@@ -172,7 +172,7 @@ class _Search:
 
 
 def _parts(conditions: Sequence[FNode]) -> list[FNode]:
-    """What is joined by `and`, one by one."""
+    """The conjuncts of the conditions."""
     from unified_planning.engines.compilers.utils import split_all_ands
 
     return list(split_all_ands(list(conditions)))

@@ -1,4 +1,4 @@
-"""From a bound problem to a plan whose steps carry people's parameters, costs and reasons."""
+"""Plans a bound problem; the steps carry people's parameters, costs and reasons."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ class CustomPlan:
     """A plan in a custom domain."""
 
     plan: Plan
-    """Costs in parts of the domain's own cost: divide by `Bound.cost_scale`."""
+    """The plan; costs are in planner units: divide by `Bound.cost_scale`."""
     tells_costs: bool
-    """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
+    """Whether costs are known; if not, the engine did not add them up and the plan's costs are 0."""
     metric_ignored: bool
-    """The problem has a metric, and the engine did not look at it: another plan may be better by it."""
+    """Whether the engine ignored the problem's metric; another plan may then be better."""
     actions: tuple[GroundAction, ...]
-    """The steps in the words of the planning problem, with their times."""
+    """The steps as ground actions of the planning problem, with their times."""
     whose: tuple[str | None, ...]
-    """The person whose preferences are bound to each step; None where none are."""
+    """The person whose preferences are bound to each step; None if there is none."""
 
     def changes(self, other: CustomPlan) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """The steps that only this plan has, and those that only the other one has."""
+        """Steps only in this plan, and steps only in the other one."""
         were, are = (
             Counter(f"{step.action}({', '.join(step.arguments)})" for step in one.plan.steps)
             for one in (self, other)
@@ -43,17 +43,16 @@ class CustomPlan:
 
 
 def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = True) -> CustomPlan:
-    """The cheapest plan for a classical domain; for another, what an installed engine finds.
+    """The cheapest plan for a classical domain; otherwise the plan that an installed engine finds.
 
     Args:
         bound: The problem.
-        time_limit_s: Wall-clock seconds for the engine, > 0.
-        diagnose: Whether to look for what stands in the way where there is no plan; not where the engine
-            is named.
+        time_limit_s: Wall-clock time for the engine [s], > 0.
+        diagnose: Whether to diagnose why there is no plan; not done if the engine is given by name.
 
     Raises:
-        NoPlan: There is none; diagnosed, it says which goal fails and which condition stands in its way.
-        PlanningFailed: None was found within the limits, or no engine that is installed can.
+        NoPlan: There is no plan; a diagnosis names the failing goal and the condition that prevents it.
+        PlanningFailed: None was found within the limits, or no installed engine supports the problem.
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
@@ -85,12 +84,12 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
 
 
 def diagnosed(bound: Bound, failed: PlanningFailed, *, patience_s: float = ALL_S) -> PlanningFailed:
-    """The same failure with what stands in the way, where it is shown that there is no plan.
+    """The failure with a diagnosis added, if it is proven that there is no plan.
 
     Args:
-        bound: The problem; where its engine is named, no other one is asked.
-        failed: What came of it.
-        patience_s: Wall-clock seconds for looking, > 0.
+        bound: The problem; if its engine is given by name, no other one is used.
+        failed: The failure.
+        patience_s: Wall-clock time for the diagnosis [s], > 0.
     """
     if bound.engine is not None or not isinstance(failed, NoPlan):
         return failed
@@ -127,7 +126,7 @@ NOT_BOUND = StepExplanation("no preference of anybody is bound to this action", 
 
 
 def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> dict[str, float | str]:
-    """What rides beside the step: what was inferred, and of a category what was chosen."""
+    """Parameters that the step carries: inferred values, and for a category the chosen one."""
     assert bound.people is not None
     person = bound.people[_person(action, binding, bound)]
     row = row_of(action, bound) if bound.classical else None

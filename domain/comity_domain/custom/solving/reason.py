@@ -1,4 +1,4 @@
-"""Why a step of a custom domain is done this way: whose taste, which rules, what else it could have been."""
+"""Explains a step of a custom domain: whose preference, which rules, and the alternatives."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from comity_fis.listing import listed
 
 
 def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bound: Bound) -> StepExplanation:
-    """Why one step of a plan is so."""
+    """The explanation of one step of a plan."""
     assert bound.people is not None
     action = actions[index]
     name = argument_of(action, binding.person.lower(), bound)
@@ -70,7 +70,7 @@ def _value(value: ParameterValue, person: Inference) -> str:
 
 
 def _because(value: ParameterValue, person: Inference, category: str | None) -> str:
-    """The strongest rule behind a value; of a category, the strongest that speaks for it."""
+    """The strongest rule behind a value; for a category, the strongest rule in its favour."""
     if is_setting(value):
         return "asked for"
     speaking = [fired for fired in value.fired if concludes(fired, value.name, category)]

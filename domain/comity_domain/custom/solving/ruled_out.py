@@ -1,4 +1,4 @@
-"""Which steps would be needed and are ruled out: without a cost, or not permitted by a person."""
+"""Finds steps that a plan would need but that are excluded: without a cost, or not permitted by a person."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 def ruled_out_steps(bound: Bound, goals: Sequence[FNode], *, time_limit_s: float) -> tuple[GroundAction, ...]:
-    """The ruled-out steps of a plan for some goals that has as few as can be found; empty without a plan.
+    """The excluded steps of a plan for some goals with as few of them as found; empty without a plan.
 
     Args:
         bound: A classical problem.
-        goals: To reach.
-        time_limit_s: For the look.
+        goals: Goals to reach.
+        time_limit_s: Wall-clock time for the search [s].
     """
     if not bound.rulings:
         return ()
@@ -38,7 +38,7 @@ def ruled_out_steps(bound: Bound, goals: Sequence[FNode], *, time_limit_s: float
 
 
 def _with_fines(bound: Bound, goals: Sequence[FNode]) -> Problem:
-    """The problem where what is ruled out costs 1 instead, and all else nothing."""
+    """The problem in which excluded steps cost 1 and all others cost 0."""
     free = bound.problem.environment.expression_manager.Int(0)
     problem = with_goals(bound.problem, goals)
     costs = {action.name: free for action in problem.actions}
@@ -56,10 +56,10 @@ def _with_fines(bound: Bound, goals: Sequence[FNode]) -> Problem:
 
 
 def reason(step: GroundAction, bound: Bound) -> tuple[str, str]:
-    """What would have to be otherwise for a step that is ruled out, and what to do about it.
+    """What would have to change to permit an excluded step, and the remedy.
 
     Returns:
-        A clause as after "if", and a whole sentence.
+        A clause to follow "if", and a full sentence.
     """
     table, own = bound.tables[step.name], bound.own
     key = tuple(argument_of(step, name, bound) for name in table.arguments)

@@ -1,4 +1,4 @@
-"""What an engine answers: a plan, and what is known about better ones."""
+"""An engine's answer: a plan, and what is known about better ones."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class GroundAction:
-    """An action of a plan, in the words of the planning problem."""
+    """A ground action of a plan, with names of the planning problem."""
 
     name: str
     arguments: tuple[str, ...]
     start_s: float | None = None
-    """When it starts; None where the plan is a mere order."""
+    """Start time [s]; None for a plan without times."""
     duration_s: float | None = None
 
 
@@ -23,20 +23,20 @@ class Solution:
     """The best plan that an engine found."""
 
     engine: str
-    """By its name in unified-planning."""
+    """Its name in unified-planning."""
     actions: tuple[GroundAction, ...]
     finished: bool
-    """It is proven that no plan is better by the problem's metric."""
+    """Whether it is proven that no plan is better by the problem's metric."""
     bound: int = 0
-    """What no plan costs less than, as far as the engine says so; 0 where it says nothing."""
+    """Lower bound on the cost of any plan; 0 if the engine gives none."""
     killed: bool = False
-    """The engine was killed from outside: there might have been time for more."""
+    """Whether the engine was killed from outside, so that there might have been time for more."""
     metric_ignored: bool = False
-    """The problem has a metric, and the engine did not look at it."""
+    """Whether the engine ignored the problem's metric."""
 
 
 def ground_actions(plan: Any) -> Iterator[GroundAction]:
-    """The actions of a plan of unified-planning, in its order or with its times."""
+    """The actions of a unified-planning plan, in order or with their times."""
     timed = getattr(plan, "timed_actions", None)
     if timed is None:
         timed = ((None, action, None) for action in plan.actions)

@@ -1,4 +1,4 @@
-"""A problem whose values are those that are stated, so that it is written in a time that grows with them."""
+"""Copies a problem with only its explicit initial values, so that it is written in linear time."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 def stated(problem: Problem) -> Problem:
     """A copy of a problem for unified-planning's PDDL writer.
 
-    The writer asks for the value of every atom that the objects could make, true or not: of a predicate with
-    five arguments and 40 objects that is 10^8. The copy gives those that are stated, and enumerates atoms
-    only of what has a value by default that is not false.
+    The writer asks for the value of every possible atom, true or not: for a predicate with five arguments and
+    40 objects these are 10^8. The copy returns explicit values only, and enumerates atoms only of fluents
+    whose default is not false.
 
     Args:
-        problem: Any that PDDL can say; it is left as it is.
+        problem: Any problem that PDDL can express; it is not changed.
     """
     from unified_planning.model import Problem
     from unified_planning.model.fluent import get_all_fluent_exp

@@ -1,4 +1,4 @@
-"""What else a step could have been: other objects for its options, where the plan stays one that works."""
+"""Alternatives to a step: other objects for its options with which the plan stays valid."""
 
 from __future__ import annotations
 
@@ -19,16 +19,17 @@ if TYPE_CHECKING:
     from unified_planning.plans import SequentialPlan
 
 MOST_TRIED, MOST_ATOMS = 200, 100_000
-"""Other ways that are tried for a whole plan, each by a run of the validator; a step gets its share.
+"""Limits on the alternatives tried for a plan, each by a run of the validator; steps share them equally.
 
-The validator looks at every atom that the objects can make: so many in all runs together (about 3 s).
+The first limits the runs. The second limits the atoms, since the validator looks at every possible atom in
+each run (about 3 s in all).
 """
 LONGEST_PLAN = 200
-"""Steps; for longer plans no other ways are tried."""
+"""Maximum number of steps; no alternatives are tried for longer plans."""
 
 
 def row_of(action: GroundAction, bound: Bound) -> CostRow | None:
-    """What a step costs; None where it is ruled out."""
+    """The cost of a step; None if it is excluded."""
     table = bound.tables[action.name]
     return table.rows.get(tuple(argument_of(action, name, bound) for name in table.arguments))
 
@@ -42,16 +43,16 @@ def argument_of(action: GroundAction, name: str, bound: Bound) -> str:
 def other_ways(
     index: int, actions: Sequence[GroundAction], options: Sequence[str], bound: Bound
 ) -> Iterator[tuple[GroundAction, int]]:
-    """The step with other options, and what the whole plan would cost on top; cheapest first.
+    """The step with other options, and the additional cost of the whole plan; cheapest first.
 
-    A swap that breaks the plan is tried once more through the whole plan: wherever an action has the same
-    object with the same person.
+    A swap that invalidates the plan is tried once more throughout the plan: in every action with the same
+    object for the same person.
 
     Args:
-        index: Of the step.
+        index: Index of the step.
         actions: The plan.
         options: The arguments of the step that are options.
-        bound: What was planned.
+        bound: The planned problem.
     """
     cost = _cost(actions, bound)
     found = []
@@ -68,14 +69,14 @@ def other_ways(
 
 
 def tries(actions: Sequence[GroundAction], bound: Bound) -> int:
-    """How many other ways are tried for one step of a plan; 0 where the plan or the problem is too large."""
+    """Number of alternatives to try per step of a plan; 0 if the plan or the problem is too large."""
     if len(actions) > LONGEST_PLAN:
         return 0
     return min(max(2, MOST_TRIED // len(actions)), MOST_ATOMS // (_atoms(bound.problem) * len(actions)))
 
 
 def _atoms(problem: Problem) -> int:
-    """How many atoms the objects can make of predicates and functions, at least 1."""
+    """Number of possible atoms of all predicates and functions, at least 1."""
     counts = {type_: len(list(problem.objects(type_))) for type_ in problem.user_types}
     return 1 + sum(
         prod(counts[parameter.type] for parameter in fluent.signature) for fluent in problem.fluents
@@ -88,14 +89,14 @@ def works(actions: Sequence[GroundAction], bound: Bound) -> bool:
 
     with as_global(bound.problem.environment):
         validator = SequentialPlanValidator()
-        # It refuses functions without a value for every combination, but only a plan that uses one is wrong.
+        # It rejects functions without a value for some combination, but only a plan that uses one is invalid.
         validator.skip_checks = True
         result = validator.validate(bound.problem, as_plan(actions, bound))
     return bool(result.status == ValidationResultStatus.VALID)
 
 
 def as_plan(actions: Sequence[GroundAction], bound: Bound) -> SequentialPlan:
-    """The plan as unified-planning has it."""
+    """The plan as a unified-planning plan."""
     from unified_planning.plans import ActionInstance, SequentialPlan
 
     problem = bound.problem
@@ -109,7 +110,7 @@ def as_plan(actions: Sequence[GroundAction], bound: Bound) -> SequentialPlan:
 
 
 def _variants(action: GroundAction, options: Sequence[str], bound: Bound) -> Iterator[GroundAction]:
-    """The same step with every other choice of its options that is permitted."""
+    """The step with every other permitted choice of its options."""
     declared = bound.problem.action(action.name)
     pools = [
         objects_for(bound.problem, declared, parameter.name) if parameter.name in options else [argument]
