@@ -1,4 +1,4 @@
-"""What an expectation is: one sentence of a scenario, which can be compared with what happened."""
+"""Expectations: sentences of a scenario that are compared with what happened."""
 
 from __future__ import annotations
 
@@ -15,50 +15,50 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Something that is not as expected."""
+    """A mismatch between an expectation and what happened."""
 
     expected: str
     got: str
     because: Sequence[str] = ()
-    """From the near cause to the far one, a line each."""
+    """Causes, a line each, from the nearest to the farthest."""
     also: Sequence[str] = ()
-    """What else differs, a line each; no causes."""
+    """Other differences, a line each; no causes."""
 
 
 class Sentence(ABC):
-    """One kind of expectation: how it is written, and which people it names."""
+    """One kind of expectation: its grammar, and the people it names."""
 
     __slots__ = ()
 
     RULE: ClassVar[str]
-    """What it looks like, in lark's notation."""
+    """Its grammar rule, in lark's notation."""
     EXAMPLE: ClassVar[str]
-    """One sentence of the kind."""
+    """An example sentence."""
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From what the grammar found: names, bounds, counts, or None for what was left out."""
+        """Create from the parsed parts: names, bounds, counts; None for omitted parts."""
         return cls(*parts)
 
     @property
     def people(self) -> Sequence[str]:
-        """The people of the scenario that it names: its `person`, where it has one."""
+        """The people of the scenario that it names: its `person`, if it has one."""
         person: str | None = getattr(self, "person", None)
         return (person,) if person else ()
 
 
 class Expectation(Sentence):
-    """What is compared with every case by itself."""
+    """An expectation of each single case."""
 
     __slots__ = ()
 
     @abstractmethod
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """What is not as expected; nothing where all of it is."""
+        """Mismatches; none if the expectation holds."""
 
 
 class ProfileComparison(Sentence):
-    """What is compared across all profiles, once."""
+    """An expectation that compares all profiles, once."""
 
     __slots__ = ()
 
@@ -69,19 +69,19 @@ class ProfileComparison(Sentence):
 
     @abstractmethod
     def compare(self, compared: ComparedProfiles) -> Iterator[Finding]:
-        """What is not as expected; nothing where all of it is."""
+        """Mismatches; none if the expectation holds."""
 
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """An expectation in its place."""
+    """An expectation with its place in the file."""
 
     text: str
     where: Where
     meaning: Expectation | ProfileComparison
     profiles: tuple[str, ...]
-    """The profiles for which it holds; empty for all."""
+    """Profiles to which it applies; empty for all."""
 
     def concerns(self, profile: str) -> bool:
-        """Whether it holds for the cases of a profile."""
+        """Whether it applies to the cases of a profile."""
         return not self.profiles or profile in self.profiles

@@ -3,4 +3,4 @@
 SUFFIX = ".scenario.yaml"
 GOLDEN = ".golden"
 RESULT = "comity"
-"""The attribute of a report of pytest that holds what our plugin says of a test, as JSON."""
+"""Attribute of a pytest report that holds the plugin's result of a test, as JSON."""

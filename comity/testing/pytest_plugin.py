@@ -1,6 +1,7 @@
 """The pytest plugin: collects `*.scenario.yaml`, one test for each case.
 
-It is loaded by every pytest that runs beside Comity, so everything else is imported when there is a scenario.
+Every pytest in an environment with Comity loads it, so other modules are imported only when there is a
+scenario.
 """
 
 from __future__ import annotations
@@ -21,11 +22,11 @@ if TYPE_CHECKING:
     from comity.testing.runner.result import Result
 
 FIRST_WORKER = "gw0"
-"""What pytest-xdist calls the first of its processes, all of which collect everything."""
+"""Name of pytest-xdist's first process; all of them collect everything."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Four options, all of which a project can do without."""
+    """Add four optional options."""
     group = parser.getgroup("comity", "scenario tests")
     group.addoption(
         "--comity-update", action="store_true", help="Store golden episodes instead of comparing with them."
@@ -52,12 +53,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the marker of slow scenarios known."""
+    """Register the marker of slow scenarios."""
     config.addinivalue_line("markers", "slow: a scenario that its file marks as slow")
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
-    """Take over scenario files, and nothing else."""
+    """Collect scenario files, and nothing else."""
     if file_path.name.endswith(SUFFIX):
         return ScenarioTests.from_parent(parent, path=file_path)
     return None
@@ -65,7 +66,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 
 @pytest.hookimpl(optionalhook=True)  # known since pytest 8
 def pytest_collect_directory(path: Path, parent: pytest.Collector) -> None:
-    """Warn of golden episodes whose scenario is not there; it is pytest that looks into the folder."""
+    """Warn of golden episodes whose scenario is missing; pytest itself collects the folder."""
     if path.name.endswith(GOLDEN) and _is_first(parent.config):
         from comity.testing.collection.cases import shown
         from comity.testing.golden.place import abandoned, told_abandoned
@@ -75,7 +76,7 @@ def pytest_collect_directory(path: Path, parent: pytest.Collector) -> None:
 
 
 def _is_first(config: pytest.Config) -> bool:
-    """Of several processes, all of which collect the same, one does the warning."""
+    """Whether this process gives the warnings: all processes collect the same tests."""
     worker: str = getattr(config, "workerinput", {"workerid": FIRST_WORKER})["workerid"]
     return worker == FIRST_WORKER
 
@@ -84,7 +85,7 @@ def _is_first(config: pytest.Config) -> bool:
 def pytest_make_collect_report(
     collector: pytest.Collector,
 ) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
-    """Let the report of a file that cannot be used hold its result."""
+    """Add the result to the report of a file that cannot be used."""
     report = yield
     if isinstance(collector, ScenarioTests) and report.failed:
         from comity.testing.runner.result import FORM, refused
@@ -98,7 +99,7 @@ def pytest_make_collect_report(
 def pytest_runtest_makereport(
     item: pytest.Item,
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Let the report of a test hold its result: with xdist, another process tells of it."""
+    """Add the result to the report of a test: with xdist, another process prints it."""
     report = yield
     if isinstance(item, ScenarioTest) and report.when == "call" and item.result:
         from comity.testing.runner.result import FORM
@@ -118,12 +119,12 @@ class ScenarioTests(pytest.File):
     def __init__(self, **others: Any) -> None:
         super().__init__(**others)
         self.profiles: Sequence[str] = list(self.config.getoption("comity_profile") or ())
-        """What is tried instead of its matrix's profiles."""
+        """Profiles that replace those of its matrix."""
         self.measured: dict[str, Measured] = {}
-        """What its cases came to so far, by their names: comparisons need no second episode."""
+        """Results of its cases so far, by name, so that comparisons need no second episode."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        """Its tests, or the first thing in it that cannot be used."""
+        """Its tests, or the first error in it."""
         from comity.testing.collection.cases import claims_in
         from comity_fis import InputError
 
@@ -136,12 +137,13 @@ class ScenarioTests(pytest.File):
         if _is_first(self.config) and not self.profiles:
             self._warn_of_left_over(claims)
         for claim in claims:
-            # As pytest reads it back, or `--lf` finds nobody: since 9.2 it parts a name from its brackets.
+            # Written as pytest parses it, or `--lf` finds no test: since 9.2 it splits a name from its
+            # brackets.
             node_id = f"{self.nodeid}::{claim.id}"
             yield ScenarioTest.from_parent(self, name=claim.id, nodeid=node_id, claim=claim)
 
     def _warn_of_left_over(self, claims: Sequence[Claim]) -> None:
-        """Say which golden episodes beside the file hold nothing any more."""
+        """Warn of golden episodes next to the file that belong to no case."""
         from comity.testing.golden.place import left_over
         from comity.testing.runner.telling import left_over_text
         from comity.testing.trials.case import Case
@@ -151,11 +153,11 @@ class ScenarioTests(pytest.File):
 
 
 class UnmetError(Exception):
-    """Expectations that do not hold, in words."""
+    """Failed expectations, in words."""
 
 
 class RefusedError(Exception):
-    """Bad input that was found when a test was carried out, in words."""
+    """Bad input found while running a test, in words."""
 
 
 class ScenarioTest(pytest.Item):
@@ -167,7 +169,7 @@ class ScenarioTest(pytest.Item):
         super().__init__(**others)
         self._claim = claim
         self.result: Result | None = None
-        """What came of it; None before it has ended."""
+        """Its result; None before it has ended."""
         markers = claim.markers
         if markers.slow:
             self.add_marker("slow")
@@ -180,7 +182,7 @@ class ScenarioTest(pytest.Item):
         from comity.testing.runner.result import result_of
         from comity_fis import InputError
 
-        with suppress(InputError):  # it is the result that says so
+        with suppress(InputError):  # the result reports it
             self.user_properties += self._claim.case.properties()
         folder = str(self.config.getoption("comity_failed"))
         result = result_of(
@@ -199,11 +201,11 @@ class ScenarioTest(pytest.Item):
             raise UnmetError(result.text)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Sentences for what does not hold and for bad input; a traceback for everything else."""
+        """Sentences for failed expectations and bad input; a traceback for everything else."""
         if isinstance(excinfo.value, UnmetError | RefusedError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """The place of the expectations."""
+        """The position of the expectations in the file."""
         return self.path, self._claim.line - 1, self.name

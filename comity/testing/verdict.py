@@ -31,7 +31,7 @@ NOTHING: Mapping[str, Measured] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """An expectation that does not hold."""
+    """A failed expectation."""
 
     text: str
     where: Where
@@ -40,28 +40,28 @@ class Failure:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What came of a test."""
+    """The verdict of a test."""
 
     failures: tuple[Failure, ...]
     measured: Measured | None = None
-    """What reports need; None for a comparison, and where there was no plan."""
+    """Results for reports; None for a comparison, and without a plan."""
 
     @property
     def passed(self) -> bool:
-        """Whether all of it holds."""
+        """Whether all expectations hold."""
         return not self.failures
 
 
 def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured] = NOTHING) -> Verdict:
-    """Carry a test out and judge it.
+    """Run a test and judge it.
 
     Args:
         claim: The case and its expectations.
         update: Whether to store its golden episode instead of comparing with it.
-        before: What was measured in other cases already, by the case's name: comparisons need no more.
+        before: Results already measured in other cases, by the case's name, which comparisons reuse.
 
     Raises:
-        InputError: if a sentence names something that this scenario does not have.
+        InputError: if a sentence names something that the scenario does not have.
     """
     try:
         if isinstance(claim.case, Across):
@@ -91,7 +91,7 @@ def _failures(claim: Claim, episode: Episode) -> Iterator[Failure]:
 
 
 def _changed(case: Case, episode: Episode, *, update: bool) -> Iterator[Failure]:
-    """What differs from the golden episode; or the golden episode is written."""
+    """Differences from the golden episode; or none, and the golden episode is written."""
     if update:
         store(case, episode)
         return

@@ -1,4 +1,4 @@
-"""What was done for a person, and on which occasion: a farewell has words and gestures, too."""
+"""Acts completed for a person, and their occasion: a farewell has words and gestures, too."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ _OCCASIONS: Mapping[str, str] = {
     OFFER: "as it brings them something",
     LEAVE: "at the farewell",
 }
-"""By the node of the tree that has something done."""
+"""Occasion by the name of the tree node that triggers the acts."""
 _OTHERWISE = "on its way"
 _TICK_S = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """One act that came to its end."""
+    """One completed act."""
 
     act: str
     occasion: str
@@ -45,7 +45,7 @@ class Done:
 
 
 def done_for(episode: Episode, person: str) -> tuple[Done, ...]:
-    """What was done to its end for a person, or for their company, in order."""
+    """Acts completed for a person, or for their company, in order of time."""
     stood_before = spoken_to(episode.visits, person)
     spans = list(_spans(episode.events, stood_before))
     return tuple(
@@ -56,7 +56,7 @@ def done_for(episode: Episode, person: str) -> tuple[Done, ...]:
 
 
 def _spans(events: Sequence[TraceEvent], person: str) -> Iterator[tuple[float, float, str]]:
-    """From when to when there was which occasion; the tick in which one ends is the next one's already."""
+    """Start [s], end [s] and occasion of each span; the tick in which one ends belongs to the next."""
     theirs = (event for event in events if event.person == person and event.action in _OCCASIONS)
     for took, start, node in runs(theirs):
         yield start - _TICK_S, start + took - _TICK_S, _OCCASIONS[node.action]

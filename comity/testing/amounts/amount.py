@@ -1,4 +1,4 @@
-"""Numbers with units, and how often something happens, as a sentence says them."""
+"""Numbers with units and counts of occurrences, with their wording in sentences."""
 
 from __future__ import annotations
 
@@ -14,21 +14,23 @@ from comity_fis.variables.unit import factor
 _DIGITS = {"m": 3, "s": 2, "deg": 1}
 _SHOWN = {"m": ("cm", 100.0), "deg": ("deg", 1.0), "s": ("s", 1.0), "m/s": ("m/s", 1.0)}
 _MORE_DIGITS = 12
-"""Beyond the usual ones; farther down numbers are noise."""
+"""Maximum number of digits beyond the usual ones; any further digits are noise."""
 
 BEYOND = 1e9
-"""Farther from 0 no number of an episode is, in whatever unit: a bound there would say nothing."""
+"""No number of an episode is farther from 0 than this, in any unit; a bound beyond it would be
+meaningless."""
 
 ROUNDING = 1e-9
-"""A user who writes 82.5 cm means the 0.825 m that computing misses by less, in whatever unit."""
+"""Tolerance for floating-point errors, in any unit: a user who writes 82.5 cm means the 0.825 m that the
+computation misses by less than this."""
 
 MOST_TIMES = 1_000_000
-"""Nothing happens more often in an episode."""
+"""Maximum count: no event happens more often in an episode."""
 
 
 @dataclass(frozen=True, slots=True)
 class Amount:
-    """A number as it is written."""
+    """A number with its unit, as written in a sentence."""
 
     number: float
     unit: str | None
@@ -38,7 +40,7 @@ class Amount:
             raise InputError(expected="a number", got="one beyond all measure", remedy="Write a smaller one.")
 
     def to(self, unit: str | None) -> float:
-        """The number in another unit of the same quantity; one without a unit is a plain number.
+        """Convert to another unit of the same quantity; an amount without a unit is a plain number.
 
         Raises:
             InputError: if they measure different things.
@@ -53,10 +55,10 @@ class Amount:
         return self.number * factor(self.unit or "", wanted)
 
     def size(self, unit: str | None) -> float:
-        """The same for what cannot be less than nothing: a time, a distance, a difference, a tolerance.
+        """Convert a non-negative amount: a time, a distance, a difference or a tolerance.
 
         Raises:
-            InputError: if it is, or they measure different things.
+            InputError: if it is negative, or they measure different things.
         """
         if self.number < 0:
             raise InputError(
@@ -70,17 +72,17 @@ class Amount:
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
-    """From one amount to another, both ends included; None where an end is open."""
+    """A closed interval between two amounts; None where an end is open."""
 
     least: Amount | None
     most: Amount | None
 
     @classmethod
     def between(cls, least: Amount, most: Amount) -> Self:
-        """Two ends; one that has no unit has the other's.
+        """Bounds from two ends; an end without a unit takes the other's.
 
         Raises:
-            InputError: if they measure different things, or the first is the greater one.
+            InputError: if they measure different things, or the first exceeds the second.
         """
         least = replace(least, unit=least.unit or most.unit)
         most = replace(most, unit=most.unit or least.unit)
@@ -94,17 +96,17 @@ class Bounds:
 
     @classmethod
     def around(cls, middle: Amount, within: Amount | None) -> Self:
-        """A middle with a tolerance, which has the middle's unit where it has none; without one, exact.
+        """Bounds around a middle; a tolerance without a unit takes the middle's. Exact without a tolerance.
 
         Raises:
-            InputError: if they measure different things, or the tolerance is less than nothing.
+            InputError: if they measure different things, or the tolerance is negative.
         """
         within = within or Amount(0.0, middle.unit)
         off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
         return cls(replace(middle, number=middle.number - off), replace(middle, number=middle.number + off))
 
     def ends(self, unit: str | None) -> tuple[float | None, float | None]:
-        """Both ends in a unit.
+        """Both ends, converted to a unit.
 
         Raises:
             InputError: if they measure something else.
@@ -113,16 +115,16 @@ class Bounds:
         return low, None if self.most is None else self.most.to(unit)
 
     def holds(self, value: float, unit: str | None, *, slack: float = ROUNDING) -> bool:
-        """Whether a value is inside, to the slack."""
+        """Whether a value is inside the bounds, within the slack."""
         return passed_end(value, *self.ends(unit), slack=slack) is None
 
     def require_possible(
         self, what: str, lowest: float | None, highest: float | None, unit: str | None
     ) -> None:
-        """Refuse bounds that lie outside of all that something can be.
+        """Refuse bounds outside the range of possible values.
 
         Raises:
-            InputError: if nothing can keep them, or they measure something else.
+            InputError: if no value can satisfy them, or they measure something else.
         """
         low, high = self.ends(unit)
         if high is not None and lowest is not None and high < lowest:
@@ -141,10 +143,10 @@ class Bounds:
     def require_breakable(
         self, what: str, lowest: float | None, highest: float | None, unit: str | None
     ) -> None:
-        """Refuse bounds that everything keeps.
+        """Refuse bounds that every possible value satisfies.
 
         Raises:
-            InputError: if nothing can break them, or they measure something else.
+            InputError: if no value can violate them, or they measure something else.
         """
         low, high = self.ends(unit)
         keeps_low = low is None or (lowest is not None and low <= lowest)
@@ -163,11 +165,11 @@ class Bounds:
             )
 
     def told(self, unit: str | None, *beside: float) -> str:
-        """What a value may be, with enough digits to tell the ends from the values beside them."""
+        """The bounds in words, with enough digits to distinguish the ends from the given values."""
         return told_range(*self.ends(unit), unit, *beside)
 
     def missed_by(self, value: float, unit: str | None, note: str = "") -> str:
-        """A value outside, what is to be noted of it, and by how much it is too little or too much."""
+        """A value outside the bounds in words, with a note, and by how much it is too small or too large."""
         low, high = self.ends(unit)
         end = passed_end(value, low, high)
         beyond = "" if end is None else f", {told_beyond(value, end, unit)}"
@@ -176,17 +178,17 @@ class Bounds:
 
 @dataclass(frozen=True, slots=True)
 class Times:
-    """How often something may happen."""
+    """Bounds on how often something happens."""
 
     limit: Literal["at_least", "at_most", "exactly"]
     count: int
 
     @classmethod
     def written(cls, limit: Literal["at_least", "at_most", "exactly"], word: str) -> Self:
-        """From `once`, `twice` or a number.
+        """Parse `once`, `twice` or a number.
 
         Raises:
-            InputError: if nothing can happen so often, or everything does.
+            InputError: if no count, or every count, satisfies the limit.
         """
         number = {"once": 1.0, "twice": 2.0}.get(word.lower()) or float(word)
         if not (0 <= number <= MOST_TIMES and number.is_integer()):
@@ -203,18 +205,18 @@ class Times:
         return cls(limit, int(number))
 
     def holds(self, count: int) -> bool:
-        """Whether so often is right."""
+        """Whether a count satisfies the limit."""
         if self.limit == "at_least":
             return count >= self.count
         return count <= self.count if self.limit == "at_most" else count == self.count
 
     def exceeded_by(self, count: int) -> bool:
-        """Whether so often is too often."""
+        """Whether a count is too high."""
         return self.limit != "at_least" and count > self.count
 
     def __str__(self) -> str:
         if not self.count:
-            return "never"  # at most and exactly are the same then
+            return "never"  # "at most" and "exactly" mean the same for 0
         return f"{self.limit.replace('_', ' ')} {times(self.count)}"
 
 
@@ -228,7 +230,7 @@ def times(count: int) -> str:
 
 
 def told(value: float | str, unit: str | None, more: int = 0) -> str:
-    """A value with its unit, as findings say it: metres to the millimetre, or with more digits."""
+    """A value with its unit, as in findings: metres to the millimetre, or with `more` digits."""
     if isinstance(value, str):
         return value
     if unit in (None, "1"):
@@ -238,23 +240,23 @@ def told(value: float | str, unit: str | None, more: int = 0) -> str:
 
 
 def told_apart(values: Sequence[float], unit: str | None) -> tuple[str, ...]:
-    """Values with as many digits, from the usual ones on, as it takes to see which of them differ."""
+    """Values in words, with the fewest digits (at least the usual ones) that show which of them differ."""
     return _distinct(values, (partial(told, unit=unit, more=more) for more in range(_MORE_DIGITS)))
 
 
 def told_beside(value: float, low: float | None, high: float | None, unit: str | None) -> str:
-    """A value that is at neither end of a range, with as many digits as it takes to see that."""
+    """A value in words, with enough digits to distinguish it from both ends of a range."""
     return told_apart((value, *_ends(low, high)), unit)[0]
 
 
 def told_range(low: float | None, high: float | None, unit: str | None, *beside: float) -> str:
-    """What a value may be, from one end to the other; either may be open.
+    """A range in words; either end may be open.
 
     Args:
-        low: The lower end.
-        high: The upper one.
-        unit: Of both.
-        beside: Whatever is told with it, for as many digits as it takes to see that it is another number.
+        low: Lower end; None if open.
+        high: Upper end; None if open.
+        unit: Unit of both ends.
+        beside: Values stated next to the range, which get enough digits to differ from its ends.
     """
     ends = _ends(low, high)
     first, *rest = told_apart((*ends, *beside), unit)[: len(ends)]
@@ -270,7 +272,7 @@ def _ends(low: float | None, high: float | None) -> tuple[float, ...]:
 
 
 def _distinct(values: Sequence[float], ways: Iterable[Callable[[float], str]]) -> tuple[str, ...]:
-    """The values told in the first way in which those that differ do so; else in the last one."""
+    """The values in the first format in which different values look different; else in the last format."""
     shown: tuple[str, ...] = ()
     for way in ways:
         shown = tuple(way(value) for value in values)
@@ -282,19 +284,19 @@ def _distinct(values: Sequence[float], ways: Iterable[Callable[[float], str]]) -
 def passed_end(
     value: float, low: float | None, high: float | None, *, slack: float = ROUNDING
 ) -> float | None:
-    """The end of a range that a value is beyond, by more than the slack; None where it is inside."""
+    """The end of a range that a value exceeds by more than the slack; None if it is inside."""
     if low is not None and value < low - slack:
         return low
     return high if high is not None and value > high + slack else None
 
 
 def told_beyond(value: float, end: float, unit: str | None) -> str:
-    """By how much a value is beyond the end of a range."""
+    """How far a value is beyond the end of a range, in words."""
     return f"{apart(value - end, unit)} {'too little' if value < end else 'too much'}"
 
 
 def apart(difference: float, unit: str | None, more: int = 0) -> str:
-    """How far two values are apart: metres in centimetres."""
+    """The difference of two values in words; metres as centimetres."""
     bare = "" if unit in (None, "1") else unit
     shown, scale = _SHOWN.get(bare, (bare, 1.0))
     size = abs(difference) * scale
@@ -303,6 +305,6 @@ def apart(difference: float, unit: str | None, more: int = 0) -> str:
 
 
 def differences_apart(differences: Sequence[float], unit: str | None) -> tuple[str, ...]:
-    """The same of several, with as many digits as it takes to see which of their sizes differ."""
+    """Several differences in words, with enough digits to show which of their sizes differ."""
     sizes = [abs(difference) for difference in differences]
     return _distinct(sizes, (partial(apart, unit=unit, more=more) for more in range(_MORE_DIGITS)))

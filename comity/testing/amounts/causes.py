@@ -1,4 +1,4 @@
-"""Why something is as it is, from the trace, the plan and the rules: the last lines of every failure."""
+"""Causes from the trace, the plan and the rules: the last lines of every failure."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ if TYPE_CHECKING:
     from comity_fis import Inference
 
 MOST = 8
-"""Links of a chain: the rest is in `comity trace --why`."""
+"""Maximum number of links shown of a causal chain; `comity trace --why` shows the rest."""
 TICK_S = 0.05
-"""Nodes run from tick to tick: so much later one may notice what is over."""
+"""Duration of a tick [s]: a node may notice the end of something one tick later."""
 
 
 def of_event(event: TraceEvent) -> Iterator[str]:
-    """What a node did, and its chain of causes."""
+    """A node's event and its chain of causes."""
     halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
     yield f"t={event.t:.2f} s  {event.node} {event.status}{halt}"
     yield from chain(event.because)
 
 
 def chain(causes: Iterable[Cause]) -> Iterator[str]:
-    """The links of a chain, a line each."""
+    """The links of a causal chain, one a line."""
     for cause in list(causes)[:MOST]:
         yield f"{cause.kind:9} {cause.words}"
 
@@ -42,13 +42,14 @@ def chain(causes: Iterable[Cause]) -> Iterator[str]:
 def of_node(
     history: History, name: str, status: str | None = None, *, ended_s: float | None = None
 ) -> Iterator[str]:
-    """What a node did last, and why; nothing where it did nothing.
+    """The last event of a node and its causes; nothing if it never ran.
 
     Args:
-        history: The trace to ask.
-        name: The node's.
-        status: Of its results this alone.
-        ended_s: Instead, how that ended which was over then.
+        history: The recorded trace.
+        name: Name of the node.
+        status: Only events with this status; None for all.
+        ended_s: If given, the node's first result or halt at or after this time [s], instead of its last
+            event.
     """
     events = [
         event for event in history.events if event.node == name and (status is None or event.status == status)
@@ -63,18 +64,18 @@ def of_node(
 
 
 def of_last(history: History, nodes: Iterable[Node]) -> Iterator[str]:
-    """What each of these nodes did last, and why."""
+    """The last event of each of these nodes, and its causes."""
     for name in dict.fromkeys(node.name for node in nodes):
         yield from tuple(of_node(history, name)) or (f"{name} never ran",)
 
 
 def at_time(history: History, t: float, actions: Collection[str] = ()) -> Iterator[str]:
-    """Why the robot did what it did at a time [s]; what an earlier attempt failed for was over by then.
+    """Causes of what the robot did at a time [s]; causes of an earlier failed attempt are left out.
 
     Args:
-        history: The trace to ask.
-        t: The time.
-        actions: Of these alone; without any of all.
+        history: The recorded trace.
+        t: The time [s].
+        actions: Only these actions; empty for all.
     """
     for why in history.why_at(t):
         if actions and why.event.action not in actions:
@@ -88,7 +89,7 @@ def at_time(history: History, t: float, actions: Collection[str] = ()) -> Iterat
 
 
 def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
-    """A person's value, or a profile's, what it is made of, and the rules that fired."""
+    """A parameter's value for a person or profile, its contributions, and the rules that fired."""
     value = values[parameter]
     yield f"parameter {parameter} of {whose} {told(value.value, value.unit)} ({value.origin})"
     for line in because_of_value(value, values.inputs).splitlines():
@@ -98,13 +99,13 @@ def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
 def of_parameter(
     episode: Episode, parameter: str, person: str, counts_s: float | None = None
 ) -> Iterator[str]:
-    """A person's value in an episode, what it is made of, and which held when where it was another once.
+    """A parameter's value for a person in an episode, its contributions, and its earlier values.
 
     Args:
         episode: What happened.
-        parameter: Which of theirs.
+        parameter: Name of the parameter.
         person: Whose.
-        counts_s: When it counts [s]; None: when their visit was carried out.
+        counts_s: Time at which the value counts [s]; None for the time of their visit.
     """
     at_s = judged_s(episode, person, parameter) if counts_s is None else counts_s
     yield from of_value(episode.values_at(person, at_s), parameter, person)
@@ -112,7 +113,7 @@ def of_parameter(
 
 
 def of_step(episode: Episode, action: str, person: str) -> Iterator[str]:
-    """A step of the last plan in which a person is visited, and why; of a new plan, also why it was made."""
+    """A step of the last plan that visits a person, and its reasons; after replanning, also why."""
     found = last_for(plans(episode), person, action)
     if found is None:
         return
@@ -126,7 +127,7 @@ def of_step(episode: Episode, action: str, person: str) -> Iterator[str]:
 
 
 def absent(node: str) -> str:
-    """That the tree has no node of a name."""
+    """A sentence that the tree has no node of this name."""
     return f"the tree has no {node}"
 
 
@@ -146,7 +147,7 @@ def of_absence(episode: Episode, node: str) -> Iterator[str]:
 
 
 def of_unserved(episode: Episode) -> Iterator[str]:
-    """Why those were not greeted who were not: nodes of their visits never ran."""
+    """Why people were not greeted although planned: nodes of their visits never ran."""
     for person in to_visit(episode):
         if outcome_of(episode, person) not in PROPER_OUTCOMES:
             yield from of_visit(episode, person)

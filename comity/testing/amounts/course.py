@@ -1,4 +1,4 @@
-"""What was planned, with which parameters, and where time and way went: behind every figure of an episode."""
+"""The course of an episode behind its metrics: plans, their parameters, durations, path lengths, failures."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ if TYPE_CHECKING:
     from comity_sim2d import Frames
 
 LEAST_S = 0.5
-"""What takes less is left out (our choice)."""
+"""Actions shorter than this [s] are left out (our choice)."""
 STOOD_M = 0.005
-"""From so far on an action's way is told: less is 0.00 m."""
+"""Path lengths from this on [m] are shown; shorter ones would read 0.00 m."""
 MOST = 8
-"""Actions: the longest."""
+"""Maximum number of actions listed, the longest ones."""
 _PAUSE = "another plan is asked for in "
-"""How the executor's pauses are told."""
+"""Beginning of the text of a pause of the executor."""
 MOST_TIMES = 3
-"""Failures of one action for one reason that are told one by one (our choice)."""
+"""Up to this many failures of one action for one reason are listed singly (our choice)."""
 MOTIONS = ("Navigate_to_user", "Dock_to_user", "Face_user", "Go_to", "Step_away", "Await_way")
-"""Actions that lead the robot elsewhere where they fail."""
+"""Actions whose failure affects where the robot goes."""
 
 
 def of_course(
@@ -46,13 +46,13 @@ def of_course(
     until: tuple[str, float] | None = None,
     moving: bool = False,
 ) -> Iterator[str]:
-    """The plans, what shaped them, what the robot did longest, what failed; of everybody, or of one visit.
+    """The plans and their parameters, the longest actions and the failures; of the whole run or of one visit.
 
     Args:
         episode: What happened.
-        person: Of whose visit; None for the whole run.
-        until: Before whom the robot stood, and when [s]: what comes later has no part in it.
-        moving: Whether only motions that fail have: words that break off lead nowhere else.
+        person: Whose visit; None for the whole run.
+        until: A person and the time when the robot stood before them [s]; later events are left out.
+        moving: Whether to list failed motions only: an interrupted utterance does not change the route.
     """
     until_s = until[1] if until else math.inf
     for since_s, because, steps in _steps(plans(episode), person, until[0] if until else None):
@@ -66,7 +66,7 @@ def of_course(
 
 
 def of_plan(episode: Episode) -> Iterator[str]:
-    """The steps of the first plan, and what shaped them."""
+    """The steps of the first plan, and the parameters behind them."""
     yield from (_planned(step, episode.prepared.values) for step in episode.prepared.plan.steps)
     yield from shaping(episode)
 
@@ -74,12 +74,12 @@ def of_plan(episode: Episode) -> Iterator[str]:
 def _steps(
     made: Sequence[Planned], person: str | None, to: str | None
 ) -> Iterator[tuple[float, str, Sequence[PlanStep]]]:
-    """The steps of all plans, or of the one by which a person was visited; since when [s], and why replanned.
+    """Start [s], steps and reason to replan; of all plans, or of the plan by which a person was visited.
 
     Args:
         made: All plans, in order.
-        person: Of whose visit; None for all.
-        to: The last before whom the robot is to stand; None for all.
+        person: Whose visit; None for all.
+        to: The last person before whom the robot is to stand; None for all.
     """
     last = None if person is None else last_for(made, person)
     for each in made if person is None else [last] if last else []:
@@ -92,7 +92,7 @@ def _steps(
 def of_time(
     episode: Episode, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
-    """What happened, which people the robot met, what it did longest, for what it waited, and what failed."""
+    """Scheduled events, encounters, the longest actions, waiting times and failures."""
     yield from happened(episode, person, until_s=until_s, moving=moving)
     yield from met(episode, until_s)
     theirs = [*_of_actions(episode.events, episode.visits, person)]
@@ -102,14 +102,14 @@ def of_time(
 
 
 def of_lateness(episode: Episode, visit: Visit) -> Iterator[str]:
-    """How late a greeting was over, and what took the time until then; nothing where it was in time."""
+    """How late a greeting ended, and what took the time until then; nothing if it was in time."""
     if (late := late_s(episode.prepared.visitees, visit)) and visit.greeted_s is not None:
         yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
         yield from of_time(episode, until_s=visit.greeted_s)
 
 
 def runs(events: Iterable[TraceEvent]) -> Iterator[tuple[float, float, Node]]:
-    """How long each node ran [s], from running to a result or a halt; when it began [s], and the node."""
+    """Duration [s], start [s] and node of each run, from RUNNING to its result or halt."""
     begun: dict[int, float] = {}
     for event in events:
         if event.status == "running":
@@ -134,7 +134,7 @@ def _planned(step: PlanStep, inferred: Mapping[str, Inference]) -> str:
 def _other_than_theirs(
     step: PlanStep, inferred: Mapping[str, Inference]
 ) -> Iterator[tuple[str, float | str, str | None]]:
-    """What a step goes by and is no parameter of the person, or another number than theirs; with its unit."""
+    """Values of a step that are no parameters of the person or differ from theirs, with their units."""
     known = inferred[step.person].parameters if step.person in inferred else {}
     for name, value in step.parameters.items():
         if name not in known:
@@ -154,7 +154,7 @@ def _done(actions: Iterable[TraceEvent], frames: Frames, until_s: float) -> Iter
 
 
 def _amount(frames: Frames, start_s: float, took_s: float) -> str:
-    """How long, and how far unless the robot stood."""
+    """Duration, and path length unless the robot stood."""
     way_m = _way_m(frames, start_s, start_s + took_s)
     return f"{took_s:.2f} s" + (f" and {way_m:.2f} m" if way_m >= STOOD_M else "")
 
@@ -167,13 +167,13 @@ def _way_m(frames: Frames, start_s: float, end_s: float) -> float:
 def _of_actions(
     events: Iterable[TraceEvent], visits: Sequence[Visit], person: str | None
 ) -> Iterator[TraceEvent]:
-    """Events of all actions, or of those for a person or for the one before whom their company is greeted."""
+    """Events of all actions, or of those for a person or for the approached member of their company."""
     whose = (person, spoken_to(visits, person)) if person else ()
     return (event for event in events if event.of.kind == "action" and (not whose or event.person in whose))
 
 
 def _waited(events: Sequence[TraceEvent], until_s: float) -> Iterator[str]:
-    """How long no plan was under way, and why."""
+    """How long no plan was being executed, and why."""
     since = None
     for event in events:
         if event.t > until_s:
@@ -193,13 +193,13 @@ def _wait(since: TraceEvent, end_s: float) -> Iterator[str]:
 
 
 def _why(because: Sequence[Cause]) -> str:
-    """The last link but for the pause, of which one wait may have many."""
+    """The last link of the causes that is not the pause: one wait may have many pauses."""
     links = [cause.text for cause in because if not cause.text.startswith(_PAUSE)]
     return (links or [because[-1].text])[-1]
 
 
 def _failed(actions: Iterable[TraceEvent], until_s: float, *, moving: bool) -> Iterator[str]:
-    """Actions that failed, each with the first link of its causes; those for one reason together."""
+    """Failed actions, each with its nearest cause; those with the same reason are grouped."""
     alike: dict[tuple[str, str], list[float]] = {}
     for event in actions:
         failed = event.status == "failure" and event.t < until_s

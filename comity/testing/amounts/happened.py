@@ -1,4 +1,4 @@
-"""What the scenario had happen by a time: changes, faults, its time limit, and what has people walk."""
+"""Events that the scenario caused up to a time: changes, faults, its time limit, and walks of people."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from comity_executor import TraceEvent
 
 _OF_WORDS = (SpeechFails, LeafRaises)
-"""Faults that lead the robot nowhere else."""
+"""Faults that do not affect the robot's path."""
 _SHOWN = (SpeechFails, LeafRaises, PlannerFails)
-"""Faults that do nothing where nothing fails for them: nobody spoke then, say."""
+"""Faults without effect unless a node fails because of them, such as failed speech while nobody speaks."""
 
 
 def happened(
@@ -35,13 +35,13 @@ def happened(
 ) -> Iterator[str]:
     """What happened to the robot or to people, in order of time, and the limit that ended the run.
 
-    What people say is told with the values that it changes.
+    Statements of people are shown with the values that they change.
 
     Args:
         episode: What happened.
-        person: During whose visit, to the robot or to them; None for the whole run.
-        until_s: What happens later has no part in it.
-        moving: Whether only what moves a person, or keeps the robot from moving, has.
+        person: Only events during this person's visit that concern the robot or them; None for the whole run.
+        until_s: Later events are left out [s].
+        moving: Whether to list only events that move a person or keep the robot from moving.
     """
     scenario = episode.prepared.file.scenario
     since_s, end_s = _visit_span(episode.events, person)
@@ -59,7 +59,7 @@ def happened(
 
 
 def walking(scenario: Scenario, person: str | None, until_s: float = math.inf) -> tuple[str, ...]:
-    """What has a person of the scenario walk by a time, or anybody, in words."""
+    """What makes a person walk up to a time, in words; None for anybody."""
     who = (person,) if person else tuple(scenario.people)
     keys = [
         f"{one} has `{key}`"
@@ -82,7 +82,7 @@ def walking(scenario: Scenario, person: str | None, until_s: float = math.inf) -
 
 
 def _visit_span(events: Iterable[TraceEvent], person: str | None) -> tuple[float, float]:
-    """From setting out to a person to the end of their visit [s]; of nobody, all the time."""
+    """Start and end of a person's visit, from the departure of the robot [s]; the whole run if None."""
     if person is None:
         return 0.0, math.inf
     times = [event.t for event in events if is_of(event, VISITED, person)]
@@ -90,7 +90,7 @@ def _visit_span(events: Iterable[TraceEvent], person: str | None) -> tuple[float
 
 
 def _shows(events: Iterable[TraceEvent], entry: Change | Fault, until_s: float) -> bool:
-    """Whether it did anything by a time, as far as is known: the trace names the fault behind a failure."""
+    """Whether an entry had a known effect up to a time: the trace names the fault behind a failure."""
     if not isinstance(entry, _SHOWN):
         return True
     because = (cause for event in events if event.t <= until_s for cause in event.because)

@@ -1,4 +1,4 @@
-"""Which value of a parameter held when: a person may ask for another one on the way."""
+"""History of a parameter's values: a person may ask for another value during the episode."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def held(
     start: Inference, updates: Iterable[ParameterUpdate], parameter: str, person: str
 ) -> tuple[ParameterUpdate, ...]:
-    """Every value that a parameter of a person had, in order of time; that of the start has no text."""
+    """Every value of a person's parameter, in order of time; the initial one has no text."""
     found = [ParameterUpdate(0.0, person, start, "")]
     for one in updates:
         if one.person == person and _differ(one.values[parameter], found[-1].values[parameter]):
@@ -33,12 +33,12 @@ def _differ(one: ParameterValue, other: ParameterValue) -> bool:
 
 
 def of_time(episode: Episode, parameter: str, person: str, judged_s: float) -> Iterator[str]:
-    """Which value held when, and which counts; nothing where there was one throughout.
+    """The values over time, and which one counts; nothing if the value never changed.
 
     Args:
         episode: What happened.
-        parameter: Whose values.
-        person: Of whom.
+        parameter: Name of the parameter.
+        person: Whose value.
         judged_s: When the value counts [s]; infinite for the end.
     """
     every = held(episode.prepared.values[person], episode.told, parameter, person)

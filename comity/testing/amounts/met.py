@@ -1,4 +1,4 @@
-"""Who walked where the robot went: it drives slower before them, gives way, and goes round them."""
+"""Encounters with walking people: the robot slows down before them, gives way, and goes round them."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 
 def met(episode: Episode, until_s: float = math.inf) -> Iterator[str]:
-    """People who walk and came near a robot that was not about them; of passers-by the nearest one.
+    """Walking people who came near the robot while it did not serve them; of passers-by only the nearest.
 
     Args:
         episode: What happened.
-        until_s: People who come later had no part in it.
+        until_s: Later encounters are left out [s].
     """
     scenario, nearest = episode.prepared.file.scenario, _nearest(episode.frames, episode.events, until_s)
     people = scenario.people
@@ -44,7 +44,7 @@ def _told(name: str, gap_m: float, t: float) -> str:
 def _nearest(
     frames: Frames, events: Sequence[TraceEvent], until_s: float
 ) -> Mapping[str, tuple[float, float]]:
-    """How near everybody was to a robot that slowed down before them [m], and when [s]."""
+    """By person, smallest distance to a robot that slowed down before them [m], and its time [s]."""
     gaps = clearances_m(frames)
     gaps[frames.time_s >= until_s] = math.inf
     for whom, start_s, end_s in turns(events):

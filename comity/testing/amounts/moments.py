@@ -1,4 +1,4 @@
-"""When a figure that is the least or the most of an episode came about, and with whom."""
+"""When, and near which person, a minimum or maximum metric of an episode occurred."""
 
 from __future__ import annotations
 
@@ -36,19 +36,19 @@ if TYPE_CHECKING:
 
 
 _NEAR = (*MOTIONS, "Keep_distance", "Wait_for_way")
-"""Actions that decide where the robot is; what it says then has no part in that."""
+"""Actions that determine the robot's position; utterances do not."""
 
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """A time of an episode, and whom the robot was near then."""
+    """A time of an episode, and the person near the robot then."""
 
     t: float
-    """When it began [s]."""
+    """Start [s]."""
     person: str | None = None
-    """Who may be a passer-by; None where it is about nobody."""
+    """The person, possibly a passer-by; None if no person is involved."""
     preposition: str = ""
-    """How that is said: `to`, `with`, `beside`."""
+    """Preposition before the person's name: `to`, `with`, `beside`."""
 
     def __str__(self) -> str:
         whom = f"{self.preposition} {self.person} " if self.person else ""
@@ -56,7 +56,7 @@ class Moment:
 
 
 def moment_of(frames: Frames, metric: str) -> Moment | None:
-    """When and with whom a metric, `min_clearance_m`, had its least or its most; None of other metrics."""
+    """When and near whom a metric, such as `min_clearance_m`, was extreme; None for other metrics."""
     if metric == "min_clearance_m":
         return _least(frames, clearances_m(frames), "to")
     if metric == "min_centre_distance_m":
@@ -69,9 +69,9 @@ def moment_of(frames: Frames, metric: str) -> Moment | None:
 
 
 def of_moment(episode: Episode, moment: Moment) -> Iterator[str]:
-    """Why the robot did then what it did, and where that person and the visited one would have it.
+    """Why the robot acted as it did then, and the distances preferred by that person and the visited one.
 
-    Of a moment about nobody, which is that of the highest speed: what limits speeds.
+    For the highest speed, which involves no person: what limits speeds.
     """
     if moment.person is None:
         yield from _of_speed(episode, moment)
@@ -94,13 +94,13 @@ def _of_speed(episode: Episode, moment: Moment) -> Iterator[str]:
 
 
 def of_their_way(scenario: Scenario, person: str | None, until_s: float) -> Iterator[str]:
-    """What had a person walk by a time, who may be a passer-by; nothing of who stood."""
+    """What made a person (or passer-by) walk up to a time; nothing for people who stood."""
     if person in scenario.people and (keys := walking(scenario, person, until_s)):
         yield f"walks     {', '.join(keys)}"
 
 
 def of_stay(episode: Episode, stay: IntrusionSpan) -> Iterator[str]:
-    """How near the robot was during a stay within a person's distance, why, and what the distance goes by."""
+    """Distance of the robot during a stay within a person's preferred distance, and the reasons for both."""
     frames = episode.frames
     during = (frames.time_s >= stay.start_s) & (frames.time_s <= stay.start_s + stay.length_s)
     gaps_m = clearances_m(frames)[during, frames.entities.index(stay.person) - 1]
@@ -116,12 +116,12 @@ def of_stay(episode: Episode, stay: IntrusionSpan) -> Iterator[str]:
 
 
 def intrusion(episode: Episode) -> Intrusion:
-    """When the robot was within each person's distance without visiting or leaving them."""
+    """Spans in which the robot was within a person's preferred distance without visiting or leaving them."""
     return intrusion_of(episode.frames, episode.known)
 
 
 def _least(frames: Frames, values: NDArray[np.float64], preposition: str) -> Moment | None:
-    """The first frame with the least value, shape (n, people); None where there are no people."""
+    """The first frame with the minimum of `values`, shape (n, people); None without people."""
     if not values.size:
         return None
     row, column = np.unravel_index(int(np.argmin(values)), values.shape)

@@ -1,4 +1,4 @@
-"""What decided the order of visits: the costs, deadlines and priorities of a plan, or a later plan."""
+"""Causes of the order of visits: costs, deadlines and priorities of a plan, or replanning."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from comity_executor import TraceEvent
 
 _OF_WAYS = {"travel": "conversational_distance", "side": "approach_direction"}
-"""Parts of the costs, with the parameter that they hang on."""
+"""Cost terms, with the parameter that each depends on."""
 
 
 def docked_at(event: TraceEvent) -> str | None:
-    """The person at whom the robot docked with an event; None with any other one."""
+    """The person at whom the robot docked in this event; None for other events."""
     return event.person if event.status == "success" and event.action == DOCKED else None
 
 
@@ -35,9 +35,9 @@ def visited(events: Iterable[TraceEvent]) -> tuple[str, ...]:
 
 
 def of_order(episode: Episode, people: Sequence[str]) -> Iterator[str]:
-    """Why these people are visited in another order than this: the plan's reason, and those of later plans.
+    """Why these people are visited in another order: the plan's reason, and those of later plans.
 
-    What was decided before anybody of them was reached and decided again afterwards is no reason any more.
+    A decision made before any of them was reached, and revised afterwards, no longer counts as a reason.
     """
     plan, docked = episode.prepared.plan, list[str]()
     served, now = {name for step in plan.steps for name in step.people}, _among(people, _stops(plan))
@@ -65,7 +65,7 @@ def _among(people: Sequence[str], stops: Iterable[str]) -> tuple[str, ...]:
 
 
 def _planned(episode: Episode, people: Sequence[str]) -> Iterator[str]:
-    """What the first plan would have been like in the other order."""
+    """How the first plan would look in the other order."""
     plan = episode.prepared.plan
     yield f"plan      {', '.join(_stops(plan)) or 'nobody'}, cost {plan.cost} cm"
     other = in_order(episode.prepared.asked.request, plan, people)
@@ -98,7 +98,7 @@ def _parts(other: OtherOrder) -> str:
 
 
 def _goals(file: ScenarioFile, people: Sequence[str], key: str) -> Iterator[str]:
-    """What the scenario's goals have of these people under a key, where they have it."""
+    """The values under a key of the scenario's goals for these people, where present."""
     for i, person in greeted(file.scenario.goals):
         written = getattr(file.scenario.goals[i], key)
         if person in people and written:

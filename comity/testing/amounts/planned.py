@@ -1,4 +1,4 @@
-"""The plans of an episode: the first one, and those that took its place, each with why it was made."""
+"""The plans of an episode: the first one and its replacements, each with the reason to replan."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Planned:
-    """One plan, from when on it was carried out."""
+    """One plan, with the time from which it was executed."""
 
     since_s: float
     plan: Plan
     because: tuple[Cause, ...] = ()
-    """Empty for the first."""
+    """Reasons to replan; empty for the first plan."""
 
 
 def plans(episode: Episode) -> tuple[Planned, ...]:
-    """All of them in order; the same plan with new numbers is no other."""
+    """All plans in order; updated parameters alone do not make a new plan."""
     times = (event.t for event in episode.events if event.status in TAKES_OVER)
     later = zip(times, episode.revisions, strict=True)
     return (
@@ -35,7 +35,7 @@ def plans(episode: Episode) -> tuple[Planned, ...]:
 
 
 def last_for(made: Sequence[Planned], person: str, action: str = "") -> Planned | None:
-    """The last of these plans with a step for a person whose action begins so; None where none has."""
+    """The last plan with a step for a person whose action starts with `action`; None if there is none."""
     for each in reversed(made):
         if any(person in step.people and step.action.startswith(action) for step in each.plan.steps):
             return each

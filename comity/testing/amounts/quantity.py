@@ -1,4 +1,4 @@
-"""The numbers that a sentence may bound: metrics of the run and of people, and parameters of the rulebook."""
+"""Numbers that an expectation may bound: metrics of the run and of people, and parameters of the rulebook."""
 
 from __future__ import annotations
 
@@ -39,12 +39,12 @@ class Quantity:
     unit: str | None
     because: Callable[[], Iterable[str]]
     at: Moment | None = None
-    """When it came about and with whom, of the least or the most of an episode."""
+    """When and near whom it occurred, for a minimum or maximum of an episode."""
 
 
 @dataclass(frozen=True, slots=True)
 class NoQuantity:
-    """No number of a person for whom there should be one."""
+    """A missing number of a person who should have one."""
 
     name: str
     unit: str | None
@@ -73,17 +73,17 @@ def quantities(episode: Episode, name: str, person: str | None) -> Iterator[Quan
 
 
 def is_figure(name: str) -> bool:
-    """Whether it is a metric and no parameter."""
+    """Whether the name is a metric, not a parameter."""
     return name in OF_RUN or name in OF_PERSON
 
 
 def require_sensible(name: str, person: str | None, bounds: Bounds) -> None:
-    """Refuse bounds outside of all that a metric can be, and those that every value keeps.
+    """Refuse bounds outside a metric's range, and bounds that every value satisfies.
 
-    Of one person a number may be missing, and so any bound may be broken.
+    A single person's number may be missing, so any bound on it can be violated.
 
     Raises:
-        InputError: if nothing can keep them, or break them, or they measure something else.
+        InputError: if no value can satisfy them, or violate them, or they measure something else.
     """
     metric = OF_RUN.get(name) if person is None else None
     metric = metric or OF_PERSON.get(name) or OF_RUN.get(name)
@@ -96,7 +96,7 @@ def require_sensible(name: str, person: str | None, bounds: Bounds) -> None:
 
 
 def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) -> None:
-    """Refuse what is no parameter of the rulebook."""
+    """Refuse a name that is no parameter of the rulebook."""
     if name not in values.parameters:
         known = [*values.parameters, *others]
         raise unknown_word(
@@ -130,7 +130,7 @@ def _of_run(episode: Episode, name: str, metric: Metric) -> Iterator[Quantity]:
 
 
 def _behind_run(episode: Episode, metric: Metric) -> tuple[Moment | None, Callable[[], Iterable[str]]]:
-    """When a metric of the run came about, and what had a part in it."""
+    """When a metric of the run took its value, and what contributed to it."""
     if metric.name.startswith("plan_"):
         return None, partial(of_plan, episode)
     if metric.name == "walked_m":
@@ -149,7 +149,7 @@ def _behind_run(episode: Episode, metric: Metric) -> tuple[Moment | None, Callab
 def _of_people(
     episode: Episode, name: str, metric: Metric, person: str | None
 ) -> Iterator[Quantity | NoQuantity]:
-    """A metric of one person, or of everyone to visit, or that one who is to be approached has none."""
+    """A metric of one person or of everyone to visit; NoQuantity where an approached person has none."""
     if person and metric.per == "visit":
         require_goal(episode.prepared.file.scenario, person)
     for one in (person,) if person else to_visit(episode):
@@ -166,7 +166,7 @@ def _of_people(
 def _behind_person(
     episode: Episode, metric: Metric, person: str, number: float
 ) -> tuple[Moment | None, Callable[[], Iterable[str]]]:
-    """When a metric of a person came about, and what had a part in it."""
+    """When a metric of a person took its value, and what contributed to it."""
     if metric.name in ("longest_intrusion_s", "compliance_share"):
         stay = intrusion(episode).longest(episode.frames, person)
         if stay is not None:
@@ -174,7 +174,7 @@ def _behind_person(
             return at, partial(of_stay, episode, stay)
     if metric.name == "walked_m":
         return None, partial(_of_walk, episode, person)
-    if metric.name == "docking_time_s":  # the visits before take their time, too
+    if metric.name == "docking_time_s":  # includes the time of earlier visits
         return None, partial(of_course, episode, until=(person, number))
     if metric.name == "docking_error_m" and (stood := standing(episode.frames, episode.visits, person)):
         return Moment(stood.t), partial(_of_docked, episode, person, stood)
@@ -182,7 +182,7 @@ def _behind_person(
 
 
 def _of_docked(episode: Episode, person: str, stood: DockedPose) -> Iterator[str]:
-    """Why the robot stood where it docked, and what the distance goes by."""
+    """Why the robot stood where it docked, and where the distance comes from."""
     target = episode.values_at(person, stood.t)["conversational_distance"]
     target_m, actual_m = told_apart((target.number, stood.distance_m), "m")
     yield f"distance  target {target_m}, actual {actual_m}"
@@ -192,7 +192,7 @@ def _of_docked(episode: Episode, person: str, stood: DockedPose) -> Iterator[str
 
 
 def _of_walk(episode: Episode, person: str | None) -> Iterator[str]:
-    """What has a person walk, or anybody, and then the course; who stays takes no part in that."""
+    """What makes a person (or anybody) walk, then the course; no course if they stayed."""
     keys = walking(episode.prepared.file.scenario, person)
     metrics = episode.metrics
     moved = (metrics.walked_by_person_m[person] if person else metrics.walked_m) > 0

@@ -1,4 +1,4 @@
-"""The parameters that shaped a figure, a line each, with the rules behind it."""
+"""Parameters that influenced a metric, one a line, with the rules behind each."""
 
 from __future__ import annotations
 
@@ -20,17 +20,18 @@ if TYPE_CHECKING:
     from comity_fis import Inference
 
 HEAD = "goes by   "
-"""How these lines begin: each says all of one parameter, so that a text need not say it twice."""
+"""Prefix of these lines: each is complete in itself, so a text need not repeat it."""
 PASSED_M = 2.0
-"""Whoever the robot passes nearer than this, or within their space, may have moved its way (our choice)."""
+"""A person whom the robot passes at less than this [m], or within their personal space, may have influenced
+its path (our choice)."""
 
 
 def shaping(episode: Episode, person: str | None = None) -> Iterator[str]:
-    """What the plan's steps go by, the distances of those who were passed by, and a robot that is slow.
+    """Parameters behind the plan's steps, distances of people passed by, and low speeds of the robot.
 
     Args:
         episode: What happened.
-        person: Of one visit alone; None for the whole run.
+        person: Only their visit; None for the whole run.
     """
     prepared = episode.prepared
     pairs = (*_planned_with(prepared, person), *(() if person else _passed(episode)))
@@ -41,9 +42,9 @@ def shaping(episode: Episode, person: str | None = None) -> Iterator[str]:
 
 
 def shaping_price(prepared: PlannedEpisode, person: str) -> Iterator[str]:
-    """What another choice for a person is priced by: theirs, and where everybody else wants the robot.
+    """What determines the cost of an alternative: the person's parameters, and the places of all others.
 
-    It is a choice of the first plan, and so what they said later is no part of it.
+    The alternative concerns the first plan, so later statements of people do not count.
     """
     distances = (pair for pair in _planned_with(prepared, None) if pair[1] == DISTANCE)
     return told_of(prepared.values, (), (*_planned_with(prepared, person), *distances))
@@ -52,12 +53,12 @@ def shaping_price(prepared: PlannedEpisode, person: str) -> Iterator[str]:
 def told_of(
     start: Mapping[str, Inference], updates: Sequence[ParameterUpdate], pairs: Iterable[tuple[str, str]]
 ) -> Iterator[str]:
-    """A line for each value and what it is made of, by parameter.
+    """One line per value with its contributions, by parameter.
 
     Args:
-        start: By person, the parameters at the start.
-        updates: What people asked for on the way, in order.
-        pairs: A person and one of their parameters each.
+        start: Parameters at the start, by person.
+        updates: Parameter changes that people asked for during the episode, in order.
+        pairs: Pairs of person and parameter.
     """
     people: dict[str, dict[str, list[str]]] = {}
     for one, name in dict.fromkeys(pairs):
@@ -74,7 +75,7 @@ def _in_words(each: ParameterUpdate, name: str) -> str:
 
 
 def _planned_with(prepared: PlannedEpisode, person: str | None) -> Iterator[tuple[str, str]]:
-    """A person and one of their parameters, for every step."""
+    """Pairs of person and parameter, for every step."""
     for step in prepared.plan.steps:
         if person is None or person in step.people:
             for one in step.people:

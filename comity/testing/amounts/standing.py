@@ -1,4 +1,4 @@
-"""Where the robot stood when it had docked, computed from the frames and from nothing that it believed."""
+"""The robot's pose after docking, computed from the frames, not from the robot's beliefs."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ if TYPE_CHECKING:
     from comity_sim2d import Frames
 
 BESIDE_DEG = 112.5
-"""Off the direction in which a person faces: beyond the front and up to this it is a side, then the back."""
+"""Angle from the person's facing direction [deg] that separates the sides from the back."""
 
 
 @dataclass(frozen=True, slots=True)
 class DockedPose:
-    """The robot beside a person."""
+    """The robot's docking pose relative to a person."""
 
     t: float
     distance_m: float
-    """Between the nearest points of the two bodies."""
+    """Distance between the nearest points of the two bodies [m]."""
     bearing_deg: float
-    """From where the person faces, positive to their left."""
+    """Angle from the person's facing direction [deg], positive to their left."""
 
     @property
     def side(self) -> str:
-        """front, left, right or back, as the person sees it."""
+        """front, left, right or back, from the person's point of view."""
         if abs(self.bearing_deg) <= FRONT_DEG:
             return "front"
         if abs(self.bearing_deg) > BESIDE_DEG:
@@ -42,7 +42,7 @@ class DockedPose:
 
 
 def standing(frames: Frames, visits: Iterable[Visit], person: str) -> DockedPose | None:
-    """Where the robot stood at its last docking before a person; None where it never docked."""
+    """The robot's pose at its last docking at a person; None if it never docked."""
     visit = visit_of(visits, person)
     if visit is None or visit.docked_s is None:
         return None

@@ -1,4 +1,4 @@
-"""What the robot bumped into, and when: a touch presses its stop, and so the trace has it."""
+"""Collisions with the robot and their times: a contact triggers its stop, so the trace records it."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ if TYPE_CHECKING:
     from comity_executor import History, TraceEvent
 
 _BUMPED = "bumped into "
-"""How the trace tells of a touch."""
+"""Beginning of a contact's text in the trace."""
 PEOPLE, THINGS = "person_contacts", ("wall_contacts", "furniture_contacts")
 CONTACTS = (PEOPLE, *THINGS, "touches")
-"""The metrics of an episode that count touches."""
+"""Metrics that count contacts."""
 MOST = 5
-"""So many are told (our choice)."""
+"""Maximum number of contacts listed (our choice)."""
 
 
 def bumps(
     people: Collection[str], events: Iterable[TraceEvent], metrics: Collection[str]
 ) -> Iterator[tuple[float, str]]:
-    """When the robot bumped into something [s], and into what: into what these metrics count."""
+    """Time [s] and object of each contact that the given metrics count."""
     wanted = {True: PEOPLE in metrics, False: not {*THINGS}.isdisjoint(metrics)}
     for event in events:
         for cause in event.because:
@@ -32,7 +32,7 @@ def bumps(
 
 
 def of_contacts(history: History, people: Collection[str], metric: str) -> Iterator[str]:
-    """What was touched, and why the robot went there; nothing where the trace has no touch."""
+    """Contacts, and why the robot went there; nothing if the trace has none."""
     found = [*bumps(people, history.events, CONTACTS if metric == "touches" else (metric,))]
     for t, what in found[:MOST]:
         yield f"touched   {what} at t={t:.2f} s"
@@ -41,5 +41,5 @@ def of_contacts(history: History, people: Collection[str], metric: str) -> Itera
 
 
 def before_bump(history: History, t: float) -> Iterator[str]:
-    """Why the robot did what it did a tick before a touch: from then on it stands still because of that."""
+    """Causes of the robot's action one tick before a contact; afterwards it stands because of the contact."""
     return causes.at_time(history, max(0.0, t - causes.TICK_S))

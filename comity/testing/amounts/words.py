@@ -1,4 +1,4 @@
-"""Whether a text holds words: whole ones and whole numbers, in small letters or capitals, however typed."""
+"""Case-insensitive search for whole words and whole numbers in a text."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from functools import lru_cache
 
 
 def holds(text: str, words: str) -> bool:
-    """Whether these words stand in the text, one after the other: `rule 1` does not in `rule 11`."""
+    """Whether a text contains these words in sequence: `rule 1` is not contained in `rule 11`."""
     return _pattern(words).search(_folded(text)) is not None
 
 
 def _folded(text: str) -> str:
-    """Without what nobody sees or means: `é` may be one sign or two, and `ß` is `SS` in capitals."""
+    """Normalised, case-folded text: `é` may be one code point or two, and `ß` is `SS` in capitals."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", text).casefold())
 
 
 @lru_cache(maxsize=512)
 def _pattern(words: str) -> re.Pattern[str]:
-    """No letter or digit may go on before or behind, nor a number across its point."""
+    """A pattern bounded by non-alphanumeric characters; numbers match as a whole, with their decimals."""
     words = _folded(words)
     parts = r"\s+".join(map(re.escape, words.split()))
     before = r"(?<!\w)(?<!\d[.,])" if re.match(r"\s*\w", words) else ""

@@ -1,1 +1,1 @@
-"""The paths that `comity test` gives to pytest, and the cases of a file with what they have to hold."""
+"""The paths that `comity test` gives to pytest, and the cases of a file with their expectations."""

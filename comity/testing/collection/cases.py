@@ -1,4 +1,4 @@
-"""The cases of a scenario file, and what each of them has to hold."""
+"""The cases of a scenario file, with the expectations of each."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _AND = "Write `and`, or a comma: the sentence holds for each of them."
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """One case, and all that it has to hold."""
+    """One case with its expectations."""
 
     case: Case | Across
     expectations: tuple[Written, ...]
     others: tuple[str, ...] = ()
-    """What was named instead of the matrix's profiles: of a case its own, of a comparison all of them."""
+    """Profiles named instead of the matrix's: a case's own, or all of a comparison."""
 
     @property
     def id(self) -> str:
@@ -46,17 +46,17 @@ class Claim:
 
     @property
     def markers(self) -> Markers:
-        """How the file marks its tests."""
+        """Markers that the file gives its tests."""
         return self.case.file.scenario.markers
 
     @property
     def must_fail(self) -> bool:
-        """Whether passing is a failure: of a file that is marked so, a comparison may hold all the same."""
+        """Whether the test must fail; a comparison may pass nevertheless."""
         return self.markers.xfail is not None and not isinstance(self.case, Across)
 
     @property
     def line(self) -> int:
-        """Where the expectations begin, counted from 1."""
+        """Line at which the expectations begin, counted from 1."""
         return self.case.file.where("expect").line or 1
 
 
@@ -65,11 +65,11 @@ def claims_in(path: Path, *, profiles: Sequence[str] = (), engine: str = ENGINE)
 
     Args:
         path: The file.
-        profiles: Instead of the matrix's profiles, where it has any: names, or paths from the current folder.
-        engine: Who plans, as for `comity.preparation.prepare`.
+        profiles: Profiles that replace the matrix's, if it has any: names, or paths from the current folder.
+        engine: The planner, as for `comity.preparation.prepare`.
 
     Raises:
-        InputError: with the line, for whatever in the file cannot be used.
+        InputError: with the line, for anything in the file that cannot be used.
     """
     file = _read(path)
     people = file.scenario.people
@@ -95,7 +95,7 @@ def claims_in(path: Path, *, profiles: Sequence[str] = (), engine: str = ENGINE)
 
 
 def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
-    """Every test has a name of its own, and every case a place of its own for its golden episode."""
+    """Refuse two tests with the same name, or two cases with the same golden episode."""
     seen: dict[str, Claim] = {}
     for claim in claims:
         for name in (claim.id, claim.case.slug):
@@ -110,7 +110,7 @@ def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
 
 
 def _told_apart(claim: Claim, other: Claim) -> str:
-    """What to change where two tests cannot be told apart."""
+    """Remedy for two tests that cannot be distinguished."""
     if isinstance(claim.case, Across) and isinstance(other.case, Case):
         return f"Call the profile otherwise: `{ACROSS}` is what the comparison of all profiles is called."
     if claim.id == other.id:
@@ -122,7 +122,7 @@ def _told_apart(claim: Claim, other: Claim) -> str:
 
 
 def shown(path: Path) -> str:
-    """A path as short as it is from here; a shipped scenario by its name."""
+    """The shortest path from the current folder; a shipped scenario by its name."""
     return names_by_path().get(path) or str(from_here(path) or path)
 
 
@@ -142,7 +142,7 @@ def _read(path: Path) -> ScenarioFile:
 
 
 def _expectations(file: ScenarioFile, profiles: Collection[str]) -> tuple[Written, ...]:
-    """All sentences of a file; those that cannot be used are told together."""
+    """All sentences of a file; the errors of unusable ones are reported together."""
     read, wrong = [], []
     for i, item in enumerate(file.scenario.expect):
         try:
@@ -185,7 +185,7 @@ def _require(names: Sequence[str], expected: str, known: Collection[str], where:
 
 
 def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tuple[str, Where]:
-    """A sentence with a colon in it is a mapping to YAML."""
+    """The text of a sentence; YAML reads a sentence with a colon as a mapping."""
     where = file.where("expect", i)
     if isinstance(item, str):
         return item, where
@@ -223,7 +223,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[Tried], engine: str) -> Iterat
 
 
 def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
-    """Names and paths, each of which can be read; None for the scenario's own."""
+    """Readable names and paths of rulebooks; None for the scenario's own."""
     written = file.scenario.matrix.rulebooks
     found = [beside(file, name) for name in written]
     for i, name in enumerate(found):
@@ -238,7 +238,7 @@ def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
 
 
 def _named(error: InputError, where: Where) -> InputError:
-    """What is wrong in a file, with the line of the scenario that names it."""
+    """An error in a file, with the scenario's line that names the file."""
     if error.where is None:
         return error.at(where)
     remedy = f"{error.remedy} The matrix names this file in {where}.".strip()
@@ -247,7 +247,7 @@ def _named(error: InputError, where: Where) -> InputError:
 
 
 def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
-    """The cases that differ in nothing but the profile."""
+    """Groups of cases that differ only in the profile."""
     groups: dict[tuple[object, ...], list[Case]] = {}
     for case in cases:
         groups.setdefault((case.world, case.rulebook, case.seed), []).append(case)

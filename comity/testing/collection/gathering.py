@@ -1,4 +1,4 @@
-"""What `comity test` is asked to test: folders, files and single tests, also by the names of what ships."""
+"""Selection of what `comity test` runs: folders, files and single tests, also shipped ones by name."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ NONE: Mapping[str, Path] = MappingProxyType({})
 def gathered(
     words: Sequence[str], *, ship: Mapping[str, Path] = NONE, profiles: Sequence[str] = ()
 ) -> tuple[str, ...]:
-    """The arguments for pytest: absolute paths, each once, of which a file may be followed by `::` and an id.
+    """The arguments for pytest: unique absolute paths; a file may be followed by `::` and a test id.
 
     Args:
-        words: What the user named; the current folder without any.
-        ship: Take these of the shipped scenarios instead.
-        profiles: Instead of every matrix's profiles: names, or paths from the current folder.
+        words: Names given by the user; if empty, the current folder.
+        ship: If given, these shipped scenarios are used instead.
+        profiles: Profiles that replace every matrix's: names, or paths from the current folder.
 
     Raises:
         InputError: if there is no such file, folder or test.
-        FileNotFoundError: where the current folder was removed, and nothing else is named.
+        FileNotFoundError: if the current folder was removed, and nothing else is named.
     """
     if ship and words:
         raise InputError(
@@ -44,11 +44,11 @@ def gathered(
 
 
 def files_in(arguments: Sequence[str], most: int) -> list[Path]:
-    """The scenario files that these name or hold, up to a number of them.
+    """The scenario files named by or below the arguments, up to a maximum.
 
     Args:
-        arguments: As of `gathered`.
-        most: Looking for files ends with so many.
+        arguments: Paths as returned by `gathered`.
+        most: Maximum number of files to find.
     """
     return list(islice(_files_in(arguments), most))
 
@@ -99,7 +99,7 @@ def _no_tests(word: str, path: Path) -> InputError:
 
 
 def _near(path: Path) -> str:
-    """The closest name where the path goes wrong, or among what ships; else where to look."""
+    """A hint for a wrong path: the closest existing or shipped name, else where to look."""
     ways = [path, *path.parents]
     wrong = next((way for way in ways if way.parent.is_dir()), path)
     known = {entry.name: str(entry) for entry in _entries(wrong.parent) if wrong is path or entry.is_dir()}
@@ -112,7 +112,7 @@ def _near(path: Path) -> str:
 
 
 def _entries(folder: Path) -> list[Path]:
-    """The folders and the scenarios in a folder that may be looked into."""
+    """The accessible folders and scenarios in a folder."""
     try:
         return sorted(each for each in folder.iterdir() if each.name.endswith(SUFFIX) or each.is_dir())
     except OSError:

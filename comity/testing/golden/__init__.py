@@ -1,1 +1,1 @@
-"""Golden episodes: where each is kept, what a case reads, what was edited, and what differs now."""
+"""Golden episodes: their location, the inputs of a case, edits of these, and differences now."""

@@ -1,6 +1,6 @@
-"""All that a case reads, by its content: what is known of a case hangs on it, and golden episodes name it.
+"""All inputs of a case, by content: cached results depend on them, and golden episodes name them.
 
-Whatever a scenario names by path counts with what stands there, not with its name.
+A file that a scenario names by path counts with its content, not its name.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ if TYPE_CHECKING:
     from comity.testing.trials.case import Case
 
 _PROSE = ("name", "description", "reason", "reasons", "note")
-"""Of a rulebook: what nothing is computed with."""
+"""Prose keys of a rulebook, which affect no computation."""
 _ABOUT = ("about",)
-"""The same of the other files."""
+"""Prose keys of other files."""
 _HEADS = ("schema_version", "name")
-"""How a file calls itself."""
+"""Keys by which a file identifies itself."""
 _ABOUT_TESTS = ("expect", "matrix", "markers")
-"""What of a scenario nobody in it notices."""
+"""Keys of a scenario that concern its tests only and do not affect an episode."""
 
 
 def content_of(case: Case) -> Iterator[tuple[str, Any]]:
-    """What a case reads, by what it is called.
+    """The inputs of a case, by name.
 
-    Of the rules only the values that follow from them, at the start and from what people say later.
+    Of the rules, only the inferred values count, initially and after later statements of people.
 
     Raises:
         InputError: if anything that the case names cannot be used.
@@ -47,10 +47,10 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
 
 
 def sources_of(case: Case) -> Iterator[tuple[str, SourceFile]]:
-    """The files that a case reads, flat, by what golden episodes call them; without rules and without prose.
+    """The files that a case reads, flattened, by their names in golden episodes; without rules and prose.
 
-    A profile that stands in the scenario is none apart, and one that the case replaces is left out there.
-    What the store holds of a person stays there: golden episodes are shared.
+    A profile inside the scenario is part of it; one that the case replaces is left out. Stored personal data
+    is excluded because golden episodes are shared.
 
     Raises:
         InputError: if anything that the case names cannot be used.
@@ -68,7 +68,7 @@ def sources_of(case: Case) -> Iterator[tuple[str, SourceFile]]:
 
 
 def kept_of(case: Case) -> Iterator[tuple[str, str]]:
-    """What a case reads from the store, by what golden episodes call it: who is kept, and what names them."""
+    """Stored profiles that a case reads, by name in golden episodes, with the keys that refer to them."""
     for name, each in case.cast.declared.items():
         if each.kept_as:
             at = ("matrix", "profiles") if name in case.profiles else ("people", name, "profile")
@@ -78,17 +78,17 @@ def kept_of(case: Case) -> Iterator[tuple[str, str]]:
 
 
 def learnt_with(person: str) -> str:
-    """What golden episodes call what meetings with a person taught."""
+    """Name in golden episodes of what was learnt from meetings with a person."""
     return f"what was learnt with {person}"
 
 
 def profile_of(person: str) -> str:
-    """What golden episodes call a person's profile."""
+    """Name of a person's profile in golden episodes."""
     return f"profile of {person}"
 
 
 def is_written_out(case: Case, person: str) -> bool:
-    """Whether a person's profile is a part of the scenario."""
+    """Whether a person's profile is written in the scenario itself."""
     return person not in case.profiles and not isinstance(case.file.scenario.people[person].profile, str)
 
 
@@ -98,7 +98,7 @@ def rules_of(case: Case) -> tuple[str, ...]:
 
 
 def _as_played(case: Case) -> dict[str, Any]:
-    """The scenario without what is about tests, and without profiles that the case replaces."""
+    """The scenario without keys about tests and without replaced profiles."""
     data = _without(case.file.file.data, (*_ABOUT_TESTS, "rulebook"))
     people = {
         name: _without(person, ("profile",)) if name in case.profiles else person
@@ -112,12 +112,12 @@ def _without(data: Mapping[str, Any], keys: Sequence[str]) -> dict[str, Any]:
 
 
 def _rule(written: Mapping[str, Any]) -> str:
-    """Its text, and what else of it decides something, where that is written."""
+    """A rule's text, and any other keys of it that affect the result."""
     more = [f"{key}: {written[key]}" for key in ("weight", "enabled") if key in written]
     return f"{written['rule']} ({', '.join(more)})" if more else str(written["rule"])
 
 
 def _map_name(case: Case) -> str | None:
-    """None for a place that is written out in the scenario."""
+    """Name of the map; None if the place is described in the scenario."""
     place = case.file.scenario.place
     return place.map if isinstance(place, MapPlace) and isinstance(place.map, str) else None

@@ -1,4 +1,4 @@
-"""What differs between a golden episode and the same case now: what does first, its cause, and the rest."""
+"""Differences between a golden episode and the same case now: the first, its cause, and the rest."""
 
 from __future__ import annotations
 
@@ -14,20 +14,21 @@ if TYPE_CHECKING:
     from comity.testing.golden.record import Golden
 
 MOST = 3
-"""Choices that are named where the same is told of several."""
+"""Maximum number of choices named when several share the same difference."""
 _UNSEEN = "one that differs in digits or words which golden episodes do not keep"
 
 
 def differing(
     before: Golden, now: Golden, sources: Mapping[str, SourceFile], kept: Mapping[str, str]
 ) -> Iterator[Finding]:
-    """At most one finding: what is kept and differs; or, on the same platform, that the trace does.
+    """At most one finding: a difference in the stored values or, on the same platform, in the trace.
 
     Args:
         before: The golden episode.
         now: The same case now.
-        sources: The files that it reads now.
-        kept: What it reads from the store, by what golden episodes call it, and what names it.
+        sources: The files that the case reads now.
+        kept: The stored profiles that it reads, by their names in golden episodes, with the keys that refer
+            to them.
     """
     same_machine = before.fingerprint == now.fingerprint
     same_trace = same_machine and before.trace_sha256 == now.trace_sha256
@@ -47,7 +48,7 @@ def differing(
 
 
 def _behind_the_first(before: Golden, now: Golden, found: Sequence[Edit]) -> Sequence[Edit]:
-    """The edits that may be behind the first difference: of a parameter, those that bear on it."""
+    """Edits that may have caused the first difference; for a parameter, those that affect it."""
     first = next(_other_parameters(before, now), None)
     rules = (*before.rules, *now.rules)
     return [edit for edit in found if first and bears_on(edit, *first, rules)] or found
@@ -60,7 +61,7 @@ def _parameters(before: Golden, now: Golden) -> Iterator[str]:
 
 
 def _other_parameters(before: Golden, now: Golden) -> Iterator[tuple[str, str]]:
-    """A person and one of their parameters that is another one now."""
+    """Pairs of person and parameter whose value changed."""
     for person in {**before.parameters, **now.parameters}:
         was, values = before.parameters.get(person, {}), now.parameters.get(person, {})
         for name in {**was, **values}:
@@ -82,7 +83,7 @@ def _plan(before: Golden, now: Golden) -> Iterator[str]:
 
 
 def _choices(step: str, was: Mapping[str, str], now: Mapping[str, str]) -> Iterator[str]:
-    """Choices for a step that are no longer excluded, or are now, or for another reason."""
+    """Choices for a step whose exclusion changed: excluded now, open now, or for another reason."""
     alike: dict[tuple[str | None, str | None], list[str]] = {}
     for choice in {**was, **now}:
         alike.setdefault((was.get(choice), now.get(choice)), []).append(choice)
@@ -97,7 +98,7 @@ def _listed(choices: Sequence[str]) -> str:
 
 
 def _openness(was: str | None, now: str | None) -> str:
-    """A choice that is not excluded need not be open: the person may have asked for another."""
+    """How a choice's exclusion changed, in words; a choice no longer excluded may still not be chosen."""
     if now is None:
         return f"no longer excluded ({was})"
     return f"now excluded ({now})" if was is None else f"excluded, {was} -> {now}"
@@ -115,7 +116,7 @@ def _others(before: Golden, now: Golden) -> Iterator[str]:
 
 
 def _parting(before: Golden, now: Golden) -> Iterator[str]:
-    """The first divergence of the traces, and the links in which its causes differ."""
+    """The first divergence of the traces, and the causal links that differ."""
     parting = first_divergence(before.history, now.history, in_behaviour=True)
     parting = parting or first_divergence(before.history, now.history)
     if parting:
@@ -129,7 +130,7 @@ def _told(parting: Divergence) -> Iterator[str]:
     yield f"now       {_event(parting.other)}"
     for mine, theirs in parting.causes:
         kind = (mine or theirs or Cause("reading", "", None)).kind
-        if mine and theirs and mine.text == theirs.text:  # they differ in digits that the words leave out
+        if mine and theirs and mine.text == theirs.text:  # they differ only in digits that the text omits
             yield f"{kind:9} {mine.text}: {mine.value} -> {theirs.value}"
         else:
             yield f"{kind:9} {mine.text if mine else '-'} -> {theirs.text if theirs else '-'}"

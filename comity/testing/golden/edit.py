@@ -1,4 +1,4 @@
-"""What was edited since a golden episode was written: the cause of whatever differs."""
+"""Edits since a golden episode was written: the causes of its differences."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from comity.testing.golden.record import Golden
 
 MOST = 6
-"""Lines about a file: who writes it again needs no list."""
+"""Maximum number of lines about one file: a rewritten file needs no list."""
 RULES = "rules"
-"""What the edit of a rule is of."""
+"""Source name of edits of rules."""
 _SMALL = "moved"
-"""What a parameter is of that moved by less than is kept."""
+"""Source name of parameters that moved by less than the stored precision."""
 _SCENARIO, _MAP, _RULEBOOK = "scenario", "map", "rulebook"
 _NO_PARAMETER = ("robot", "place", "passers_by", "goals", "limits")
-"""What a scenario says there changes what the robot does, and nobody's parameters."""
+"""Keys of a scenario that affect the robot but nobody's parameters."""
 _WHERE_THEY_ARE = ("at_m", "facing_deg", "walks", "reacts", "comfort")
-"""What the scenario has of a person and no parameter comes from."""
+"""Keys of a person in the scenario that affect no parameter."""
 _THEN = re.compile(r"\bthen\b([^;]*)")
 _NAMED = re.compile(r"(\w+) is\b")
 _IDLE = "in what nothing is computed with"
@@ -35,31 +35,32 @@ _STAYS_THERE = "which of its keys stays there, as golden episodes are shared"
 _BY_HAND = "somebody edited the golden episode; write it anew with --update"
 _OTHER_CODE = "neither what the case reads nor the golden episode was edited: Comity is another"
 _ELSEWHERE = f"{_OTHER_CODE}, or the platform"
-"""Where the golden episode was not written."""
+"""Wording if the golden episode was written by other code or on another platform."""
 
 
 @dataclass(frozen=True, slots=True)
 class Edit:
-    """Something that was edited, or that moved by less than is kept."""
+    """An edit, or a parameter that moved by less than the stored precision."""
 
     text: str
-    """A line."""
+    """One line of text."""
     source: str = ""
-    """What was edited, as golden episodes call it; empty where that is not known."""
+    """The edited source, by its name in golden episodes; empty if unknown."""
     place: str = ""
-    """Where in it; of rules, how they read before and now."""
+    """Place in the source; for rules, their text before and now."""
 
 
 def edits(
     before: Golden, now: Golden, sources: Mapping[str, SourceFile], kept: Mapping[str, str]
 ) -> tuple[Edit, ...]:
-    """Every edit, and what moved by less than is kept.
+    """Every edit, and parameters that moved by less than the stored precision.
 
     Args:
         before: The golden episode.
         now: The same case now.
-        sources: The files that it reads now.
-        kept: What it reads from the store, by what golden episodes call it, and what names it.
+        sources: The files that the case reads now.
+        kept: The stored profiles that it reads, by their names in golden episodes, with the keys that refer
+            to them.
     """
     rulebook = sources["rulebook"].file if "rulebook" in sources else None
     found = [*_files(before, now, sources, kept), *_small(before, now), *_rules(before, now, rulebook)]
@@ -72,20 +73,20 @@ def edits(
 
 
 def bears_on(edit: Edit, person: str, parameter: str, rules: Iterable[str]) -> bool:
-    """Whether a person's parameter may be another one for an edit; where that is not known, it may.
+    """Whether an edit may have changed a person's parameter; True if unknown.
 
     Args:
-        edit: One of those above.
-        person: Whose parameter.
-        parameter: Which.
-        rules: All, before and now: some read what others give.
+        edit: An edit from `edits`.
+        person: The person.
+        parameter: Name of their parameter.
+        rules: All rules, before and now: some read the outputs of others.
     """
     if edit.source == RULES:
         return bool(_given(edit.place) & _upstream(parameter, rules)) or not _given(edit.place)
     if edit.source.startswith(_MAP):
         return False
     first, second, third = (*edit.place.split(BETWEEN, 2), "", "")[:3]
-    if edit.source == _RULEBOOK:  # a variable's terms, or a parameter's
+    if edit.source == _RULEBOOK:  # terms of a variable or parameter
         return first not in ("variables", "parameters") or second in _upstream(parameter, rules)
     if edit.source == _SMALL:
         return first == person and second in _upstream(parameter, rules)
@@ -96,7 +97,7 @@ def bears_on(edit: Edit, person: str, parameter: str, rules: Iterable[str]) -> b
 
 
 def _upstream(parameter: str, rules: Iterable[str]) -> set[str]:
-    """The parameter, and what the rules behind it read, and those behind that."""
+    """The parameter, and all inputs of the rules behind it, transitively."""
     found, every = {parameter}, [*rules]
     while True:
         read = {name for rule in every if _given(rule) & found for name in _NAMED.findall(rule)}
@@ -106,14 +107,14 @@ def _upstream(parameter: str, rules: Iterable[str]) -> set[str]:
 
 
 def _given(rule: str) -> set[str]:
-    """What a rule, or each of several, gives."""
+    """The outputs of a rule."""
     return {name for part in _THEN.findall(rule) for name in _NAMED.findall(part)[:1]}
 
 
 def _files(
     before: Golden, now: Golden, sources: Mapping[str, SourceFile], kept: Mapping[str, str]
 ) -> Iterator[Edit]:
-    """A file that only one of both reads is named by the scenario, whose edit says so."""
+    """Edits of files read both times; for a file read only once, the edit of the scenario tells."""
     for name in {**before.read, **now.read}:
         if before.read.get(name) == now.read.get(name):
             continue
@@ -130,7 +131,7 @@ def _files(
 
 
 def _in_file(was: Mapping[str, Any], source: SourceFile) -> Iterator[tuple[str, str]]:
-    """The places that are other ones, in the order of lines, each with what is said of it."""
+    """Changed places in the order of lines, each with a text."""
     now = source.leaves
     both = (place for place in now if place in was and was[place] != now[place])
     told = {place: _change(was[place], now[place]) for place in both}
@@ -147,7 +148,7 @@ def _in_file(was: Mapping[str, Any], source: SourceFile) -> Iterator[tuple[str, 
 
 
 def _only_in(mine: Iterable[str], others: Collection[str]) -> dict[str, list[str]]:
-    """The places that the others lack, each below the outermost part of it that they lack."""
+    """Places that the others lack, grouped by the outermost missing part."""
     known = {part for place in others for part in _around(place)}
     found: dict[str, list[str]] = {}
     for place in mine:
@@ -158,7 +159,7 @@ def _only_in(mine: Iterable[str], others: Collection[str]) -> dict[str, list[str
 
 
 def _around(place: str) -> Iterable[str]:
-    """The place and all that it is in, from the outside in."""
+    """The place and all its parents, outermost first."""
     return accumulate(place.split(BETWEEN), lambda outer, inner: f"{outer}{BETWEEN}{inner}")
 
 
@@ -173,7 +174,7 @@ def _value(value: Any) -> str:
 
 
 def _small(before: Golden, now: Golden) -> Iterator[Edit]:
-    """Parameters that moved by less than is kept."""
+    """Parameters that moved by less than the stored precision."""
     for person, values in now.exact.items():
         for name, value in values.items():
             was = before.exact.get(person, {}).get(name, value)
@@ -184,7 +185,7 @@ def _small(before: Golden, now: Golden) -> Iterator[Edit]:
 
 
 def _rules(before: Golden, now: Golden, file: str | None) -> Iterator[Edit]:
-    """Which rules are others; of one that is gone, the file has no line."""
+    """Changed rules; a removed rule has no line in the file."""
     gone, new = _without(before.rules, now.rules), _without(now.rules, before.rules)
     here = f" ({from_here(Path(file)) or file})" if file else ""
     lines = [
@@ -199,5 +200,5 @@ def _rules(before: Golden, now: Golden, file: str | None) -> Iterator[Edit]:
 
 
 def _without(rules: Sequence[str], others: Sequence[str]) -> list[str]:
-    """Those that the others do not have, with their numbers."""
+    """Rules that the others lack, with their numbers."""
     return [f"rule {number}: {rule}" for number, rule in enumerate(rules, 1) if rule not in others]

@@ -1,9 +1,9 @@
-"""Golden episodes: what came of a case when a person last looked at it, kept beside the scenario.
+"""Golden episodes: a case's reviewed result, stored next to the scenario.
 
-A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
-the trace, which counts only where the platform's fingerprint is the same. What the files that the case read
-say, without prose, its rules, and the parameters to the last digit tell what is behind a difference, and a
-digest of the whole file whether a person edited it.
+Each case has a file with the quantised parameters, plan, outcome and events. The digest of the trace counts
+only on a platform with the same fingerprint. The content of the case's input files (without prose), its rules
+and the exact parameters help to find the cause of a difference. A digest of the whole file shows whether it
+was edited by hand.
 """
 
 from __future__ import annotations
@@ -43,17 +43,17 @@ if TYPE_CHECKING:
     from comity_domain import Plan
 
 _TIME, _NUMBER = 2, 3
-"""Decimals that are kept: a tick is 0.05 s, and a millimetre is seen by nobody."""
+"""Stored decimals: a tick is 0.05 s, and a millimetre is invisible."""
 _LEVELS = {"read": 1, "written": 2, "rules": 1, "plan": 1, "ruled_out": 1, "nodes": 1, "events": 1}
-"""How deep each part of a file begins a line of its own, so that a version control shows what changed."""
+"""Nesting depth down to which each part of the file gets lines of its own, for readable diffs."""
 _CHOICES = 2
-"""Arguments of a step before its choices: the robot and the person."""
+"""Number of arguments of a step before its choices: the robot and the person."""
 _FILES = ("scenario", "map")
-"""Of what a case reads, what is one file; of the rulebook its rules count, too."""
+"""Inputs of a case that are one file each; the rulebook also counts by its rules."""
 
 
 def golden_of(case: Case, episode: Episode, sources: Mapping[str, SourceFile]) -> Golden:
-    """A case carried out and the files that it read, quantised."""
+    """The golden episode of a case, quantised."""
     prepared = episode.prepared
     return Golden(
         fingerprint=fingerprint(),
@@ -87,7 +87,7 @@ def golden_of(case: Case, episode: Episode, sources: Mapping[str, SourceFile]) -
 
 
 def _read_by(case: Case) -> Iterator[tuple[str, str]]:
-    """The digest of everything that a case reads."""
+    """Digest of each input of a case."""
     for name, content in content_of(case):
         if name == "profiles":
             for person in content:
@@ -103,7 +103,7 @@ def _read_by(case: Case) -> Iterator[tuple[str, str]]:
 
 
 def _ruled_out(plan: Plan) -> dict[str, dict[str, str]]:
-    """By step, without what was chosen for it; also of steps of which nothing was ruled out."""
+    """Excluded choices by step, without the chosen one; includes steps without any exclusion."""
     found: dict[str, dict[str, str]] = {}
     for step in plan.steps:
         out = found.setdefault(f"{step.action}({', '.join(step.arguments[:_CHOICES])})", {})
@@ -112,10 +112,10 @@ def _ruled_out(plan: Plan) -> dict[str, dict[str, str]]:
 
 
 def store(case: Case, episode: Episode) -> Path:
-    """Write a case down, whole or not at all.
+    """Write a golden episode, atomically.
 
     Raises:
-        InputError: where the scenario ships with Comity, or the system does not let us.
+        InputError: if the scenario ships with Comity, or the system refuses.
     """
     refuse_shipped(case.path)
     golden, path = golden_of(case, episode, dict(sources_of(case))), place_of(case)
@@ -131,10 +131,10 @@ def store(case: Case, episode: Episode) -> Path:
 
 
 def refuse_shipped(path: Path) -> None:
-    """Refuse to write among what is installed.
+    """Refuse to write into the installation.
 
     Raises:
-        InputError: where a scenario ships with Comity.
+        InputError: if the scenario ships with Comity.
     """
     if path in names_by_path():
         raise InputError(
@@ -146,10 +146,10 @@ def refuse_shipped(path: Path) -> None:
 
 
 def differences(case: Case, episode: Episode) -> Iterator[Finding]:
-    """What differs from the golden episode; nothing where there is none.
+    """Differences from the golden episode; none without one.
 
     Raises:
-        InputError: if the file is damaged, or nobody may look whether there is one.
+        InputError: if the file is damaged, or may not be read.
     """
     path = place_of(case)
     if _is_there(path):
@@ -193,7 +193,7 @@ def _lines(record: Mapping[str, Any]) -> str:
 
 
 def _lined(value: Any, levels: int, indent: int = 2) -> str:
-    """JSON with a line for each part, down to so many levels."""
+    """JSON with a line for each part, down to a nesting level."""
     if not (levels and value):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
@@ -207,7 +207,7 @@ def _lined(value: Any, levels: int, indent: int = 2) -> str:
 
 
 def _read(path: Path) -> Golden:
-    """Whatever is not a whole golden episode is refused."""
+    """Read a golden episode; refuse incomplete files."""
     try:
         return Golden.model_validate_json(own_files.read_regular(path))
     except (OSError, ValidationError) as error:

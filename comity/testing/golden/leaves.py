@@ -1,7 +1,7 @@
-"""What is written in a file, flat: every value by its place, and the line that it stands in.
+"""A file flattened: every value by its place (path of keys), with its line.
 
-A piece of a list goes by its name where each piece has one of its own, else by its number, counted from 1.
-A list of plain values, such as a point, is one value.
+An item of a list is identified by its name if all items have distinct names, else by its number from 1. A
+list of plain values, such as a point, is one value.
 """
 
 from __future__ import annotations
@@ -18,33 +18,33 @@ if TYPE_CHECKING:
     from comity_fis.validation.yaml_file import YamlFile
 
 BETWEEN = " / "
-"""Between the parts of a place: names have spaces in them."""
+"""Separator of the parts of a place: names contain spaces."""
 
 
 @dataclass(frozen=True, slots=True)
 class SourceFile:
-    """A file that a case reads, flat."""
+    """A flattened file that a case reads."""
 
     leaves: Mapping[str, Any]
     """Plain JSON values by their place, `furniture / column 2 / circle_m`, in the order of places."""
     places: Mapping[str, Where]
-    """Of all leaves and of what is around them."""
+    """Positions in the file of all leaves and their parents."""
     file: str
 
     def where(self, place: str) -> Where:
-        """Where a place is, or what is left around it."""
+        """Position of a place, or of its closest existing parent."""
         while place and place not in self.places:
             place = place.rpartition(BETWEEN)[0]
         return self.places.get(place, Where(self.file))
 
 
 def source_of(file: YamlFile, data: Any, prose: Sequence[str]) -> SourceFile:
-    """A file, flat.
+    """Flatten a file.
 
     Args:
-        file: It.
-        data: What of its data counts.
-        prose: Keys whose words nothing is computed with.
+        file: The file.
+        data: The part of its data that counts.
+        prose: Keys of prose, which affects no computation.
     """
     found = list(_walked(data, prose))
     leaves = {place: json.loads(json.dumps(part, default=str)) for place, _, part in found if _is_leaf(part)}
@@ -55,7 +55,7 @@ def source_of(file: YamlFile, data: Any, prose: Sequence[str]) -> SourceFile:
 def _walked(
     part: Any, prose: Sequence[str], place: str = "", location: Location = ()
 ) -> Iterator[tuple[str, Location, Any]]:
-    """Every value and whatever is around it, from the outside in."""
+    """Every value and its parents, outermost first."""
     yield place, location, part
     if _is_leaf(part):
         return
@@ -67,7 +67,7 @@ def _walked(
 
 
 def _parts(part: Any) -> Iterator[tuple[str, str | int, Any]]:
-    """What is in it, with what it is called and the key that leads there."""
+    """The children of a part: name, key and value."""
     if isinstance(part, Mapping):
         yield from ((str(key), key, inner) for key, inner in part.items())
         return

@@ -1,4 +1,4 @@
-"""Where the golden episode of a case is kept, and which are of no case any more."""
+"""Location of a case's golden episode, and golden episodes without a case."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ if TYPE_CHECKING:
     from comity.testing.trials.case import Case
 
 _SIGN, _SIGN_WITHIN = b"comity-golden-", 100
-"""What every golden episode has among its first bytes."""
+"""Marker that every golden episode contains within its first bytes."""
 
 
 def place_of(case: Case) -> Path:
-    """`hall.golden/german_man-seed0.json`, beside `hall.scenario.yaml`."""
+    """Path such as `hall.golden/german_man-seed0.json`, next to `hall.scenario.yaml`."""
     stem = case.path.name.removesuffix(SUFFIX)
     return case.path.with_name(f"{stem}{GOLDEN}") / f"{case.slug}.json"
 
 
 def left_over(cases: Iterable[Case]) -> Iterator[Path]:
-    """Golden episodes beside the scenarios of these cases with which none of them is compared.
+    """Golden episodes next to the scenarios of these cases that belong to none of them.
 
-    Their profile, world or seed is called otherwise by now, or the whole folder is a file.
+    Their profile, world or seed was renamed, or a file has the name of the folder.
     """
     places = {place_of(case) for case in cases}
     for folder in sorted({place.parent for place in places}):
@@ -32,10 +32,9 @@ def left_over(cases: Iterable[Case]) -> Iterator[Path]:
 
 
 def abandoned(folders: Iterable[Path]) -> Iterator[Path]:
-    """Those of some folders that hold golden episodes, and beside which their scenario is not.
+    """Folders of golden episodes whose scenario is missing.
 
-    It is called otherwise by now, was moved, or is gone. What else is kept in a folder of such a name is no
-    concern of ours.
+    The scenario was renamed, moved or deleted. Other content of such folders is ignored.
     """
     for folder in folders:
         scenario = _scenario_of(folder)
@@ -44,7 +43,7 @@ def abandoned(folders: Iterable[Path]) -> Iterator[Path]:
 
 
 def told_abandoned(folder: Path, shown: str) -> str:
-    """What is said of such a folder: what was expected, what came, and what to do."""
+    """Message about such a folder: what was expected, what came, and the remedy."""
     return (
         f"{shown}: expected {_scenario_of(folder).name} beside these golden episodes, got none: no case is "
         "compared with them. Call the folder as the scenario is called now, or remove it and run "
@@ -58,7 +57,7 @@ def _scenario_of(folder: Path) -> Path:
 
 def _is_golden(path: Path) -> bool:
     try:
-        if not path.is_file():  # a pipe would be waited for
+        if not path.is_file():  # reading a pipe would block
             return False
         with path.open("rb") as file:
             return _SIGN in file.read(_SIGN_WITHIN)

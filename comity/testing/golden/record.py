@@ -1,4 +1,4 @@
-"""A golden episode: the quantised parameters, plan, outcome and events of a case, and what the case read."""
+"""A golden episode: the quantised parameters, plan, outcome and events of a case, and its inputs."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class StoredStep(BaseModel):
 
     text: str
     cost_m: float
-    """In metres of way."""
+    """Cost in metres of path."""
 
 
 @dataclass(frozen=True, slots=True)
 class StoredEvent:
-    """An event of the trace, by the place of its node."""
+    """An event of the trace, with the number of its node."""
 
     t: float
     node: str
@@ -45,27 +45,27 @@ class Golden(BaseModel):
     fingerprint: str
     trace_sha256: str
     read: Mapping[str, str]
-    """Digests of what the case read, by what it is called."""
+    """Digests of the inputs, by name."""
     written: Mapping[str, Mapping[str, Any]]
-    """What stood in each file of these, by its place in it."""
+    """Values of each input file, by their place in it."""
     outcome: str
     visits: Mapping[str, str]
     rules: tuple[str, ...]
     parameters: Mapping[str, Mapping[str, float | str]]
     exact: Mapping[str, Mapping[str, float]]
-    """Those that are numbers, to the last digit."""
+    """Numeric parameters, exactly."""
     plan: tuple[StoredStep, ...]
     ruled_out: Mapping[str, Mapping[str, str]]
-    """By step and choice, why a way to do it was not open."""
+    """By step and choice, the reason for an exclusion."""
     path_length_m: float
     nodes: tuple[Node, ...]
     events: tuple[StoredEvent, ...]
     sha256: str = ""
-    """Of all the rest, as it was written; empty before."""
+    """Digest of all other fields as written; empty before writing."""
 
     @model_validator(mode="after")
     def _hang_together(self) -> Self:
-        """Nodes are numbered as a tree is, and events are of nodes."""
+        """Check that nodes are numbered as a tree, and that events refer to existing nodes."""
         for place, node in enumerate(self.nodes):
             if node.path != place or not (node.parent is None or 0 <= node.parent < place):
                 raise WrongValueError(expected=f"node {place} of a tree", got=f"{node.path} in {node.parent}")
@@ -76,7 +76,7 @@ class Golden(BaseModel):
 
     @property
     def history(self) -> History:
-        """The trace to ask."""
+        """The recorded trace."""
         events = (
             TraceEvent(event.t, self.nodes[event.path], event.status, event.halt, event.because)
             for event in self.events
@@ -84,5 +84,5 @@ class Golden(BaseModel):
         return History(self.nodes, events)
 
     def digest(self) -> str:
-        """What `sha256` is where nobody edited the file."""
+        """The value of `sha256` if nobody edited the file."""
         return digest_of(self.model_dump(mode="json", exclude={"sha256"}))

@@ -1,1 +1,1 @@
-"""The language of expectations: its words, units, the sentence, and how YAML needs it quoted."""
+"""The language of expectations: its words, units and grammar, and quoting in YAML."""

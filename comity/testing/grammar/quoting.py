@@ -1,4 +1,4 @@
-"""Quotes in sentences: those that YAML takes for its own, and those of a name that is an article, too."""
+"""Quotes in sentences: those that YAML strips, and those around names that are also articles."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ _QUOTES = "'\""
 
 
 def advised(refusal: InputError, text: str) -> InputError:
-    """What YAML says of a file; where it stumbles over the quotes of a sentence, how to write that.
+    """YAML's error; if the quotes of a sentence caused it, with the correct spelling as the remedy.
 
     Args:
-        refusal: With the line.
-        text: The file.
+        refusal: YAML's error, with the line.
+        text: Content of the file.
     """
     line = refusal.where.line if refusal.where else None
     lines = text.split("\n")
@@ -36,12 +36,12 @@ def advised(refusal: InputError, text: str) -> InputError:
 
 
 def require_quotes(text: str, names: Collection[str], place: Place) -> None:
-    """Refuse an article that may be a person, and a name of several words, which would be taken for several.
+    """Refuse unquoted names that would be misread: an article, or a name of several words.
 
     Args:
         text: The sentence.
-        names: Those that may stand in it.
-        place: Of the n-th character.
+        names: Names that may occur in it.
+        place: Position of the n-th character.
 
     Raises:
         InputError: with its place.
@@ -70,7 +70,7 @@ def require_quotes(text: str, names: Collection[str], place: Place) -> None:
 
 
 def _in_expect(lines: Sequence[str], at: int) -> bool:
-    """Whether a line begins an item of the list under `expect`, whose dash may stand below the `e`."""
+    """Whether a line begins an item of the `expect` list, whose dash may be indented less than usual."""
     dash = lines[at].find("- ")
     if lines[at][:dash].strip():
         return False
@@ -79,7 +79,7 @@ def _in_expect(lines: Sequence[str], at: int) -> bool:
 
 
 def _unquoted(item: str) -> Iterator[str]:
-    """The sentence as it stands, and without the quotes around it; only what has any in it."""
+    """The sentence as written, and without the quotes around it; only if it contains quotes."""
     if any(sign in item for sign in _QUOTES):
         yield item
         if item[0] in _QUOTES and item[-1] == item[0]:

@@ -1,4 +1,4 @@
-"""Words in which people write what expectations say otherwise: the sentence, put as it is understood."""
+"""Common phrasings that the grammar lacks, and their equivalents in it."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _SPACED: Mapping[str, str] = {
     for name in (*ABOUT_VISITS, *by_short_name(EPISODE), *by_short_name(VISIT))
     if "_" in name
 }
-"""Names of figures and parameters, with spaces in them."""
+"""Names of metrics and parameters, with spaces."""
 _ACTS: Mapping[str, str] = {verb: act for act, verb in VERBS.items()}
 _VERBS: Mapping[str, str] = {
     **{verb.replace(" ", "_"): act for act, verb in VERBS.items()},
     **dict.fromkeys(("speaks", "utters"), SAY_ACT),
 }
-"""By what the robot does, the node that does it."""
+"""Name of the node by the robot's action."""
 _NAME = r"(\"[^\"]+\"|'[^']+'|\S+?)"
 _AMOUNT = r"([\d.]+ ?[a-z/]*)"
 _FORMER: Mapping[str, _Put] = {
@@ -51,13 +51,13 @@ _FORMER: Mapping[str, _Put] = {
     r"\bis made of\b": "is decided because",
     rf"\bis (never )?halted by {_NAME}(?= |$)": r"is \1halted because '\2'",
 }
-"""By the form that a sentence had in earlier versions, what it is now."""
+"""Present form of sentences by their form in earlier versions."""
 _RENAMED: Mapping[str, str] = {
     "reached": "docking_time",
     "speed_at_wanted_plus_0_3_m": "speed_at_target_plus_0_3_m",
     "speed_at_wanted_plus_0_3_m_m_s": "speed_at_target_plus_0_3_m_m_s",
 }
-"""Metrics by the names that they had in earlier versions."""
+"""Present names of metrics by their names in earlier versions."""
 _RULES: Mapping[str, _Put] = {
     r"\s*[.!]+$": "",
     r"\bis within\b": "within",
@@ -82,20 +82,20 @@ _RULES: Mapping[str, _Put] = {
     r"^never (?!replan|update)([\w?]+)$": r"\1 never succeeds",
     rf"\b({'|'.join(sorted(_SPACED, key=len, reverse=True))})\b": lambda found: _SPACED[found[1].lower()],
 }
-"""By what is looked for, in whatever case, what is put in its place."""
+"""Replacement by pattern, case-insensitive."""
 
 
 def renamed(metric: str, text: str) -> str | None:
-    """A sentence with the present name of its metric; None for one that was never called otherwise."""
+    """The sentence with the metric's present name; None if the metric was never renamed."""
     now = _RENAMED.get(metric)
     return re.sub(rf"\b{metric}\b", now, text, count=1) if now else None
 
 
 def rewordings(sentence: str) -> Iterator[str]:
-    """The sentence otherwise, which may be understood then: one thing put otherwise, or all that can be.
+    """Rephrased sentences that may parse: with one replacement, or with all possible ones.
 
     Args:
-        sentence: As it was written.
+        sentence: The sentence as written.
     """
     text = sentence
     for former, now in FORMER_NODES.items():

@@ -1,4 +1,4 @@
-"""From a sentence to what it means: the grammar, and what is said about a sentence that it refuses."""
+"""Parsing of sentences with the grammar, and error messages for those that it refuses."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ from comity_fis.listing import listed
 from comity_fis.validation.one_line import JOINERS
 
 Place = Callable[[int], Where]
-"""Where the n-th character of a sentence stands, counted from 0."""
+"""Maps the number of a character, from 0, to its position in the file."""
 
 MAX_LENGTH = 500
-"""Characters in one sentence: more than anyone can read."""
+"""Maximum number of characters in one sentence."""
 KEPT = 2048
-"""Sentences that were read already: many scenarios expect the same in the same words."""
+"""Size of the cache of parsed sentences: many scenarios use the same ones."""
 _NEAR = 0.6
-"""From this likeness on a word is taken for a slip of the pen."""
+"""Minimum similarity at which a word is taken for a typo."""
 _EMPTY = re.compile(r"(['\"])\s*\1")
 
 
 def parsed(text: str, place: Place) -> tuple[Expectation | ProfileComparison, tuple[str, ...]]:
-    """What a sentence expects, and for which profiles (none: for all).
+    """The expectation of a sentence, and the profiles to which it applies (empty for all).
 
     Raises:
         InputError: with the place of the first wrong word, and the closest known one.
@@ -74,7 +74,7 @@ def parsed(text: str, place: Place) -> tuple[Expectation | ProfileComparison, tu
 
 
 def _quoted(text: str, place: Place) -> InputError | None:
-    """What is wrong where quotes around the whole sentence, besides YAML's, make one name of it."""
+    """The error if quotes around the whole sentence, besides YAML's, turn it into one name."""
     bare = text.strip()[1:-1]
     if text.strip() not in (f'"{bare}"', f"'{bare}'"):
         return None
@@ -91,13 +91,13 @@ def _quoted(text: str, place: Place) -> InputError | None:
 
 
 def _shows(sign: str) -> bool:
-    """Whether a sign may be printed: others steer terminals, or turn what follows round."""
+    """Whether a character may be printed: others control terminals or reverse the text direction."""
     return sign.isprintable() or sign.isspace() or sign in JOINERS
 
 
 @lru_cache(maxsize=KEPT)
 def _meaning(text: str) -> tuple[Expectation | ProfileComparison, tuple[str, ...]]:
-    """The same wherever it stands: nobody can change a meaning."""
+    """The parsed meaning, cached; it is immutable and independent of its place."""
     found, profiles = _Values().transform(_parser().parse(text)).children
     return KINDS[found.data].read(found.children), tuple(profiles or ())
 
@@ -109,7 +109,7 @@ def _parser() -> Lark:
 
 
 class _Values(Transformer[Token, Any]):
-    """Tokens to words, amounts and times; the kind itself stays a tree."""
+    """Converts tokens to words, amounts and counts; the kind itself remains a tree."""
 
     def __default_token__(self, token: Token) -> str:
         return str(token).strip("'\"")
@@ -171,7 +171,7 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
 
 
 def _told(rest: Sequence[str]) -> str:
-    """The words that come where others were expected."""
+    """The unexpected words."""
     if not rest:
         return "the end"
     return "quotes with nothing in them" if _EMPTY.match(" ".join(rest)) else repr(_phrase(rest) or rest[0])
@@ -182,7 +182,7 @@ def _either(words: Sequence[str]) -> str:
 
 
 def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, measures: bool) -> str:
-    """What to write instead; `measures` says that a unit may follow the number that was read last."""
+    """The remedy; `measures` says that a unit may follow the last number."""
     slip = bool(rest) and not _phrase(rest)
     near = (unit_meant(rest) if measures and slip else None) or (_nearest(phrases, rest) if slip else None)
     if near:
@@ -195,7 +195,7 @@ def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, m
 
 
 def _of_greeting(text: str) -> str | None:
-    """A remedy where only the beginning is missing: `no touch` is what a greeting contains."""
+    """Remedy if only the beginning is missing: `no touch` is the content of a greeting."""
     whole = f"greeting contains {text}"
     with suppress(UnexpectedInput, VisitError, InputError):
         _meaning(whole)
@@ -204,7 +204,7 @@ def _of_greeting(text: str) -> str | None:
 
 
 def _reworded(text: str) -> str | None:
-    """A remedy where the sentence is understood once a word or two are put otherwise."""
+    """Remedy if a rephrased sentence would parse."""
     for other in rewordings(text):
         with suppress(UnexpectedInput, VisitError, InputError):
             _meaning(other)
@@ -213,19 +213,19 @@ def _reworded(text: str) -> str | None:
 
 
 def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:
-    """The phrase that the next words were meant to be, if any."""
+    """The phrase that was probably meant by the next words, if any."""
     near = max(phrases, key=lambda phrase: _likeness(phrase, rest), default=None)
     return near if near and _NEAR <= _likeness(near, rest) < 1 else None
 
 
 def _phrase(rest: Sequence[str]) -> str | None:
-    """The keyword that the next words are: then they are no slip of the pen, and stand in a wrong place."""
+    """The keyword formed by the next words, if any: then it is misplaced, not misspelt."""
     known = [phrase for phrase in KEYWORDS.values() if rest[: len(phrase.split())] == phrase.split()]
     return max(known, key=len, default=None)
 
 
 def _likeness(phrase: str, rest: Sequence[str]) -> float:
-    """Of a phrase and as many words as it has."""
+    """Similarity in [0, 1] of a phrase and as many words as it has."""
     read = " ".join(rest[: len(phrase.split())]).lower()
     return SequenceMatcher(None, phrase, read).ratio()
 
@@ -237,10 +237,10 @@ def _openings() -> list[str]:
 
 
 def _begun(read: str) -> str | None:
-    """The example that shares the most words, in their order, with what was read of a sentence.
+    """The example that shares the most words, in order, with the parsed part of a sentence.
 
-    Names count as alike whatever they are, and so do numbers and units. A first word that is no keyword says
-    nothing by itself, unless the example begins with the very same.
+    All names count as equal, and so do all numbers and all units. A first word that is no keyword counts only
+    if the example begins with the same word.
     """
     words, first = _word_kinds(read), read.lower().split()[:1]
     shared = {
@@ -253,7 +253,7 @@ def _begun(read: str) -> str | None:
 
 
 def _shared(words: Sequence[str], others: Sequence[str]) -> tuple[int, int]:
-    """How many words of two sentences are the same in order, and how many of them at the start."""
+    """Number of words common to two sentences in order, and of those common at the start."""
     blocks = SequenceMatcher(None, words, others, autojunk=False).get_matching_blocks()
     at_start = blocks[0].size if blocks[0][:2] == (0, 0) else 0
     return (sum(block.size for block in blocks), at_start) if at_start else (0, 0)
@@ -261,7 +261,7 @@ def _shared(words: Sequence[str], others: Sequence[str]) -> tuple[int, int]:
 
 @lru_cache(maxsize=KEPT)
 def _word_kinds(text: str) -> tuple[str, ...]:
-    """The terminals of a text, as far as it has any."""
+    """The grammar's terminals of a text, as far as it can be tokenised."""
     found: list[str] = []
     with suppress(UnexpectedCharacters):
         found.extend(token.type for token in _lexer().lex(text))

@@ -1,4 +1,4 @@
-"""Units as people write them, and which of the known ones they mean."""
+"""Common spellings of units, and the known units that they mean."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ _NAMES: Mapping[str, str] = {
     "m/s^2": "m/s2 m/s²",
     "m/s^3": "m/s3 m/s³",
 }
-"""By unit, what stands for it elsewhere; a minute or a mile is none of them."""
+"""Other spellings by unit; minutes and miles are not among them."""
 _PER: Mapping[str, str] = {"m/s": "m/s", "cm/s": "cm/s", "km/hour": "km/h", "km/h": "km/h"}
-"""By a quotient of units, the unit that it is."""
+"""Unit by quotient of units."""
 _KNOWN: Mapping[str, str] = {word: unit for unit, words in _NAMES.items() for word in words.split()} | {
     unit.lower(): unit for unit in UNITS
 }
@@ -36,7 +36,7 @@ _PARTS: Mapping[str, str] = {
 
 
 def unit_meant(words: Sequence[str]) -> str | None:
-    """The unit that the next words of a sentence stand for, in whatever case; None for none that is known."""
+    """The unit meant by the next words, case-insensitive; None if unknown."""
     plain = [word.lower().rstrip(",;:.") for word in words[:3]]
     if plain[1:2] == ["per"]:
         above, below = (_PARTS.get(word, word) for word in (plain[0], plain[-1]))
@@ -45,6 +45,6 @@ def unit_meant(words: Sequence[str]) -> str | None:
 
 
 def units_told() -> str:
-    """A remedy that names all of them."""
+    """Remedy that lists all units."""
     *others, last = sorted(UNITS)
     return f"Units are {', '.join(others)} and {last}."

@@ -1,4 +1,4 @@
-"""The words that expectations are made of."""
+"""The vocabulary of expectations."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ KEYWORDS: Mapping[str, str] = {
     "TWICE": "twice",
     "UPDATES_PARAMETERS": "updates parameters",
 }
-"""By terminal of the grammar; those with an underscore leave no trace in what was read."""
+"""Patterns by terminal of the grammar; those with an underscore are dropped from the parse tree."""
 
 MEANING: Mapping[str, str] = {
     "NAME": "a name",
@@ -64,23 +64,23 @@ MEANING: Mapping[str, str] = {
     "UNIT": "a unit such as cm, s, deg or m/s",
     "$END": "the end",
 }
-"""How messages call the other terminals."""
+"""Names of the other terminals in messages."""
 
 UNITS = frozenset(chain(*QUANTITIES, (each.unit for each in (*EPISODE.values(), *VISIT.values())))) - {"1"}
-"""Those that are converted, and those that metrics are in."""
+"""Units that are converted, and units of metrics."""
 
 _END = r"(?![\w?(\/-])"
-"""A longer word is another word: `visits` does not begin `visits_made`."""
+"""End of a word: `visits` does not match the start of `visits_made`."""
 
 
 ARTICLE = rf"(the|an|a){_END}"
-"""What is left out of a sentence, in small letters and in capitals."""
+"""Articles, which are ignored, in any case."""
 QUOTED = r"\"(?!\s*\")[^\"\n]+\"|'(?!\s*')[^'\n]+'"
-"""A name that is no plain word."""
+"""A quoted name."""
 
 
 def _units() -> str:
-    """As a regular expression, the longer first: `m` begins `m/s`."""
+    """A regular expression of all units, longer ones first: `m` begins `m/s`."""
     longest = sorted(UNITS, key=lambda unit: (-len(unit), unit))
     return "|".join(re.escape(unit).replace("/", r"\/") for unit in longest)
 
@@ -118,7 +118,7 @@ def grammar(rules: Mapping[str, str]) -> str:
     """The whole grammar in lark's form.
 
     Args:
-        rules: What each kind of expectation looks like, by the kind's name.
+        rules: Grammar rule of each kind of expectation, by the kind's name.
     """
     keywords = "".join(f"{name}.2: /{_pattern(words)}/i\n" for name, words in KEYWORDS.items())
     kinds = "".join(f"{name}: {rule}\n" for name, rule in rules.items())

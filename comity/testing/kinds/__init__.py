@@ -30,4 +30,4 @@ KINDS: Mapping[str, type[Expectation] | type[ProfileComparison]] = {
     "difference": ProfileDifference,
     "sameness": ProfileSameness,
 }
-"""By the name of their rule in the grammar."""
+"""Kinds by the name of their grammar rule."""

@@ -38,13 +38,13 @@ class OtherChoice(Expectation):
     choice: str
     """A side, a word of a greeting, or what else stands next to a step under `Instead`."""
     price: Bounds | None
-    """The additional cost, in metres of path; None: the choice is excluded."""
+    """Additional cost in metres of path; None if the choice is to be excluded."""
     words: str
-    """Of the reason why it is excluded; empty for any."""
+    """Words of the reason for the exclusion; empty for any."""
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a person, a choice, and bounds, or `excluded` and words of a reason."""
+        """Create from a person, a choice, and bounds, or `excluded` and words of a reason."""
         person, choice, *priced = parts
         choice = choice.lower() if choice.lower() in SIDES else choice
         if isinstance(priced[0], Bounds):
@@ -53,7 +53,7 @@ class OtherChoice(Expectation):
         return cls(person, choice, None, priced[1] or "")
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Another price, no such choice, or one that is open."""
+        """Another cost, no such choice, or a choice that is not excluded."""
         prepared = episode.prepared
         require_choice(prepared, self.person, self.choice)
         if self.price is None:
@@ -96,30 +96,30 @@ class OtherChoice(Expectation):
         return f"visiting {self.person} {chosen}"
 
     def _why_none(self, steps: Sequence[PlanStep]) -> str:
-        """That it is planned so, is excluded, or is no choice."""
+        """Message that the choice is the planned one, is excluded, or does not exist."""
         if any(self._is_meant(step, step.arguments) for step in steps):
             return f"{self.choice} is what the plan has for {self.person}"
         reason = next(self._reasons(steps), None)
         return f"it is excluded: {reason}" if reason else "no such choice at any step"
 
     def _reasons(self, steps: Sequence[PlanStep]) -> Iterator[str]:
-        """Why the choice is excluded, wherever it is."""
+        """Reasons for the exclusion of the choice, for all steps."""
         for step in steps:
             for out in step.why.ruled_out:
                 if self._is_meant(step, out.arguments):
                     yield out.reason
 
     def _is_meant(self, step: PlanStep, arguments: Sequence[str]) -> bool:
-        """Whether these arguments of a step make this choice for the person.
+        """Whether these arguments of a step contain this choice for the person.
 
-        A greeting of a company is one for each member; the side concerns only the person before whom the
-        robot stands.
+        A greeting of a group counts for each member; the side only concerns the person before whom the robot
+        stands.
         """
         whose = arguments[1:2] if self.choice in SIDES else (*arguments[1:2], *step.people)
         return self.person in whose and self.choice in arguments[2:]
 
     def _because(self, prepared: PlannedEpisode, steps: Sequence[PlanStep]) -> Iterator[str]:
-        """The steps for the person, and what the plan goes by: the places of the others move the price."""
+        """The steps for the person, and the plan's parameters: the places of the others affect the cost."""
         for step in steps:
             if self.person in step.people:
                 arguments = ", ".join(step.arguments)
@@ -128,10 +128,10 @@ class OtherChoice(Expectation):
 
 
 def require_choice(prepared: PlannedEpisode, person: str, choice: str) -> None:
-    """Refuse a choice that no plan has: it would fail without a word about its typo.
+    """Refuse a choice that no plan has: a typo would otherwise go unnoticed.
 
     Raises:
-        InputError: where no goal names the person, or no step of any plan can be done so.
+        InputError: if no goal names the person, or no step of any plan has this choice.
     """
     require_goal(prepared.file.scenario, person)
     parameters = prepared.rulebook.parameters

@@ -1,4 +1,4 @@
-"""From which side the robot comes."""
+"""The side from which the robot approaches."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ApproachSide(Expectation):
-    """The side on which the robot stands when it has docked, as the person sees it."""
+    """The side, from the person's point of view, on which the robot stands after docking."""
 
     RULE: ClassVar[str] = (
         "_APPROACH [_TO NAME] _FROM (FRONT | LEFT | RIGHT | BACK) (_OR (FRONT | LEFT | RIGHT | BACK))*"
@@ -31,7 +31,7 @@ class ApproachSide(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a name and sides."""
+        """Create from a name and sides."""
         person, *sides = parts
         return cls(person, tuple(side.lower() for side in sides))
 

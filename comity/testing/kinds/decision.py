@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class DecidedBy(Expectation):
-    """Culture, the situation, what was learnt, a setting, safety; `neutral` where nothing known decides."""
+    """The origin of a parameter: culture, situation, learning, setting, safety; `neutral` without any."""
 
     RULE: ClassVar[str] = "NAME [_OF NAME] _IS _DECIDED [_BY NAME] [_BECAUSE NAME]"
     EXAMPLE: ClassVar[str] = (
@@ -32,13 +32,13 @@ class DecidedBy(Expectation):
     person: str | None
     """None for every person to visit."""
     origin: str | None
-    """None for any."""
+    """Required origin; None for any."""
     words: str | None
-    """Of the contributions, as `comity infer` has them; None for any."""
+    """Words in the contributions, as shown by `comity infer`; None for any."""
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a parameter, a person, an origin and words."""
+        """Create from a parameter, a person, an origin and words."""
         parameter, person, origin, words = parts
         if origin is not None and origin not in get_args(Origin):
             raise unknown_word("what may decide a parameter", origin, get_args(Origin))
@@ -51,7 +51,7 @@ class DecidedBy(Expectation):
         return cls(parameter, person, origin, words)
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Each person for whom another origin decided, or no contribution has the words."""
+        """Each person with another origin, or without a contribution that has the words."""
         for person in self.people or to_visit(episode):
             values = values_when_judged(episode, person, self.parameter)
             require_parameter(self.parameter, values)

@@ -1,4 +1,4 @@
-"""By how much two profiles differ in a parameter."""
+"""Difference between two profiles in a parameter."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ProfileDifference(ProfileComparison):
-    """What is inferred for the person of the matrix with the one profile, and with the other."""
+    """The difference between the values inferred for the matrix's person with either profile."""
 
     RULE: ClassVar[str] = "_DIFFERS _BETWEEN NAME _AND NAME NAME [_BY _AT_LEAST amount]"
     EXAMPLE: ClassVar[str] = (
@@ -32,7 +32,7 @@ class ProfileDifference(ProfileComparison):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From two profiles, a parameter and an amount."""
+        """Create from two profiles, a parameter and an amount."""
         one, other, parameter, least = parts
         if one == other:
             raise InputError(expected="two profiles", got=f"{one!r} twice", remedy="Name another one.")
@@ -40,11 +40,11 @@ class ProfileDifference(ProfileComparison):
 
     @property
     def profiles(self) -> Sequence[str]:
-        """The two."""
+        """The two compared profiles."""
         return (self.one, self.other)
 
     def compare(self, compared: ComparedProfiles) -> Iterator[Finding]:
-        """Too small a difference, with what each value comes from."""
+        """A difference that is too small, with the origin of each value."""
         answers = [compared.values(profile) for profile in self.profiles]
         require_parameter(self.parameter, answers[0])
         one, other = (values[self.parameter] for values in answers)

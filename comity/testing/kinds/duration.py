@@ -1,4 +1,4 @@
-"""How long a node of the behaviour tree runs: a pause, an utterance, a motion."""
+"""Duration of a node of the behaviour tree: a pause, an utterance, a motion."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
 
 SLACK_S = 1e-6
-"""Differences of times that are sums of ticks are no more exact."""
+"""Precision of differences between sums of ticks [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Duration(Expectation):
-    """In simulated seconds, every time that the node runs, until its result or its halt."""
+    """Duration of every run of a node [simulated s], until its result or halt."""
 
     RULE: ClassVar[str] = "NAME _LASTS bounds"
     EXAMPLE: ClassVar[str] = "Wait_before lasts 3 s within 0.1 s"
@@ -32,14 +32,14 @@ class Duration(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a node and bounds; a duration without a tolerance holds to a tick."""
+        """Create from a node and bounds; a duration without a tolerance must match to a tick."""
         node, bounds = parts
         bounds.require_possible(f"what {node} lasts", 0.0, None, "s")
         exact = bounds.least if bounds.least == bounds.most else None
         return cls(node, Bounds.around(exact, Amount(causes.TICK_S, "s")) if exact else bounds)
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Every run that is too short or too long; and that there is none."""
+        """Every run that is too short or too long, and the absence of runs."""
         nodes = nodes_named(episode, self.node)
         ran = list(runs(events_of(nodes, episode.events)))
         expected = f"{self.node} for {self.bounds.told('s')}"

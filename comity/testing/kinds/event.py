@@ -1,4 +1,4 @@
-"""How often something happens, and why: a node returns a result or is halted, the robot replans."""
+"""Number of events and their causes: a node returns a result or is halted, the robot replans."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from comity_executor import Node, TraceEvent
 
 PLAN = "plan_holds?"
-"""The node whose events say what becomes of the plan."""
+"""The node whose events report plan validity."""
 STATUS: Mapping[str, str] = {
     "succeeds": "success",
     "fails": "failure",
@@ -27,14 +27,14 @@ STATUS: Mapping[str, str] = {
     "updates parameters": "rebound",
     "finds no other plan": "not_replanned",
 }
-"""By verb of the sentence, the status of the events that it counts."""
+"""Status of the counted events, by verb of the sentence."""
 MOST = 6
-"""Events that a failure shows: where another cause comes again and again, the first say it."""
+"""Maximum number of events shown by a failure: if a cause recurs, the first ones suffice."""
 
 
 @dataclass(frozen=True, slots=True)
 class Event(Expectation):
-    """So many events of the nodes of a name; with words, those alone whose chain of causes holds them."""
+    """Number of events of the nodes of a name; with words, only those with the words in their causes."""
 
     RULE: ClassVar[str] = (
         "(NAME [NEVER] (SUCCEEDS | FAILS) | NAME _IS [NEVER] HALTED"
@@ -51,7 +51,7 @@ class Event(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a node or none, `never` or None, a verb, words, a count, and `per person` or None."""
+        """Create from a node or None, `never` or None, a verb, words, a count, and `per person` or None."""
         *node, never, verb, words, often, per_person = parts
         if never and often:
             raise InputError(
@@ -67,7 +67,7 @@ class Event(Expectation):
         return cls(node[0] if node else PLAN, " ".join(verb.lower().split()), words, often, bool(per_person))
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """A count that is wrong, with the events and their causes."""
+        """A wrong count, with the events and their causes."""
         nodes = nodes_named(episode, self.node)
         events = events_of(nodes, episode.events)
         happened = [event for event in events if event.status == STATUS[self.verb]]
@@ -82,7 +82,7 @@ class Event(Expectation):
     def _groups(
         self, nodes: Sequence[Node], counted: Sequence[TraceEvent]
     ) -> Iterator[tuple[str, Sequence[TraceEvent]]]:
-        """All events, or those about each person: `nod(anna)` and `nod(ben)` are named for them."""
+        """All events, or those of each person: `nod(anna)` and `nod(ben)` are nodes of different people."""
         if not self.per_person:
             yield self.node, counted
             return
@@ -102,7 +102,7 @@ class Event(Expectation):
         return times(len(group)) + ("" if self.words is None else f", of {len(happened)} in all")
 
     def _because(self, episode: Episode, nodes: Sequence[Node], shown: Sequence[TraceEvent]) -> Iterator[str]:
-        """What was counted or came instead; where there is nothing, why the nodes never ran or are none."""
+        """The counted or alternative events; without any, why the nodes never ran or do not exist."""
         if not nodes:
             yield causes.absent(self.node)
             yield from causes.of_absence(episode, self.node)

@@ -1,4 +1,4 @@
-"""What a greeting contains, and what it does not."""
+"""The acts that a greeting contains, and those that it does not."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ WORDS = ("words", "speech", "utterance", SAY_ACT)
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """Something that is done, or not done."""
+    """An act that is required, or excluded."""
 
     name: str
     wanted: bool
@@ -32,7 +32,7 @@ class Item:
         return self.name if self.wanted else f"no {self.name}"
 
     def among(self, acts: Sequence[str]) -> bool:
-        """Whether it is among what was done."""
+        """Whether it is among the completed acts."""
         if self.name in WORDS:
             return SAY_ACT in acts
         if self.name == "touch":
@@ -44,7 +44,7 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class GreetingContent(Expectation):
-    """The acts of a greeting that were done to their end before one person; a farewell's are others."""
+    """The completed acts of one person's greeting; a farewell's acts are separate."""
 
     RULE: ClassVar[str] = "_GREETING [_OF NAME] _CONTAINS [NO] NAME (_AND [NO] NAME)*"
     EXAMPLE: ClassVar[str] = "greeting of johanna contains a nod and no touch"
@@ -54,13 +54,13 @@ class GreetingContent(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a name, and pairs of a `no` or None and a word."""
+        """Create from a name, and pairs of `no` or None and a word."""
         person, *items = parts
         pairs = zip(items[::2], items[1::2], strict=True)
         return cls(person, _possible(tuple(Item(_known(name), no is None) for no, name in pairs)))
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Each person who is greeted otherwise."""
+        """Each person with a different greeting."""
         require_goal(episode.prepared.file.scenario, *self.people)
         for person in self.people or to_visit(episode):
             done = done_for(episode, person)
@@ -82,13 +82,13 @@ class GreetingContent(Expectation):
 
 
 def _elsewhere(wrong: Sequence[Item], done: Sequence[Done]) -> Iterator[Done]:
-    """What is missed in the greeting and was done on another occasion."""
+    """Acts missing in the greeting that were done on another occasion."""
     missed = [item for item in wrong if item.wanted]
     return (each for each in done if not each.is_greeting and any(item.among((each.act,)) for item in missed))
 
 
 def _possible(items: tuple[Item, ...]) -> tuple[Item, ...]:
-    """Refuse what no greeting can contain at once: a handshake and no touch."""
+    """Refuse contradictory items: a handshake and no touch."""
     ruled_out = [item for item in items if not item.wanted]
     open_ones = [act for act in (*VERBS, SAY_ACT) if not any(item.among((act,)) for item in ruled_out)]
     for item in items:

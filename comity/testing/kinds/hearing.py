@@ -1,4 +1,4 @@
-"""What the robot says to a person, and what it does not."""
+"""Words that the robot says to a person, or does not say."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ _WITH = "{} is greeted together with {}, to whom the robot speaks for all of the
 
 @dataclass(frozen=True, slots=True)
 class Hearing(Expectation):
-    """Words in one utterance to the person, not broken off; to a group, to each of its members.
+    """Words in one completed utterance to the person or, for a group, to each of its members.
 
-    A person who is greeted together with another one hears what is said to that one. `never`: in no
-    utterance, not even in one that was broken off, because it is not known how far it came.
+    A person who is greeted together with another one hears what is said to that one. `never` also covers
+    interrupted utterances, because it is unknown which words were spoken.
     """
 
     RULE: ClassVar[str] = "NAME [NEVER] _HEARS NAME"
@@ -41,17 +41,17 @@ class Hearing(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a name, `never` or None, and quoted words."""
+        """Create from a name, `never` or None, and quoted words."""
         hearer, never, words = parts
         return cls(hearer, never is not None, words)
 
     @property
     def hearers(self) -> Sequence[str]:
-        """The person or the group."""
+        """The named person or group."""
         return (self.hearer,)
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Each person to whom the words were not said, or were although they never should be."""
+        """Each person who did not hear the words, or heard words that are excluded."""
         scenario = episode.prepared.file.scenario
         for person, of_group in _members(scenario, self.hearer):
             stood_before = spoken_to(episode.visits, person)
@@ -81,7 +81,7 @@ def _why_said(history: History, said: Sequence[ActEvent]) -> Iterator[str]:
 
 
 def _members(scenario: Scenario, who: str) -> Iterator[tuple[str, str]]:
-    """The person, or everybody of a group, with the words that say so."""
+    """The person, or each member of a group, with a phrase that names the group."""
     if who in scenario.people:
         yield who, ""
     else:
@@ -90,18 +90,18 @@ def _members(scenario: Scenario, who: str) -> Iterator[tuple[str, str]]:
 
 
 def _is_to(act: ActEvent, person: str, stood_before: str) -> bool:
-    """Whether it is an utterance that is meant for a person."""
+    """Whether the act is an utterance addressed to a person."""
     return bool(act.text) and (act.person == person or (act.person == stood_before and act.act == SAY_ACT))
 
 
 def _why_silent(episode: Episode, person: str, stood_before: str) -> Iterator[str]:
-    """What came of the visit, and how the greeting was planned: words may be ruled out, as by noise."""
+    """The outcome of the visit, and the planned greeting: speech may be excluded, for example by noise."""
     yield from causes.of_visit(episode, person)
     yield from causes.of_step(episode, "Greet", stood_before)
 
 
 def _has(act: ActEvent, words: str) -> bool:
-    """Whether an utterance has words in it, in its own script or in Latin letters."""
+    """Whether an utterance contains words, in its own script or in Latin letters."""
     return any(holds(text, words) for text in (act.text, act.latin) if text)
 
 

@@ -16,21 +16,21 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class MetricBounds(Expectation):
-    """From one number to another, both ends included."""
+    """A closed interval for a metric or parameter."""
 
     RULE: ClassVar[str] = "NAME [_OF NAME] _IS? bounds"
     EXAMPLE: ClassVar[str] = "min_clearance at least 45 cm"
 
     quantity: str
     person: str | None
-    """None for every person to visit, where it is no metric of the run."""
+    """None for every person to visit, or for a metric of the run."""
     bounds: Bounds
 
     def __post_init__(self) -> None:
         require_sensible(self.quantity, self.person, self.bounds)
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Every number outside, and every person for whom there is none."""
+        """Every number outside the bounds, and every person without a number."""
         for found in quantities(episode, self.quantity, self.person):
             if isinstance(found, NoQuantity):
                 yield Finding(f"{found.name} {self.bounds.told(found.unit)}", found.got, found.because)

@@ -1,4 +1,4 @@
-"""In which order people are visited."""
+"""The order in which people are visited."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class VisitOrder(Expectation):
-    """The order in which the robot docked at people; it says nothing of those it does not name."""
+    """The order in which the robot docked at the named people; others are ignored."""
 
     RULE: ClassVar[str] = "_VISITS _IN_THIS_ORDER names"
     EXAMPLE: ClassVar[str] = "visits in this order: host, guest"
@@ -26,7 +26,7 @@ class VisitOrder(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From names, each once: of a person who is visited again the first visit counts."""
+        """Create from names, each once: only the first visit of a person counts."""
         (names,) = parts
         again = next((name for name in names if names.count(name) > 1), None)
         if again is not None:
@@ -36,7 +36,7 @@ class VisitOrder(Expectation):
 
     @property
     def people(self) -> Sequence[str]:
-        """All that it names."""
+        """All named people."""
         return self.names
 
     def judge(self, episode: Episode) -> Iterator[Finding]:

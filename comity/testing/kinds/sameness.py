@@ -1,4 +1,4 @@
-"""What is the same for all profiles."""
+"""Equality across all profiles."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class ProfileSameness(ProfileComparison):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From names."""
+        """Create from the names of topics."""
         (topics,) = parts
         return cls(tuple(topics))
 

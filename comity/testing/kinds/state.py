@@ -1,4 +1,4 @@
-"""What something is, in a word: the outcome, the plan, how a person fared, a parameter."""
+"""The state of something, as a word: the outcome, the plan, a person's visit, a parameter."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 OUTCOME, PLAN = "outcome", "plan"
 FARES = ("greeted", "unfinished", "declined", "unreached", "not_greeted", "skipped", "unreachable")
-"""What may come of a person's visit."""
+"""Outcomes of a person's visit."""
 PROOFS = ("proven", "unproven")
-"""What may be said of the first plan: that none costs less, or that nobody knows."""
+"""Whether the first plan is proven optimal."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class State(Expectation):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From what it is about, whose it is, and a word."""
+        """Create from a subject, a person or None, and a word."""
         subject, person, word = parts
         if subject == OUTCOME and word not in get_args(Outcome):
             raise unknown_word("an outcome", word, get_args(Outcome))
@@ -49,7 +49,7 @@ class State(Expectation):
         return cls(subject, person, word)
 
     def judge(self, episode: Episode) -> Iterator[Finding]:
-        """Another word."""
+        """A different state."""
         if self.subject == OUTCOME:
             yield from judge_outcome(episode, self.word)
         elif self.subject == PLAN:
@@ -102,7 +102,7 @@ def _rounded(value: ParameterValue) -> str:
 
 
 def judge_outcome(episode: Episode, wanted: str) -> Iterator[Finding]:
-    """Another outcome of the whole, with everybody who was not greeted, or late."""
+    """A different outcome of the run, with everybody who was not greeted, or too late."""
     got = episode.outcome
     if got != wanted:
         people = episode.prepared.file.scenario.visited()
@@ -116,7 +116,7 @@ def judge_outcome(episode: Episode, wanted: str) -> Iterator[Finding]:
 
 
 def _of_visit(episode: Episode, name: str) -> tuple[str, ...]:
-    """Why a person's visit went as it did; of one that was over too late, what took the time."""
+    """Causes of a visit's outcome; for a visit that ended too late, what took the time."""
     visit = visit_of(episode.visits, name)
     return (tuple(of_lateness(episode, visit)) if visit else ()) or tuple(causes.of_visit(episode, name))
 
@@ -128,7 +128,7 @@ def _served_in_time(episode: Episode, name: str) -> bool:
 
 
 def _judge_plan(episode: Episode, wanted: str) -> Iterator[Finding]:
-    """A plan of which something else is known, with who made it and what is known of its cost."""
+    """A plan whose optimality differs, with its planner and what is known of its cost."""
     plan = episode.prepared.plan
     got = PROOFS[0] if plan.optimal else PROOFS[1]
     if got != wanted:

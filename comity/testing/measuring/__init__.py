@@ -1,1 +1,1 @@
-"""Metrics of an episode, limits that it passed, and the profiles of a scenario compared."""
+"""Metrics of an episode, violated safety limits, and the profiles of a scenario compared."""

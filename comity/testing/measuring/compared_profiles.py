@@ -1,4 +1,4 @@
-"""The profiles of a scenario beside each other."""
+"""The profiles of a scenario side by side."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ComparedProfiles:
-    """What comparisons are held against; values need no episode.
+    """The profiles that a comparison compares; inferring their parameters runs no episode.
 
     Args:
-        across: The cases.
-        before: What was measured in some of them already, by the case's name.
+        across: The comparison and its cases.
+        before: Results already measured in some of the cases, by the case's name.
     """
 
     across: Across
@@ -31,16 +31,16 @@ class ComparedProfiles:
 
     @property
     def person(self) -> str:
-        """Of those who have the profiles, the first."""
+        """The first of the people who have the matrix's profiles."""
         return self.across.cases[0].people[0]
 
     def values(self, profile: str) -> Inference:
-        """What a profile gives the person."""
+        """The parameters inferred for the person with a profile."""
         case = next((case for case in self.across.cases if case.profile_name == profile), None)
         return _values(case or self.across.cases[0], profile, self.person)
 
     def measured(self) -> Iterator[Measured]:
-        """What every profile's episode amounts to."""
+        """The measured results of every profile's episode."""
         for case in self.across.cases:
             yield self.before.get(case.id) or measured(case, attempted(case))
 

@@ -1,7 +1,7 @@
-"""What a case amounts to: for reports, and to compare how profiles are served without another episode.
+"""Measured results of a case: for reports, and to compare profiles without running the episode again.
 
-These numbers need the events of an episode, or what becomes of its people; those that frames alone give stand
-in `comity_sim2d.EPISODE` and `VISIT`. `docs/reference/metrics.md` has all of them.
+These numbers need the events of an episode, or the outcomes of visits. Those computed from frames alone are
+in `comity_sim2d.EPISODE` and `VISIT`. `docs/reference/metrics.md` lists all of them.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ _SERVED = ("greeted", "skipped")
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """One episode, small enough to keep and to send to another process."""
+    """Results of one episode, small enough to store and to send to another process."""
 
     scenario: str
     profile: str
     seed: int
     outcome: str
     wanted: int
-    """Without people who declined."""
+    """Number of people to visit, without those who declined."""
     served: int = field(
         metadata=defined(
             "1",
@@ -65,7 +65,7 @@ class Measured:
             name="distance_error_m",
         )
     )
-    """By person, target at last and actual."""
+    """By person, the last target distance and the actual one [m]."""
     way_s: float = field(
         metadata=defined("s", "Time on the way: navigation to people (`Navigate_to_user`), over all visits.")
     )
@@ -94,19 +94,19 @@ class Measured:
     values: Mapping[str, float | str]
     """The parameters of the person who has the case's profile."""
     settings: tuple[str, ...]
-    """Of these parameters, those that the person asked for."""
+    """Those of these parameters that the person set."""
     order: tuple[str, ...]
-    """At whom the robot docked, in this order."""
+    """People at whom the robot docked, in order."""
     dangers: tuple[Danger, ...]
 
     @property
     def distance_error_m(self) -> float:
-        """The largest among those who were reached [m]."""
+        """The largest error among the people reached [m]."""
         reached = [(target, actual) for target, actual in self.distances_m.values() if actual is not None]
         return max((abs(actual - target) for target, actual in reached), default=0.0)
 
     def properties(self) -> Iterator[tuple[str, str | float]]:
-        """For JUnit reports, beside the case's own."""
+        """Properties for JUnit reports, besides the case's own."""
         yield from (("outcome", self.outcome), ("simulated_s", round(self.time_s, 6)))
         for person, (target, actual) in self.distances_m.items():
             yield f"distance_target_m.{person}", round(target, 4)
@@ -117,11 +117,11 @@ class Measured:
 
 
 TESTED: Mapping[str, Metric] = by_name(*definitions(Measured))
-"""What `comity test` compares between profiles, by name."""
+"""Metrics that `comity test` compares between profiles, by name."""
 
 
 def measured(case: Case, episode: Episode) -> Measured:
-    """Sum up what came of a case."""
+    """Summarise the episode of a case."""
     prepared, frames = episode.prepared, episode.frames
     stops = {person: standing(frames, episode.visits, person) for person in approached(prepared.plan)}
     fared = [outcome_of(episode, person) for person in prepared.file.scenario.visited()]
@@ -153,7 +153,7 @@ def measured(case: Case, episode: Episode) -> Measured:
 
 
 def _target_m(episode: Episode, person: str) -> float:
-    """The distance that the robot went by last: the person may have asked for another one by then."""
+    """The last target distance [m]: the person may have asked for another one during the episode."""
     visit = visit_of(episode.visits, person)
     if visit is not None and visit.wanted is not None:
         return visit.wanted.distance_m
@@ -171,7 +171,7 @@ def _phases(events: Iterable[TraceEvent]) -> dict[str, float]:
 
 
 def _covered(spans: list[tuple[float, float]]) -> float:
-    """How long at least one of them lasts: words and gestures go together."""
+    """Total time covered by at least one span [s]: words and gestures may overlap."""
     total, until = 0.0, -math.inf
     for start, end in sorted(spans):
         total += max(0.0, end - max(start, until))

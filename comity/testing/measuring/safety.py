@@ -1,7 +1,7 @@
-"""What is forbidden whoever the person is: held against the frames, not against what the robot believed.
+"""Safety limits that hold for every person, checked against the frames, not the robot's beliefs.
 
-Of nearness only what the robot brings about: who walks up to a robot that stands is not in its hands, nor who
-walks up to one that drives, as long as it brakes for them.
+Only nearness caused by the robot counts. A person may walk up to a robot that stands, or to one that drives
+as long as it brakes for them.
 """
 
 from __future__ import annotations
@@ -29,16 +29,17 @@ if TYPE_CHECKING:
     from comity_sim2d import Frames, RobotBody
 
 _SLACK = 0.02
-"""In metres and metres per second: a controller's overshoot, below what anybody would notice (our choice)."""
+"""Tolerance [m] and [m/s]: a controller's overshoot, below what people notice (our choice)."""
 COMING_M_S = 0.02
-"""The robot comes nearer where it moves towards a person faster than this: slower is rest (our choice)."""
+"""Minimum speed towards a person that counts as approaching [m/s]; slower motion counts as rest (our
+choice)."""
 TAKES_IN_S = 0.15
-"""So long it takes to see a person, to decide and to act on it, a tick each at 20 Hz."""
+"""Reaction time to perceive a person, decide and act [s]: one tick each at 20 Hz."""
 
 
 @dataclass(frozen=True, slots=True)
 class Danger:
-    """A limit that was passed."""
+    """A violated limit."""
 
     limit: str
     got: str
@@ -46,7 +47,7 @@ class Danger:
 
 
 def dangers(episode: Episode) -> Iterator[Danger]:
-    """Contacts, and people the robot came too near or near too fast: each at its worst moment."""
+    """Contacts, and people whom the robot came too near or approached too fast: the worst moment of each."""
     frames, metrics, history = episode.frames, episode.metrics, episode.history
     if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
         got = f"{counted(things, 'contact')} with walls and furniture"
@@ -80,7 +81,7 @@ def dangers(episode: Episode) -> Iterator[Danger]:
 
 
 def _least_m(episode: Episode, person: str) -> NDArray[np.float64]:
-    """How near the robot may come to a person at each frame [m], shape (n,): less while they let it pass."""
+    """Minimum distance to a person at each frame [m], shape (n,): smaller while they let the robot pass."""
     time_s = episode.frames.time_s
     least_m = np.full(len(time_s), PERSON_MARGIN_M)
     for one in episode.disturbances:
@@ -92,17 +93,17 @@ def _least_m(episode: Episode, person: str) -> NDArray[np.float64]:
 
 
 def coming_m_s(frames: Frames) -> NDArray[np.float64]:
-    """How fast the robot itself moved towards each person, wherever they went.
+    """Speed of the robot towards each person, without the person's own motion.
 
     Returns:
-        An array (frames - 1, people) [m/s]: from a frame to the next, negative where it moved away.
+        An array (frames - 1, people) [m/s], from each frame to the next; negative when moving away.
     """
     places = frames.poses[:, :, :2]
     return _towards_m_s(frames, places[1:, :1] - places[:-1, :1], places[:-1, 1:] - places[:-1, :1])
 
 
 def _they_come_m_s(frames: Frames) -> NDArray[np.float64]:
-    """The same of each person towards the robot."""
+    """Speed of each person towards the robot [m/s], shape (frames - 1, people)."""
     places = frames.poses[:, :, :2]
     return _towards_m_s(frames, places[1:, 1:] - places[:-1, 1:], places[:-1, :1] - places[:-1, 1:])
 
@@ -118,15 +119,15 @@ def _towards_m_s(
 def _most_m_s(
     time_s: NDArray[np.float64], speeds: NDArray[np.float64], begun: NDArray[np.bool_], body: RobotBody
 ) -> NDArray[np.float64]:
-    """How fast the robot may be near a person from each frame to the next; more for a while where they came.
+    """Maximum speed near a person between frames [m/s]; higher for a while after they approached.
 
-    For a person who walks to within `NEAR_PEOPLE_M` of it it brakes as usual, from the speed that it had.
+    If a person walks to within `NEAR_PEOPLE_M` of the robot, it brakes normally from its present speed.
 
     Args:
-        time_s: Of the frames, shape (n,).
-        speeds: The robot's, from each frame to the next [m/s], shape (n - 1,).
-        begun: Whether they came so near then, by their own motion; shape (n - 1,).
-        body: The robot's.
+        time_s: Times of the frames [s], shape (n,).
+        speeds: Speeds of the robot from each frame to the next [m/s], shape (n - 1,).
+        begun: Whether the person came that near by their own motion then; shape (n - 1,).
+        body: The robot's body.
     """
     most = np.full(len(speeds), NEAR_PEOPLE_M_S)
     braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)

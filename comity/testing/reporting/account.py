@@ -1,4 +1,4 @@
-"""The account of many tests: as JSON, and for people."""
+"""Summary of a test run: as JSON, and as text."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 FEW = 3
-"""So many profiles are named; of more, how many they are."""
+"""Maximum number of profiles named; more are counted."""
 
 
 def answer(
@@ -71,9 +71,9 @@ def _test(result: Result) -> TestAnswer:
 
 
 def summary(results: Sequence[Result], told: TestsAnswer) -> None:
-    """Failures, what they come to, then how each profile was served, then the counts."""
+    """Print failures, their overview, how each profile was served, and the counts."""
     bad = (result for result in results if not result.good)
-    for text, alike in groupby(bad, key=lambda result: result.text):  # as of a rulebook that all of them read
+    for text, alike in groupby(bad, key=lambda result: result.text):  # e.g. one error of a shared rulebook
         heads = (unbroken(f"{result.status.upper()} {result.id}") for result in alike)
         show(*heads, *_paragraphs(text), "")
     if told.failed > OVERVIEW:
@@ -91,7 +91,7 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
 
 
 def _paragraphs(text: str) -> Iterator[RenderableType]:
-    """Lines that are to be broken, and lines that stay, together as far as they stand together."""
+    """Paragraphs to be wrapped and lines to be kept, grouped as in the text."""
     from rich.cells import cell_len
 
     width = console().width
@@ -101,7 +101,7 @@ def _paragraphs(text: str) -> Iterator[RenderableType]:
 
 
 def _beside(told: TestsAnswer) -> Iterator[str]:
-    """What the table's means are over, and whom it is not about."""
+    """Notes on the table: the cases that its means cover, and the profiles that it omits."""
     if told.other_cases:
         rest = "1 other is" if told.other_cases == 1 else f"{told.other_cases} others are"
         over = counted(told.shared_cases, "case")
@@ -143,7 +143,7 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
 
 
 def _left_out(about: Reach) -> Iterator[str]:
-    """What the comparison is not about."""
+    """Notes on what the comparison does not cover."""
     if not about.compared:
         only = f"one profile, {about.profiles[0]}," if len(about.profiles) == 1 else "what was measured"
         yield f"  Nothing is compared: {only} cannot be, without another one in the same case."

@@ -25,9 +25,9 @@ class TestAnswer(Record):
     """Null where there was no plan, and for a comparison."""
     simulated_s: float | None
     distances_m: Mapping[str, tuple[float, float | None]]
-    """By person, wanted and reached."""
+    """By person, target and actual distance [m]."""
     text: str
-    """What does not hold, and why; empty where all of it does."""
+    """Failed expectations and their causes; empty if all hold."""
     picture: str | None
     again: str
     """The command that runs it alone."""
@@ -39,7 +39,7 @@ class TriedAnswer(Record):
 
     profile: str
     tests: int
-    """All that were run with it, whether or not others were tried there."""
+    """All tests run with this profile, whether or not other profiles were tried in these cases."""
     failed: int
 
 
@@ -48,16 +48,16 @@ class ServedAnswer(TriedAnswer):
     """How one profile was served: its tests and failures are all, the rest is over `shared_cases`."""
 
     served: float
-    """The share of those who were to be visited."""
+    """Share of the people to visit who were served, in [0, 1]."""
     time_s: float | None
-    """Mean, simulated; as intrusion and detour over the tests in which nobody else's profile had more people
-    served, at least one. Null where there is none."""
+    """Mean simulated time [s]. Like intrusion and detour, over the tests in which no other profile had more
+    people served, and at least one was. Null without such tests."""
     distance_error_m: float | None
-    """Mean of reached against wanted, without its sign."""
+    """Mean absolute difference between actual and target distance [m]."""
     intrusion_s: float | None
-    """Mean of the longest in each episode."""
+    """Mean of the longest intrusion in each episode [s]."""
     detour_m: float | None
-    """Mean way beyond the straight lines from stop to stop."""
+    """Mean path length beyond the straight lines between stops [m]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,14 +66,14 @@ class BrokenAnswer(Record):
 
     file: str
     where: str
-    """File and line, as failures have it."""
+    """File and line, as in failures."""
     expectation: str
     profiles: tuple[str, ...]
-    """For whom; empty for a comparison of profiles."""
+    """Profiles for which it fails; empty for a comparison of profiles."""
     failed: int
-    """The tests in which it does not hold."""
+    """Number of tests in which it fails."""
     tests: int
-    """Those of its file; of an expectation that compares, its comparisons."""
+    """Number of tests of its file; for a comparison, the number of comparisons."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,7 +88,7 @@ class UnexplainedAnswer(Record):
     profiles: tuple[str, str]
     values: tuple[float, float]
     settings: tuple[str, ...] = ()
-    """Parameters that differ because a person asked for it: then it is no unfairness."""
+    """Parameters that differ because a person asked for it; such a difference is no unfairness."""
     because: str
     """Why nothing explains it."""
     text: str
@@ -106,22 +106,22 @@ class TestsAnswer(Record):
     xpassed: int
     refused: int
     not_run: int | None
-    """Tests that were left when `-x` or Ctrl-C ended it; null where it ended before the first."""
+    """Number of tests not run when `-x` or Ctrl-C ended the run; null if it ended before the first."""
     seconds: float
     tests: tuple[TestAnswer, ...]
     broken: tuple[BrokenAnswer, ...]
-    """What does not hold, and for whom: each expectation once."""
+    """Failed expectations by profile, each once."""
     profiles: tuple[ServedAnswer, ...]
-    """The most that were tried in one case; of as many, those that were so most often."""
+    """The largest set of profiles tried in one case; of equally large sets, the most frequent."""
     shared_cases: int
-    """Cases that all `profiles` were tried in: the means are over these."""
+    """Number of cases that all `profiles` were tried in; the means cover these."""
     other_cases: int
-    """Measured cases that the means leave out."""
+    """Number of measured cases that the means leave out."""
     other_profiles: tuple[TriedAnswer, ...]
-    """Those that share no case with all `profiles`."""
+    """Profiles that share no case with all `profiles`."""
     unexplained: tuple[UnexplainedAnswer, ...] | None
     """With `--fairness`."""
     asked_for: tuple[UnexplainedAnswer, ...] | None
-    """With `--fairness`: what people's own settings are behind; not counted as a failure."""
+    """With `--fairness`: differences due to people's own settings; not counted as failures."""
     not_compared: int | None
-    """With `--fairness`: tests that were not measured, or no other profile in their case."""
+    """With `--fairness`: number of tests not measured, or without another profile in their case."""

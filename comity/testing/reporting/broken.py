@@ -1,4 +1,4 @@
-"""Which expectations do not hold any more, and for whom: after an edit, the whole of it at a glance."""
+"""Failed expectations by profile: an overview after an edit."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from comity.testing.runner.result import Result
 
 OVERVIEW = 3
-"""More failed tests than these are summed up (our choice): fewer can be read."""
+"""Above this number of failed tests an overview is shown (our choice)."""
 MOST = 20
-"""So many expectations are listed one by one; of more, how many each scenario has (our choice)."""
+"""Maximum number of expectations listed singly; above it, counts by scenario are shown (our choice)."""
 
 
 def broken(results: Sequence[Result]) -> tuple[BrokenAnswer, ...]:
-    """Every expectation that does not hold in some test, file by file."""
+    """Every expectation that fails in some test, file by file."""
     failed: dict[tuple[str, str, str], list[Result]] = defaultdict(list)
     for result in results:
         if not result.good:
@@ -43,7 +43,7 @@ def broken(results: Sequence[Result]) -> tuple[BrokenAnswer, ...]:
 
 
 def broken_table(told: Sequence[BrokenAnswer], results: Iterable[Result]) -> RenderableType:
-    """The same for people: one by one, or by scenario where they are many."""
+    """The failed expectations as a table: one by one, or by scenario if there are many."""
     tried: dict[str, set[str]] = defaultdict(set)
     for result in results:
         if result.profile:

@@ -1,6 +1,6 @@
-"""Differences between pairs of profiles, gathered by case: who gets how much, the most first.
+"""Differences between pairs of profiles, grouped by case: the value of each profile, highest first.
 
-Thirteen profiles make 78 pairs; where one of them is served otherwise, twelve sentences say the same.
+Thirteen profiles make 78 pairs; if one profile is served differently, twelve pairs show the same difference.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def contrasts(found: Sequence[UnexplainedAnswer]) -> Iterator[RenderableType]:
-    """For each case and each thing that differs in it: why that is told, and who gets how much."""
+    """For each case and differing metric: why it is reported, and the value of each profile."""
     gathered: dict[tuple[str, str], list[UnexplainedAnswer]] = {}
     for one in found:
         gathered.setdefault((one.case, one.what), []).append(one)
@@ -37,7 +37,7 @@ def _rows(pairs: Sequence[UnexplainedAnswer]) -> Iterator[tuple[str, str]]:
 
 
 def _because(pairs: Sequence[UnexplainedAnswer]) -> str:
-    """What all pairs have in common, if anything."""
+    """The reason that all pairs share, if any."""
     shared = set.intersection(*(set(one.settings) for one in pairs))
     if shared:
         return asked_for(sorted(shared))

@@ -1,11 +1,11 @@
 """Differences between profiles, and which of them no parameter explains.
 
-An episode is a consequence of the parameters: people with the same ones are served alike. What may differ
-between two profiles is therefore what hangs on a parameter that differs between them, and by a share that is
-like that of the parameter: a hundredth of the distance is no reason for twice the time. Whether a person is
-served, and as near as they would have it, hangs on none: that is the design's law. Anything else is flagged,
-but for what a person's own settings may bring about, which is told by itself: they asked for it. A setting
-brings about only what its parameter bears on.
+An episode follows from the parameters: people with the same parameters are served equally. Two profiles may
+therefore differ only in metrics that depend on a parameter that differs, and by a relative amount similar to
+the parameter's: a distance larger by 1 % does not justify twice the time. Whether a person is served, and how
+closely their preferred distance is met, depend on no parameter: that is a principle of the design. Any other
+difference is flagged. Differences that a person's own settings may cause are reported separately, because the
+person asked for them. A setting explains only metrics that depend on its parameter.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from comity.testing.runner.result import Result
 
 PLACE = ("conversational_distance", "approach_direction")
-"""What decides where the robot stops, and with it the way there and who of a group is greeted together."""
+"""Parameters that decide where the robot stops, and so its path and who of a group is greeted together."""
 ACTS = ("greeting_modality", "greeting_gesture", "greeting_language")
-"""What decides whether the robot can greet at all; the rest of a greeting, how long that takes."""
+"""Parameters that decide whether the robot can greet at all; the others affect the duration of a greeting."""
 GREETING = (
     *ACTS,
     "formality",
@@ -37,34 +37,35 @@ GREETING = (
     "gesture_amplitude",
 )
 SMALL_S, SMALL_M, SMALL_ERROR_M = 0.5, 0.25, 0.10
-"""Differences that nobody would notice (our choice)."""
+"""Differences too small to notice [s], [m], [m] (our choice)."""
 FINE = {"s": 1, "m": 2}
-"""Digits behind the point."""
+"""Decimals by unit."""
 LEVERAGE = 5.0
-"""So many times its own share a number may change what hangs on it (our choice); a word, by any amount."""
+"""Maximum ratio between the relative change of a metric and that of a parameter it depends on (our choice); a
+nominal parameter explains any change."""
 
 
 @dataclass(frozen=True, slots=True)
 class Aspect:
-    """One number of an episode, and the parameters that bear on it."""
+    """One metric of an episode, and the parameters that it depends on."""
 
     what: str
     metric: str
     """Its name in `TESTED`."""
     bears: Sequence[str]
-    """Parameters by which it may come out otherwise."""
+    """Parameters that affect it."""
     small: float
     owed: bool = False
-    """Whether everybody is owed the same: then no parameter explains a difference, and only what a person
-    asked for may be behind it. Anything else is compared where as many people were served."""
+    """Whether everybody is entitled to the same value: then no parameter explains a difference, except a
+    setting that a person asked for. Other metrics are compared only where equally many people were served."""
 
     def value(self, one: Measured) -> float:
-        """Of an episode."""
+        """Value of the metric in an episode."""
         return float(getattr(one, self.metric))
 
     @property
     def unit(self) -> str:
-        """As sentences have it: none of a count."""
+        """Unit in sentences; empty for a count."""
         return TESTED[self.metric].unit.removeprefix("1")
 
     @property
@@ -74,7 +75,7 @@ class Aspect:
 
 
 def told(value: float, unit: str) -> str:
-    """A number of seconds, metres or heads, as finely as anybody would notice."""
+    """A number of seconds, metres or people, to a noticeable precision."""
     return f"{value:.{FINE.get(unit, 0)}f} {unit}".rstrip()
 
 
@@ -91,12 +92,12 @@ ASPECTS = (
 
 
 def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
-    """Every difference that no parameter explains; also where a person's own settings may be behind it."""
+    """Every difference that no parameter explains, including those that a person's own settings may cause."""
     return tuple(found for case, one, other in _pairs(results) for found in _between(case, one, other))
 
 
 def too_small(results: Sequence[Result]) -> tuple[Aspect, ...]:
-    """Of what there are differences that no parameter explains, and that are left out for being small."""
+    """Metrics with unexplained differences that are omitted because they are small."""
     pairs = [(one, other) for _, one, other in _pairs(results)]
     return tuple(
         aspect
@@ -111,27 +112,27 @@ def too_small(results: Sequence[Result]) -> tuple[Aspect, ...]:
 
 
 def thresholds(aspects: Iterable[Aspect]) -> str:
-    """Up to what a difference in each is left out."""
+    """Thresholds below which a difference in each metric is omitted, in words."""
     return ", ".join(f"{one.what} up to {told(one.small, one.unit)}" for one in aspects)
 
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """How many of the tests of single profiles a comparison is about."""
+    """Coverage of a comparison: which tests of single profiles it includes."""
 
     compared: int
     alone: int
-    """Of whose case no other profile was measured."""
+    """Number of tests without another measured profile in their case."""
     unmeasured: int
-    """Refused, or without a plan."""
+    """Number of tests that were refused, or had no plan."""
     profiles: tuple[str, ...]
-    """Those of which anything was measured."""
+    """Profiles with measured tests."""
     apart: tuple[tuple[str, str], ...]
-    """Profiles that are compared with others, and not with each other, as they share no case."""
+    """Pairs of profiles that share no case, though each is compared with others."""
 
 
 def reach(results: Sequence[Result]) -> Reach:
-    """What can be compared of tests, and what is left out."""
+    """Which tests can be compared, and which are left out."""
     groups = by_case(results).values()
     names = [sorted(result.measured.profile for result in group if result.measured) for group in groups]
     together = {pair for group in names for pair in combinations(group, 2)}
@@ -146,7 +147,7 @@ def reach(results: Sequence[Result]) -> Reach:
 
 
 def _pairs(results: Sequence[Result]) -> Iterator[tuple[str, Measured, Measured]]:
-    """Every two profiles in the same case, with its name."""
+    """Every pair of profiles in the same case, with the case's name."""
     for (_, case), group in by_case(results).items():
         for one, other in combinations(group, 2):
             if one.measured and other.measured:
@@ -181,26 +182,26 @@ def _between(case: str, one: Measured, other: Measured) -> Iterator[UnexplainedA
 
 
 def _asked_for(aspect: Aspect, one: Measured, other: Measured) -> Iterator[str]:
-    """The settings that may be behind a difference: those that differ, of what bears on it."""
+    """Settings that may cause a difference: those that differ and affect the metric."""
     for name in sorted({*one.settings, *other.settings}):
         if one.values.get(name) != other.values.get(name) and name in aspect.bears:
             yield name
 
 
 def _unexplained(aspect: Aspect, one: Measured, other: Measured) -> float:
-    """By how much it differs beyond what the parameters explain."""
+    """The part of a difference that the parameters do not explain."""
     mine, theirs = aspect.value(one), aspect.value(other)
     return abs(mine - theirs) - _explained(aspect, one, other) * max(mine, theirs)
 
 
 def _explained(aspect: Aspect, one: Measured, other: Measured) -> float:
-    """The share of an aspect by which it may differ, as the parameters do on which it hangs."""
+    """Relative difference that the parameters explain, from their own differences."""
     pairs = [(one.values.get(name), other.values.get(name)) for name in aspect.hangs_on]
     return LEVERAGE * sum(_apart(mine, theirs) for mine, theirs in pairs)
 
 
 def _apart(mine: float | str | None, theirs: float | str | None) -> float:
-    """0 where they are the same, 1 where nothing more can be said than that they are not."""
+    """Relative difference of two values: 0 if equal, 1 if nominal or otherwise incomparable."""
     if mine == theirs:
         return 0.0
     if isinstance(mine, float | int) and isinstance(theirs, float | int):
@@ -209,7 +210,7 @@ def _apart(mine: float | str | None, theirs: float | str | None) -> float:
 
 
 def asked_for(settings: Sequence[str]) -> str:
-    """That it is a person's own doing."""
+    """Note that a difference is due to a person's own settings."""
     return f"one of them asked for another {listed(settings)}"
 
 
@@ -223,7 +224,7 @@ def _because(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[
 
 
 def spread(results: Sequence[Result]) -> Mapping[str, tuple[str, str, float]]:
-    """By aspect, who has most and who has least on average over shared cases, and how far apart."""
+    """By metric, the profiles with the highest and lowest mean over shared cases, and the difference."""
     compared = shared(results).tests
     every, alike = (one.measured for one in compared if one.measured), served_alike(compared)
     of_all, of_alike = _by_profile(every), _by_profile(alike)

@@ -1,4 +1,4 @@
-"""How each profile was served, over all tests: who is served worse."""
+"""How each profile was served over all tests, to find those served worse."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def by_case(results: Sequence[Result]) -> Mapping[tuple[str, str], Sequence[Result]]:
-    """Each case's measured tests, by the scenario's file and their id without the profile."""
+    """The measured tests of each case, by the scenario's file and the test id without the profile."""
     groups: dict[tuple[str, str], list[Result]] = {}
     for result in results:
         if result.measured:
@@ -34,14 +34,14 @@ class SharedCases:
 
     profiles: tuple[str, ...]
     tests: tuple[Result, ...]
-    """Of these cases: only they compare like with like."""
+    """Tests of these cases: only they are comparable."""
     cases: int
     left_out: int
-    """Cases that were not tried with just these profiles."""
+    """Number of cases tried with other sets of profiles."""
 
 
 def shared(results: Sequence[Result]) -> SharedCases:
-    """The most profiles that were tried in one case, and every case of theirs; of as many, the most tried."""
+    """The largest set of profiles tried in one case, with all its cases; of equal sets, the most frequent."""
     groups = list(by_case(results).values())
     tried = [frozenset(result.profile for result in group if result.profile) for group in groups]
     often = Counter(tried)
@@ -56,7 +56,7 @@ def shared(results: Sequence[Result]) -> SharedCases:
 
 
 def served(results: Sequence[Result]) -> tuple[ServedAnswer, ...]:
-    """One line for each profile that is compared: all its tests, and means over the cases that all share."""
+    """One line for each compared profile: counts over all its tests, means over the shared cases."""
     compared = shared(results)
     best = [one for case in _cases(compared.tests) for one in case if 0 < one.served == _most(case)]
     return tuple(
@@ -70,14 +70,14 @@ def served(results: Sequence[Result]) -> tuple[ServedAnswer, ...]:
 
 
 def others(results: Sequence[Result]) -> tuple[TriedAnswer, ...]:
-    """The profiles that share no case with all of those, and what came of their tests."""
+    """The profiles that share no case with all compared ones, and the results of their tests."""
     compared = shared(results).profiles
     names = {result.profile for result in results if result.profile and result.profile not in compared}
     return tuple(_tried(name, results) for name in sorted(names))
 
 
 def served_alike(results: Sequence[Result]) -> list[Measured]:
-    """The episodes of the cases in which all had as many people served, at least one: of like times."""
+    """Episodes of cases in which all profiles had equally many people served, at least one."""
     return [
         one for case in _cases(results) for one in case if all(0 < one.served == each.served for each in case)
     ]
@@ -102,7 +102,7 @@ def _tried(profile: str, results: Sequence[Result]) -> TriedAnswer:
 
 def _served(tried: TriedAnswer, found: Sequence[Measured], best: Sequence[Measured]) -> ServedAnswer:
     errors = list(_errors(found))
-    whole = [one for one in best if one.profile == tried.profile]  # who serves nobody takes no time
+    whole = [one for one in best if one.profile == tried.profile]  # serving nobody takes no time
     return ServedAnswer(
         profile=tried.profile,
         tests=tried.tests,
@@ -123,7 +123,7 @@ def _errors(found: Iterable[Measured]) -> Iterator[float]:
 
 
 def served_table(lines: Iterable[ServedAnswer]) -> RenderableType:
-    """The same for people; those who are served worst come first."""
+    """The lines as a table, the worst served profile first."""
     ordered = sorted(lines, key=lambda one: (one.served, -one.failed, -(one.time_s or 0.0)))
     rows = [
         (

@@ -1,1 +1,1 @@
-"""One test and its result, failures as people read them, pictures; the call of pytest with its settings."""
+"""Running tests: results, readable failures, pictures, and the call of pytest with its settings."""

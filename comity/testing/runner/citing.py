@@ -1,4 +1,4 @@
-"""Where the rules stand that a failure goes by: file and line of the rulebook that its case reads."""
+"""Source positions (file and line) of the rules that a failure refers to."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ if TYPE_CHECKING:
 
 _NUMBERED = re.compile(r"\brule (\d+)\b|\brules (\d+(?:, \d+)*)")
 _QUOTED = re.compile(r"^rule {6}(.*?)(?: \(\d\.\d\d\))?$")
-"""As a chain of causes has them, with their strength."""
+"""A rule in a causal chain, with its firing strength."""
 _EDITED, _NOW = "edited ", " -> "
 
 
 def cited(case: Case | Across, reasons: Iterable[str]) -> str:
-    """Every rule that these lines name, with its place, in the rulebook's order; empty where they name none.
+    """Rules named in these lines with their positions, in the rulebook's order; empty without any.
 
     Args:
-        case: It reads the rulebook.
+        case: The case that reads the rulebook.
         reasons: The lines of a failure.
     """
     one = case.cases[0] if isinstance(case, Across) else case
     file = one.rulebook_file
-    if is_fis(file.path):  # was turned into YAML, and has other lines
+    if is_fis(file.path):  # converted to YAML, so its lines differ
         return ""
     rules = [str(rule["rule"]) for rule in file.data.get("rules") or ()]
     numbers = sorted({number for line in reasons for number in _numbers(line, rules)})
@@ -38,7 +38,7 @@ def cited(case: Case | Across, reasons: Iterable[str]) -> str:
 
 
 def _numbers(line: str, rules: list[str]) -> Iterator[int]:
-    if line.startswith(_EDITED):  # what it was has the number of another rulebook
+    if line.startswith(_EDITED):  # the old text has the number of another rulebook
         line = line.rpartition(_NOW)[2]
     found = (one or several for one, several in _NUMBERED.findall(line))
     yield from (int(number) for numbers in found for number in numbers.split(", "))

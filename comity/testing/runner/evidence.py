@@ -1,4 +1,4 @@
-"""The run of a failed test, kept to be looked at: a run folder with a picture."""
+"""Evidence of a failed test: its stored run folder with a picture."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
 
 MOST = 12
-"""Pictures that one process draws below one folder: when everything fails, hundreds would take minutes."""
+"""Maximum number of pictures that one process draws below one folder: hundreds would take minutes."""
 
 _drawn: Counter[Path] = Counter()
 
@@ -28,7 +28,7 @@ class Evidence:
 
     picture: Path | None = None
     missing: str = ""
-    """Empty where nobody would expect one."""
+    """Why there is no picture; empty if none is expected."""
 
     def __str__(self) -> str:
         return str(self.picture or (f"none: {self.missing}" if self.missing else ""))
@@ -41,8 +41,8 @@ def kept(claim: Claim, folder: Path) -> Evidence:
     """Write the run folder of a failed test; `comity trace` and `comity replay` read it.
 
     Args:
-        claim: What failed.
-        folder: Below it, a folder for each scenario, and in it one for each case.
+        claim: The failed test.
+        folder: Parent folder; inside, a folder for each scenario, and in it one for each case.
     """
     from comity_fis import InputError
 
@@ -62,11 +62,11 @@ def kept(claim: Claim, folder: Path) -> Evidence:
 
 
 def removed(claim: Claim, folder: Path) -> None:
-    """Remove what was kept of a test that passes now, and the folders that are empty then.
+    """Remove the run folder of a test that passes now, and folders left empty.
 
     Args:
-        claim: What passes.
-        folder: As of `kept`; itself it stays, as does everything below it that is no run.
+        claim: The passing test.
+        folder: As for `kept`; the folder itself stays, as does everything in it that is no run.
     """
     from comity.output import run_folder
     from comity_fis import InputError
@@ -76,20 +76,20 @@ def removed(claim: Claim, folder: Path) -> None:
     out = folder / place_of(claim.case)
     if not run_folder.is_run(out):
         return
-    with suppress(InputError, OSError):  # it is in nobody's way
+    with suppress(InputError, OSError):  # a leftover does no harm
         run_folder.remove(out)
         for above in out.relative_to(folder).parents[:-1]:
             (folder / above).rmdir()
 
 
 def place_of(case: Case) -> Path:
-    """`hall/german_man-seed0`, below the folders in which the scenario is: no two cases share one."""
+    """Path such as `hall/german_man-seed0` below the scenario's folders: unique for each case."""
     stem = case.path.name.removesuffix(SUFFIX)
     return _folder_of(case.path) / stem / case.slug
 
 
 def _folder_of(path: Path) -> Path:
-    """As seen from here; from elsewhere its name, and a digest of where it is."""
+    """Path relative to the current folder; if it is elsewhere, its name with a digest of its location."""
     if here := from_here(path):
         return here.parent
     folder = whole(path).parent

@@ -1,4 +1,4 @@
-"""What came of a test, in a form that crosses to another process."""
+"""The result of a test, in a form that can be sent to another process."""
 
 from __future__ import annotations
 
@@ -24,38 +24,39 @@ if TYPE_CHECKING:
     from comity.testing.verdict import Verdict
 
 Status = Literal["passed", "failed", "xfailed", "xpassed", "refused"]
-"""`xfailed`: it failed as its file says it must; `xpassed`: it did not, which is a failure, too."""
+"""`xfailed`: it failed as its file requires; `xpassed`: it passed although it must fail, which is a
+failure."""
 
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """One test's end."""
+    """The result of one test."""
 
     id: str
     path: Path
     status: Status
     text: str
-    """Empty where it passed."""
+    """The failure; empty if it passed."""
     again: str
     """The command that runs it alone."""
     picture: Path | None
     seconds: float
     measured: Measured | None
     compares: bool = False
-    """Whether it is a comparison of profiles, and no profile's own test."""
+    """Whether it is a comparison of profiles rather than a test of one profile."""
     profile: str | None = None
-    """Whose test it is; None for a comparison, and for a file that cannot be used."""
+    """Profile of the test; None for a comparison, and for a file that cannot be used."""
     broken: tuple[tuple[str, str], ...] = ()
-    """What does not hold, each expectation once: its place, and as it is written."""
+    """Failed expectations, each once: its position, and its text."""
 
     @property
     def good(self) -> bool:
-        """Whether it is as it should be."""
+        """Whether the result is as expected."""
         return self.status in ("passed", "xfailed")
 
 
 FORM = TypeAdapter(Result)
-"""As JSON."""
+"""Conversion to and from JSON."""
 
 
 def result_of(
@@ -65,13 +66,13 @@ def result_of(
     failed: Path | None = None,
     before: Mapping[str, Measured] = NOTHING,
 ) -> Result:
-    """Carry a test out: it passes, fails or is refused; whether that is expected is for pytest to say.
+    """Run a test: it passes, fails or is refused; pytest decides whether that is expected.
 
     Args:
         claim: The case and its expectations.
         update: Whether to store its golden episode.
         failed: The folder for the runs of failed tests; None keeps none.
-        before: What was measured in other cases just now, by the case's name.
+        before: Results just measured in other cases, by the case's name.
     """
     start = time.perf_counter()
     case = claim.case
@@ -105,26 +106,26 @@ def refused(path: Path, text: str, profiles: Sequence[str] = ()) -> Result:
 
     Args:
         path: The file.
-        text: What is wrong with it.
-        profiles: What was named instead of its matrix's profiles.
+        text: What is wrong with the file.
+        profiles: Profiles named instead of its matrix's.
     """
     again = command(path, profiles=profiles)
     return Result(shown(path), from_here(path) or path, "refused", text, again, None, 0.0, None)
 
 
 def lost(path: Path, name: str, text: str) -> Result:
-    """The result of a test that came to no end.
+    """The result of a test that did not finish.
 
     Args:
         path: Its file.
         name: The test's id.
-        text: What ended it.
+        text: What ended the test.
     """
     return Result(name, from_here(path) or path, "failed", text, command(path, name), None, 0.0, None)
 
 
 def _kept_or_removed(claim: Claim, verdict: Verdict, failed: Path | None) -> Evidence:
-    """The run of a test that fails and is not expected to; where one passes, an older run goes."""
+    """Store the run of a test that fails unexpectedly; remove an older run if it passes."""
     if failed and verdict.passed:
         removed(claim, failed)
     elif failed and not claim.markers.xfail:

@@ -1,4 +1,4 @@
-"""One call of pytest with a configuration of Comity's own, and what came of each test."""
+"""One call of pytest with Comity's own configuration, and the result of each test."""
 
 from __future__ import annotations
 
@@ -24,48 +24,48 @@ _ENVIRONMENT = {
     "PYTEST_ADDOPTS": None,
     "PYTEST_PLUGINS": None,
     "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-    "PYTHONSAFEPATH": "1",  # a package of the current folder that is called as one of ours is not ours
+    "PYTHONSAFEPATH": "1",  # keeps packages in the current folder from shadowing ours
 }
-"""What pytest and its workers read: nothing that the user set for another use of pytest."""
+"""Environment of pytest and its workers; overrides the user's settings for other uses of pytest."""
 
 Note = Callable[[Result, int], None]
-"""Is told of each result as it comes, with the number of tests that were collected."""
+"""Called with each result as it arrives, and the number of tests collected."""
 
 
 @dataclass
 class Run:
-    """A plugin of pytest that keeps what came of each test."""
+    """A pytest plugin that stores the result of each test."""
 
     rootdir: Path
-    """What node ids are relative to."""
+    """Folder that node ids are relative to."""
     note: Note
     warn: Callable[[str], None]
     code: int = pytest.ExitCode.OK
-    """Of pytest."""
+    """Exit code of pytest."""
     stopped: list[BaseException] = field(default_factory=list)
-    """What Ctrl-C or SIGTERM raised."""
+    """Exceptions raised by Ctrl-C or SIGTERM."""
     _workers: Any = None
-    """The plugin of xdist that has them; None without any."""
+    """xdist's plugin with the workers; None without workers."""
     _order: dict[str, int] | None = None
-    """The place of each test that was collected, by its node id."""
+    """Index of each collected test, by its node id."""
     _found: dict[str, Result] = field(default_factory=dict)
-    """By node id."""
+    """Results by node id."""
 
     @property
     def results(self) -> list[Result]:
-        """All results in the order of the tests; files that cannot be used come first."""
+        """All results in the order of the tests; unusable files come first."""
         order = self._order or {}
         return [self._found[node_id] for node_id in sorted(self._found, key=lambda each: order.get(each, -1))]
 
     @property
     def not_run(self) -> int | None:
-        """The tests that were left when it ended; None where it ended before they were collected."""
+        """Number of tests not run; None if the run ended before they were collected."""
         if self._order is None:
             return None
         return len(self._order.keys() - self._found.keys())
 
     def pytest_sessionstart(self, session: pytest.Session) -> None:
-        """Refuse a wrong `-k` or `-m` here: workers would make an error of their own of it."""
+        """Refuse an invalid `-k` or `-m` here: in workers it would become an internal error."""
         mark: Any = session.config.pluginmanager.get_plugin("mark")
         mark.pytest_collection_modifyitems(items=[], config=session.config)
         self._workers = session.config.pluginmanager.get_plugin("dsession")
@@ -74,36 +74,36 @@ class Run:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_collection(self) -> None:
-        """Hear of Ctrl-C again: the workers have been started."""
+        """Handle Ctrl-C again: the workers have been started."""
         _hear_signals(hear=True)
 
     def pytest_keyboard_interrupt(self) -> None:
-        """Let xdist end its workers at once, with what they have under way."""
+        """Have xdist end its workers at once, with their running tests."""
         if self._workers and self._workers.nodemanager:
             self._workers.nodemanager.EXIT_TIMEOUT = 0.1  # [s]
 
     def pytest_collection_finish(self, session: pytest.Session) -> None:
-        """Keep the order of the tests."""
+        """Store the order of the tests."""
         self._collected([item.nodeid for item in session.items])
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_xdist_node_collection_finished(self, ids: Sequence[str]) -> None:
-        """The same where workers collect."""
+        """Store the order of the tests collected by workers."""
         self._collected(ids)
 
     def _collected(self, ids: Sequence[str]) -> None:
         self._order = {node_id: place for place, node_id in enumerate(ids)}
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Keep a file that cannot be used."""
-        if self.stopped:  # something on the way made another error of it
+        """Store the result of a file that cannot be used."""
+        if self.stopped:  # it was converted to another error on the way
             raise KeyboardInterrupt
         if report.failed:
             crash = getattr(report.longrepr, "reprcrash", None)
             self._keep(report, refused(self.rootdir / report.nodeid, crash.message if crash else ""))
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        """Keep what came of a test, also where its process was lost."""
+        """Store the result of a test, also if its process was lost."""
         if self.stopped:
             raise KeyboardInterrupt
         if report.failed or report.when == "call":
@@ -112,7 +112,7 @@ class Run:
             self.note(result, len(self._order or ()))
 
     def _keep(self, report: pytest.CollectReport | pytest.TestReport, otherwise: Result) -> Result:
-        """Keep what our plugin says of a report, or else this."""
+        """Store the plugin's result from a report, or else `otherwise`."""
         told: str | None = getattr(report, RESULT, None)
         result = FORM.validate_json(told) if told else otherwise
         before = self._found.get(report.nodeid)  # xdist may run the test of a lost process again
@@ -121,7 +121,7 @@ class Run:
         return result
 
     def pytest_warning_recorded(self, warning_message: Any) -> None:
-        """Pass a warning on to the user."""
+        """Forward a warning to the user."""
         if issubclass(warning_message.category, pytest.PytestWarning):
             self.warn(str(warning_message.message))
 
@@ -133,13 +133,13 @@ def run(
     note: Note,
     warn: Callable[[str], None],
 ) -> Run:
-    """Let pytest run scenario tests, and nothing else that lies there.
+    """Run scenario tests with pytest, and no other tests found there.
 
     Args:
-        paths: Absolute ones of folders and files, or `FILE::TEST`; at least one.
-        options: More options of pytest.
-        note: Is told of each result as it comes, with the number of tests.
-        warn: Is told of warnings.
+        paths: Absolute paths of folders and files, or `FILE::TEST`; at least one.
+        options: Further options of pytest.
+        note: Called with each result as it arrives, and the number of tests.
+        warn: Called with each warning.
     """
     rootdir = _root_of([Path(path.partition("::")[0]) for path in paths])
     ran = Run(rootdir, note, warn)
@@ -164,14 +164,14 @@ def run(
 
 
 def _root_of(paths: Sequence[Path]) -> Path:
-    """The folder below which pytest looks: the current one, or one that holds all that was named."""
+    """Root folder of pytest: the current one, or a common parent of all named paths."""
     if all(path.is_relative_to(Path.cwd()) for path in paths):
         return Path.cwd()
     return Path(os.path.commonpath([path if path.is_dir() else path.parent for path in paths]))
 
 
 def _cache_folder() -> Path:
-    """Where pytest keeps which tests of the current folder failed last."""
+    """Folder in which pytest stores the last failures of the current folder."""
     here = hashlib.sha256(os.fsencode(Path.cwd())).hexdigest()[:16]
     return Path(os.environ.get("COMITY_CACHE") or user_cache_path("comity")) / "tests" / here
 
@@ -195,9 +195,9 @@ def _set(variables: dict[str, str | None]) -> None:
 
 
 def _hear_signals(*, hear: bool) -> None:
-    """Let Ctrl-C and SIGTERM come, or wait: workers that are started while they wait never hear of them.
+    """Deliver or block Ctrl-C and SIGTERM: workers started while they are blocked never receive them.
 
-    It is this process that ends its workers, and they say nothing of it. Windows knows no such thing.
+    This process ends its workers, which print nothing about it. Windows cannot block signals.
     """
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK if hear else signal.SIG_BLOCK, STOPS)
@@ -205,10 +205,10 @@ def _hear_signals(*, hear: bool) -> None:
 
 @contextmanager
 def _interruptible(stopped: list[BaseException]) -> Iterator[None]:
-    """Ctrl-C and SIGTERM as `KeyboardInterrupt`: of everything else pytest makes a failure.
+    """Raise `KeyboardInterrupt` for Ctrl-C and SIGTERM: pytest turns any other exception into a failure.
 
     Args:
-        stopped: What the program's own handlers raise, to be raised once pytest has ended.
+        stopped: Exceptions raised by the program's own handlers, to be raised again after pytest.
     """
     handlers = {int(number): signal.getsignal(number) for number in STOPS}
 

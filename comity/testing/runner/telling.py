@@ -1,4 +1,4 @@
-"""A failure as people read it."""
+"""Failures as readable text."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ if TYPE_CHECKING:
 WIDTH = 100
 _INDENT = " " * 13
 _SENTENCES = tuple(f"  {head:9}  " for head in ("expected", "got", "because", "also", ""))
-"""How lines of sentences begin."""
+"""Prefixes of lines of sentences."""
 
 
 def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence = NONE) -> str:
-    """Every failure with its place, and how to see it again.
+    """Every failure with its position, and how to reproduce it.
 
     Args:
-        claim: What failed.
-        failures: What does not hold.
+        claim: The failed test.
+        failures: Failed expectations.
         evidence: The picture of the episode.
     """
     told: dict[tuple[str, ...], Failure] = {}
@@ -54,12 +54,12 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
 
 
 def wraps(line: str) -> bool:
-    """Whether a line of a failure is of sentences: places, paths and the command are copied, and stay."""
+    """Whether a line may be wrapped: sentences may; places, paths and commands, which are copied, may not."""
     return line.startswith(_SENTENCES)
 
 
 def left_over_text(path: Path) -> str:
-    """That a golden episode, or what is in the place of their folder, holds nothing any more."""
+    """Message that a golden episode, or a file in place of its folder, belongs to no case."""
     expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
     return (
         f"{shown(path)}: expected {expected}, got one that no case is compared with. Call the "
@@ -68,16 +68,16 @@ def left_over_text(path: Path) -> str:
 
 
 def again(claim: Claim) -> str:
-    """The command that runs this test alone."""
+    """The command that runs only this test."""
     return command(claim.path, claim.id, claim.others, engine=claim.case.engine)
 
 
 def command(
     path: Path, test: str | None = None, profiles: Iterable[str] = (), *, engine: str = ENGINE
 ) -> str:
-    """The line for a shell that runs a file's tests, or one of them."""
+    """The shell command that runs a file's tests, or one of them."""
     name = shown(path)
-    name = f"./{name}" if name.startswith("-") else name  # else it would be an option
+    name = f"./{name}" if name.startswith("-") else name  # otherwise it would be an option
     others = (word for profile in profiles for word in ("--profile", profile))
     planner = () if engine == ENGINE else ("--engine", engine)
     return shlex.join(["comity", "test", f"{name}::{test}" if test else name, *others, *planner])
@@ -86,7 +86,7 @@ def command(
 def _lines(
     because: tuple[str, ...], failures: Sequence[Failure], told: dict[tuple[str, ...], Failure]
 ) -> Iterator[str]:
-    """Failures in a row that have the same reasons: these are told once, below the last."""
+    """Consecutive failures with the same reasons, which are printed once, after the last."""
     head = ""
     for failure in failures:
         if head and not because:
@@ -108,9 +108,9 @@ def _lines(
 
 
 def _fresh(because: tuple[str, ...], here: Failure, told: dict[tuple[str, ...], Failure]) -> Sequence[str]:
-    """The reasons that were not told before; where all were, the places of those who told them.
+    """Reasons not printed before; if all were, references to where they were printed.
 
-    A parameter behind several figures has a line that says all of it, and is told once by itself.
+    The single line of a parameter behind several metrics is also printed only once.
     """
     if because in told:
         return [f"as for {_place(told[because], here)}"]
@@ -125,7 +125,7 @@ def _fresh(because: tuple[str, ...], here: Failure, told: dict[tuple[str, ...], 
 
 
 def _place(failure: Failure, here: Failure) -> str:
-    """Where another failure stands: its line, or its words where that is the line of this one."""
+    """Reference to another failure: its line, or its text if both have the same line."""
     shares_line = failure.where == here.where and failure.text != here.text
     return f"`{failure.text}`" if shares_line else str(failure.where)
 

@@ -1,4 +1,4 @@
-"""One case, planned and carried out."""
+"""Planning and execution of one case."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ if TYPE_CHECKING:
     from comity.testing.trials.case import Case
 
 MOST_STORED = 32
-"""Episodes of a process that comparisons of profiles need not run again."""
+"""Maximum number of episodes cached by a process for comparisons of profiles."""
 
 
 @lru_cache(maxsize=MOST_STORED)
 def attempted(case: Case) -> Episode:
-    """Plan a case and carry it out.
+    """Plan and execute a case.
 
     Raises:
-        InputError: if anything that it names cannot be used.
+        InputError: if anything that the case names cannot be used.
         PlanningFailed: if there is no plan.
     """
     return execute(prepared_case(case), seed=case.seed)
 
 
 def prepared_case(case: Case) -> PlannedEpisode:
-    """A case with its plan, before the world moves."""
+    """A planned case, before execution."""
     return prepare(
         case.file,
         profiles=case.profiles,

@@ -20,46 +20,46 @@ if TYPE_CHECKING:
     from comity_fis.validation.yaml_file import YamlFile
 
 ACROSS = "across"
-"""The case that compares the profiles of a scenario."""
+"""Name of the case that compares the profiles of a scenario."""
 
 
 DAY = date(2026, 1, 1)
-"""On which facts are taken where a scenario names no day: a test says tomorrow what it says today."""
+"""Default date for dated facts, if a scenario names none: tests must not depend on the current date."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Case:
-    """A scenario in one world, for one profile, with one rulebook and one seed; the same only as itself."""
+    """A scenario in one world, with one profile, rulebook and seed; compared by identity."""
 
     file: ScenarioFile
-    """The scenario, as it is in this world."""
+    """The scenario in this world."""
     people: tuple[str, ...]
-    """Who has the profile."""
+    """People who have the profile."""
     profile: str | None
-    """A shipped or stored name, or a file; None where everybody is as written."""
+    """A shipped or stored name, or a file; None if the scenario's profiles are unchanged."""
     profile_name: str
-    """As it is called in the case's name."""
+    """Name of the profile in the case's name."""
     seed: int
     named: str | None = None
-    """As the matrix or `--profile` has it; None as the profile."""
+    """The profile as written in the matrix or `--profile`; None if the same as `profile`."""
     rulebook: str | None = None
     world: str | None = None
     engine: str = ENGINE
-    """Who plans: `comity`, or an engine by the name that unified-planning has for it."""
+    """The planner: `comity`, or an engine by its name in unified-planning."""
 
     @property
     def day(self) -> date:
-        """On which facts are taken."""
+        """Date on which dated facts are evaluated."""
         return self.file.scenario.at or DAY
 
     @property
     def cast(self) -> Cast:
-        """Its people, with their profiles on its day."""
+        """Its people, with their profiles on that date."""
         return cast_of(self.file, profiles=self.profiles, rulebook=self.rulebook, at=self.day)
 
     @property
     def rulebook_file(self) -> YamlFile:
-        """The rulebook that it reads."""
+        """The rulebook that the case reads."""
         return rulebook_of(self.file, self.rulebook, self.profiles)
 
     @property
@@ -70,12 +70,12 @@ class Case:
 
     @property
     def id(self) -> str:
-        """`greet-in-lounge[german_woman-seed0]`."""
+        """Test id such as `greet-in-lounge[german_woman-seed0]`."""
         return f"{self.file.scenario.name}[{'-'.join(self.parts)}]"
 
     @property
     def slug(self) -> str:
-        """Its parts as the name of a file or folder, of which no two in a scenario have the same."""
+        """Its parts as a file or folder name, unique in the scenario."""
         return _slug(self.parts)
 
     @property
@@ -85,16 +85,16 @@ class Case:
 
     @property
     def profiles(self) -> Mapping[str, str]:
-        """Other profiles than the scenario's, by person."""
+        """Profiles that replace the scenario's, by person."""
         return {} if self.profile is None else dict.fromkeys(self.people, self.profile)
 
     def properties(self) -> Iterator[tuple[str, str | float]]:
-        """For JUnit reports."""
+        """Properties for JUnit reports."""
         yield from (("scenario", self.file.scenario.name), ("profile", self.profile_name))
         yield from self.circumstances()
 
     def circumstances(self) -> Iterator[tuple[str, str | float]]:
-        """For JUnit reports: what profiles of one scenario share; a world has a name only in a matrix."""
+        """Properties for JUnit reports that the profiles of a scenario share; only a matrix names worlds."""
         rulebook = self.rulebook or self.file.scenario.rulebook
         if rulebook is None:
             rulebook = str(self.rulebook_file.data["name"])
@@ -106,7 +106,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Across:
-    """All profiles of a scenario against each other, in one world, with one rulebook and one seed."""
+    """A comparison of all profiles of a scenario, in one world, with one rulebook and one seed."""
 
     cases: tuple[Case, ...]
 
@@ -117,12 +117,12 @@ class Across:
 
     @property
     def engine(self) -> str:
-        """Who plans."""
+        """The planner."""
         return self.cases[0].engine
 
     @property
     def id(self) -> str:
-        """`greet-in-lounge[across-seed0]`."""
+        """Test id such as `greet-in-lounge[across-seed0]`."""
         return f"{self.file.scenario.name}[{'-'.join(self.parts)}]"
 
     @property
@@ -132,11 +132,11 @@ class Across:
 
     @property
     def slug(self) -> str:
-        """The same as the name of a file."""
+        """Its parts as a file name."""
         return _slug(self.parts)
 
     def properties(self) -> Iterator[tuple[str, str | float]]:
-        """For JUnit reports."""
+        """Properties for JUnit reports."""
         yield "scenario", self.file.scenario.name
         yield "profiles", ", ".join(case.profile_name for case in self.cases)
         yield from self.cases[0].circumstances()
@@ -147,16 +147,16 @@ def _slug(parts: Iterable[str]) -> str:
 
 
 def whole(path: Path) -> Path:
-    """A path from the root on, without `..`, and with its links: `resolve` follows them."""
+    """An absolute path without `..` whose links are kept: `resolve` would follow them."""
     return Path(os.path.abspath(path))  # noqa: PTH100  (`absolute` keeps `..`)
 
 
 def from_here(path: Path) -> Path | None:
-    """A path as seen from the current folder; None where it is elsewhere."""
+    """A path relative to the current folder; None if it is elsewhere."""
     return whole(path).relative_to(Path.cwd()) if whole(path).is_relative_to(Path.cwd()) else None
 
 
 def beside(file: ScenarioFile, name: str) -> str:
-    """A shipped or stored name as it is; a file's path starts from the scenario's folder."""
+    """A shipped or stored name unchanged; a file's path relative to the scenario's folder."""
     path = file.folder / name
     return str(path) if looks_like_a_file(name, path) else name

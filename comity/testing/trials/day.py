@@ -1,4 +1,4 @@
-"""The day on which a test takes facts, in words: for a failure in which one of them depends on it."""
+"""The date of a test in words, for failures with a fact that depends on it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def day_taken(case: Case | Across) -> str:
-    """Which day it is, and who says so; empty where nothing depends on it."""
+    """The date and its source; empty if nothing depends on it."""
     cases = case.cases if isinstance(case, Across) else (case,)
     if not any(depends for one in cases for depends in _depending(one)):
         return ""
@@ -22,7 +22,7 @@ def day_taken(case: Case | Across) -> str:
 
 
 def _depending(case: Case) -> Iterator[bool]:
-    """Of everybody, whether a fact is another on another day, and what meetings taught worth less or more."""
+    """For everybody, whether a fact, or the weight of what meetings taught, depends on the date."""
     cast = case.cast
     for name, declared in cast.declared.items():
         embedded = case.file.scenario.people[name].learnt is not None and name not in case.profiles

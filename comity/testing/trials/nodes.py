@@ -1,4 +1,4 @@
-"""The nodes that a word of a sentence names: `docked?` those of all people, `docked?(host)` one of them."""
+"""Nodes named by a word of a sentence: `docked?` for all people, `docked?(host)` for one of them."""
 
 from __future__ import annotations
 
@@ -18,34 +18,34 @@ if TYPE_CHECKING:
     from comity_executor import Node, TraceEvent
 
 FORMER_NODES: Mapping[str, str] = {"utter": SAY_ACT}
-"""Nodes of the behaviour tree by the names that they had in earlier versions."""
+"""Present names of tree nodes by their names in earlier versions."""
 
 
 @dataclass(frozen=True, slots=True)
 class NodeWord:
-    """A word that names nodes, as a sentence writes it: the tree need not have them."""
+    """A word that names nodes, as written in a sentence; the tree may not contain them."""
 
     action: str
     about: tuple[str, ...]
-    """What stands in brackets; empty for the nodes of all people."""
+    """Arguments in brackets; empty for the nodes of all people."""
 
     @classmethod
     def of(cls, word: str) -> NodeWord:
-        """From `docked?` or `done?(say, host)`."""
+        """Parse `docked?` or `done?(say, host)`."""
         action, bracket, about = word.partition("(")
         inside = about.rpartition("(")[2].rstrip(") ")
         return cls(action, tuple(inside.split(", ")) if bracket else ())
 
     def may_be_about(self, person: str) -> bool:
-        """Whether nodes of a person's visit may be meant."""
+        """Whether the word may mean nodes of a person's visit."""
         return not self.about or person in self.about
 
 
 def nodes_named(episode: Episode, word: str) -> tuple[Node, ...]:
-    """The nodes of a name, given up to its bracket or with it.
+    """The nodes with a name, given with or without its brackets.
 
     Raises:
-        InputError: where the tree has none, and no tree of the scenario could.
+        InputError: if neither this tree nor any possible tree of the scenario has such a node.
     """
     found = tuple(node for node in episode.nodes if is_called(node, word))
     if not found:
@@ -54,7 +54,7 @@ def nodes_named(episode: Episode, word: str) -> tuple[Node, ...]:
 
 
 def events_of(nodes: Iterable[Node], events: Iterable[TraceEvent]) -> tuple[TraceEvent, ...]:
-    """What these nodes did."""
+    """Events of these nodes."""
     paths = {node.path for node in nodes}
     return tuple(event for event in events if event.path in paths)
 
@@ -71,7 +71,7 @@ def _require_possible(prepared: PlannedEpisode, here: Set[str], word: str) -> No
 
 
 def _of_other_trees(prepared: PlannedEpisode) -> Iterator[str]:
-    """What the nodes of another profile's tree do, or would do if everybody could be visited."""
+    """Names of nodes in trees of other profiles, and in the tree in which everybody is visited."""
     gestures = prepared.rulebook.parameters["greeting_gesture"]
     yield from (SAY_ACT, *GREETINGS)
     yield from (gesture.name for gesture in getattr(gestures, "categories", ()))
@@ -80,6 +80,6 @@ def _of_other_trees(prepared: PlannedEpisode) -> Iterator[str]:
 
 
 def _served(prepared: PlannedEpisode) -> set[str]:
-    """The people for whom the plan has more than to drop their visit."""
+    """People for whom the plan has more than a dropped visit."""
     steps = (step for step in prepared.plan.steps if step.action != SKIP)
     return {person for step in steps for person in step.people}

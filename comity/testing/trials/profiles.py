@@ -1,4 +1,4 @@
-"""The profiles that a scenario is tried with: those of its matrix, or others instead."""
+"""The profiles that a scenario is tested with: those of its matrix, or replacements."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Tried:
-    """One profile, or everybody as written."""
+    """One profile, or the scenario's own profiles."""
 
     load: str | None
-    """A shipped or stored name, or a path that starts from the current folder; None for nobody's."""
+    """A shipped or stored name, or a path relative to the current folder; None for the scenario's own."""
     called: str
-    """The same wherever one stands: of a person who ships or is kept their name, also where it is a path
-    that leads to them, and of any other file the name that it gives."""
+    """Name that does not depend on the current folder: a shipped or stored person's name, even if given as a
+    path, and otherwise the name that the file gives."""
     named: str | None
-    """As the user wrote it."""
+    """The profile as the user wrote it."""
 
 
 def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, ...]:
-    """The profiles of a scenario's matrix, or these others where it has any.
+    """The profiles of a scenario's matrix, or `others` if it has a matrix of profiles.
 
     Raises:
-        InputError: with the line, for one that cannot be used, or is called like another.
+        InputError: with the line, if a profile cannot be used or shares its name with another.
     """
     written = file.scenario.matrix.profiles
     if not written:
@@ -50,13 +50,13 @@ def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, 
 
 
 def instead(names: Sequence[str]) -> tuple[Tried, ...]:
-    """Profiles of the command line, each once in whatever ways it is named; a path starts from here.
+    """Profiles of the command line without duplicates; paths are relative to the current folder.
 
     Args:
         names: Names and paths; `paper` are the paper's four, `all` are those that ship.
 
     Raises:
-        InputError: for one that cannot be used, or is called like another.
+        InputError: if a profile cannot be used or shares its name with another.
     """
     groups = {"paper": PAPER, "all": tuple(shipped("profile"))}
     each = [name for word in names for name in groups.get(word, (word,))]
@@ -65,15 +65,15 @@ def instead(names: Sequence[str]) -> tuple[Tried, ...]:
 
 
 def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | None:
-    """What a sentence calls a profile: as a test's name has it, or one that the matrix does not have.
+    """The profile that a sentence names: by its name in a test, or one outside the matrix.
 
     Args:
         file: The scenario.
         name: The word of the sentence.
-        where: The sentence.
+        where: Position of the sentence.
 
     Returns:
-        What to load; None for everybody as written.
+        What to load; None for the scenario's own profiles.
 
     Raises:
         InputError: with the closest known name, if there is no such profile.
@@ -94,15 +94,15 @@ def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | No
 
 
 def different(file: ScenarioFile, names: Sequence[str], where: Where) -> None:
-    """Refuse what a sentence calls profiles where there is no such one, or where two are the same.
+    """Refuse unknown profiles in a sentence, and two names of the same profile.
 
     Args:
         file: The scenario.
         names: The words of the sentence.
-        where: The sentence.
+        where: Position of the sentence.
 
     Raises:
-        InputError: with the closest known name, or with both names of the one.
+        InputError: with the closest known name, or with both names of the same profile.
     """
     found: dict[Path | None, str] = {}
     for name in names:
@@ -119,12 +119,12 @@ def different(file: ScenarioFile, names: Sequence[str], where: Where) -> None:
 
 
 def _load(file: ScenarioFile, name: str) -> str:
-    """A name as it is, also where something beside the scenario is called the same."""
+    """A name unchanged, even if a file next to the scenario has the same name."""
     return name if _is_name(name) else beside(file, name)
 
 
 def _apart(written: Iterable[tuple[str, str, Where]]) -> tuple[Tried, ...]:
-    """Each loaded once, and no two called the same: nobody could tell their tests apart."""
+    """Profiles without duplicates, whose names are distinct so that their tests can be told apart."""
     found: dict[str, Tried] = {}
     for load, named, where in written:
         called = _called(load, where)
@@ -148,18 +148,18 @@ def _called(load: str, where: Where) -> str:
 
 
 def _file(load: str) -> Path:
-    """Where a profile is written, whichever way leads there."""
+    """Canonical path of a profile's file."""
     path = shipped("profile").get(load) or Store().path(load) or load
-    return Path(os.path.realpath(path))  # `Path.resolve` raises something of its own for a circle of links
+    return Path(os.path.realpath(path))  # `Path.resolve` raises another exception for circular links
 
 
 def _is_name(name: str) -> bool:
-    """Whether it is a person who ships or is kept; everything else is a file."""
+    """Whether a name is a shipped or stored person; everything else is a file."""
     return name in shipped("profile") or Store().path(name) is not None
 
 
 def _written(file: ScenarioFile) -> tuple[str | None, str]:
-    """What to load for the first who has the profiles, None where it stands in the scenario, and its name."""
+    """Profile and name of the first person with the matrix's profiles; None if written in the scenario."""
     name = (file.scenario.matrix.people or (file.scenario.goals[0].person,))[0]
     profile = file.scenario.people[name].profile
     if not isinstance(profile, str):

@@ -1,4 +1,4 @@
-"""The people whom the goals of a scenario name, what came of their visits, and the values that counted."""
+"""People named by a scenario's goals, the outcomes of their visits, and the parameter values that counted."""
 
 from __future__ import annotations
 
@@ -18,34 +18,34 @@ if TYPE_CHECKING:
 
 
 def goals_of(scenario: Scenario) -> tuple[str, ...]:
-    """The people that the goals name, served before the start or not."""
+    """People named by the goals, including those served before the start."""
     return tuple(goal for _, goal in greeted(scenario.goals))
 
 
 def to_visit(episode: Episode) -> tuple[str, ...]:
-    """The people that the goals name, without those served before the start and visits that were dropped."""
+    """People named by the goals, without those served before the start and dropped visits."""
     dropped = {visit.person for visit in episode.visits if visit.outcome == "skipped"}
     return tuple(name for name in episode.prepared.file.scenario.visited() if name not in dropped)
 
 
 def approached(plan: Plan) -> tuple[str, ...]:
-    """The people before whom the robot is to stand, in the plan's order."""
+    """People at whom the robot is to dock, in the plan's order."""
     return tuple(step.person for step in plan.steps if step.action == "Reach_user")
 
 
 def visit_of(visits: Iterable[Visit], person: str) -> Visit | None:
-    """What came of a visit; None where the plan has none."""
+    """The visit of a person; None if the plan has none."""
     return next((visit for visit in visits if visit.person == person), None)
 
 
 def spoken_to(visits: Iterable[Visit], person: str) -> str:
-    """The person before whom the robot stands to greet this one: themselves, or one of their company."""
+    """The person at whom the robot docks to greet this person: themselves, or one of their company."""
     visit = visit_of(visits, person)
     return (visit.together_with if visit else None) or person
 
 
 def outcome_of(episode: Episode, person: str) -> str:
-    """What came of one person's visit, in a word."""
+    """Outcome of one person's visit, in a word."""
     visit = visit_of(episode.visits, person)
     if visit is not None:
         return visit.outcome
@@ -53,11 +53,11 @@ def outcome_of(episode: Episode, person: str) -> str:
 
 
 def judged_s(episode: Episode, person: str, parameter: str) -> float:
-    """Time at which a parameter of a person counts [s]: that with which their visit was carried out.
+    """Time at which a person's parameter counts [s]: the value with which their visit was executed.
 
-    A behaviour parameter, such as the distance, counts as it was when the robot docked last; an action
-    parameter, such as the gesture, as it was at the greeting. Where only one of the two happened, both count
-    as they were then. Infinite where neither did: then the values of the end count.
+    A behaviour parameter, such as the distance, counts as at the last docking. An action parameter, such as
+    the gesture, counts as at the greeting. If only one of the two happened, both count as at that time.
+    Infinite if neither did: then the final values count.
     """
     visit = visit_of(episode.visits, person)
     known = episode.prepared.rulebook.parameters.get(parameter)
@@ -70,15 +70,15 @@ def judged_s(episode: Episode, person: str, parameter: str) -> float:
 
 
 def values_when_judged(episode: Episode, person: str, parameter: str) -> Inference:
-    """A person's parameters when one of them counts."""
+    """A person's parameters at the time when the given one counts."""
     return episode.values_at(person, judged_s(episode, person, parameter))
 
 
 def require_goal(scenario: Scenario, *people: str) -> None:
-    """Refuse a sentence about the visit of a person whom no goal names: it would hold of nothing.
+    """Refuse a sentence about the visit of a person whom no goal names.
 
     Raises:
-        InputError: where no goal names them.
+        InputError: if no goal names them.
     """
     goals = goals_of(scenario)
     for person in people:

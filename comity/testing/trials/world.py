@@ -1,4 +1,4 @@
-"""A scenario in another world: what is otherwise there, laid over what is written, with its own lines."""
+"""A scenario in another world: the world's changes laid over the scenario, each with its own line."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ Location = tuple[str | int, ...]
 T = TypeVar("T")
 
 OF_THE_FILE = ("schema_version", "name", "expect", "matrix", "markers")
-"""What is the same in every world of a scenario."""
+"""Keys that are the same in every world of a scenario."""
 
 
 def in_world(file: ScenarioFile, name: str) -> ScenarioFile:
-    """The scenario as it is in one of its worlds; complaints about what is otherwise there name its line.
+    """The scenario in one of its worlds; errors in changed values name their own line.
 
     Raises:
-        InputError: if the world changes what belongs to the file, or there is no such scenario.
+        InputError: if the world changes keys of the whole file, or there is no such world.
     """
     changes = file.scenario.matrix.worlds[name]
     for key in OF_THE_FILE:
@@ -55,7 +55,7 @@ def _laid_over(file: YamlFile, name: str, changes: Mapping[str, Any]) -> YamlFil
 
 
 def _replaced(changes: Mapping[str, Any], at: Location = ()) -> Iterator[Location]:
-    """Where something else stands, and not only in a part of it."""
+    """Places whose value is replaced as a whole."""
     for key, new in changes.items():
         if isinstance(new, Mapping):
             yield from _replaced(new, (*at, key))
