@@ -1,4 +1,4 @@
-"""The visits of a tour in the words of the domain, with the turns, things and tasks that people never see."""
+"""Translates the visits of a tour to ground actions, with the domain's internal turns, objects and tasks."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ from comity_domain.problem.spot import START, Spot
 from comity_domain.tours.tour import PlannedVisit, served
 
 Ground = tuple[str, Sequence[PddlWord]]
-"""The name of an action, and all its arguments but the robot."""
+"""Name of an action, and all its arguments except the robot."""
 
 
 def grounded(visits: Sequence[PlannedVisit], choices: Options) -> Iterator[tuple[str, Sequence[PddlWord]]]:
-    """Each action by its name, with all its arguments.
+    """Each ground action: its name and all its arguments.
 
     Args:
         visits: A tour.
-        choices: What it was chosen from.
+        choices: The options that the tour was chosen from.
     """
     robot, ground = PddlWord("robot", choices.robot), _Grounding(choices)
     for visit in visits:
@@ -40,7 +40,7 @@ def grounded(visits: Sequence[PlannedVisit], choices: Options) -> Iterator[tuple
 
 
 class _Grounding:
-    """What changes from visit to visit: the position, the hands, and how many people were greeted."""
+    """The state that changes from visit to visit: position, hands, number of greeted people."""
 
     def __init__(self, choices: Options) -> None:
         self._choices = choices
@@ -93,5 +93,5 @@ class _Grounding:
                 thing, self._holds = self._holds, NOTHING
                 return actions.OFFER, (user, word, thing, NOTHING)
             case TakeLeave():
-                assert visit.farewell is not None  # there is one where the agenda has it
+                assert visit.farewell is not None  # the agenda includes a farewell here
                 return actions.LEAVE, (user, word, *way_words(visit.farewell), self._holds)

@@ -1,4 +1,4 @@
-"""What is true, and what things cost, before the first action: a request in the words of `visit.pddl`."""
+"""The initial state and costs of a request, in the vocabulary of `visit.pddl`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SIDE, MODALITY, GESTURE = "side", "modality", "gesture"
 COMPANY, TURN, TASK, THING = "company", "turn", "task", "thing"
 NOTHING = PddlWord(THING, "nothing")
 ENTRANCE = PddlWord(PLACE, "entrance")
-"""Where the robot sets out, `START` in a plan: `start` is a word of PDDL 2.1, no name for ENHSP."""
+"""The start (`START` in a plan); not called `start`, which is a PDDL 2.1 keyword that ENHSP rejects."""
 
 
 class Fact(NamedTuple):
@@ -30,7 +30,7 @@ class Fact(NamedTuple):
 
 
 def visit_names(options: Options) -> PddlNames:
-    """The PDDL words of all that a request names; the domain's own come first and so keep theirs."""
+    """The PDDL names of everything in a request; the domain's own come first and so stay unchanged."""
     sides = (START.side, "front", "left", "right", *([THERE] if options.locations else []))
     modalities = {greeting.modality for person in options.people.values() for greeting in person.greetings}
     things = [thing for person in options.people.values() for _, thing in brought(person)]
@@ -58,7 +58,7 @@ def _gestures(options: Options) -> list[str]:
 
 
 def tasks(person: PersonOptions) -> tuple[PddlWord, ...]:
-    """What is on a person's agenda, as objects."""
+    """The tasks of a person's agenda, as objects."""
     return tuple(
         PddlWord(TASK, f"{_label(task)} {i} {person.name}") for i, task in enumerate(person.agenda, 1)
     )
@@ -75,21 +75,21 @@ def _label(task: Task) -> str:
 
 
 def brought(person: PersonOptions) -> Iterator[tuple[PddlWord, PddlWord]]:
-    """The offers on a person's agenda, each with the thing that is handed over."""
+    """The offers on a person's agenda, each with the object that is handed over."""
     for i, (task, word) in enumerate(zip(person.agenda, tasks(person), strict=True), 1):
         if isinstance(task, Offer):
             yield word, PddlWord(THING, f"{task.thing} {i} for {person.name}")
 
 
 def initial_state(options: Options) -> Iterator[Fact]:
-    """All that is true at first, every cost, and the parameters that the actions bind."""
+    """The initial state: all true facts, every cost, and the parameters that the actions bind."""
     yield from state_and_costs(options)
     for person in options.people.values():
         yield from _parameters(person)
 
 
 def state_and_costs(options: Options) -> Iterator[Fact]:
-    """The same without the parameters: all that a search looks at."""
+    """The initial state without bound parameters: all that a search depends on."""
     robot, turns = PddlWord(ROBOT, options.robot), turns_of(options)
     yield Fact("at", (robot, *spot_words(START)))
     yield Fact("free", (robot,))
@@ -119,7 +119,7 @@ def state_and_costs(options: Options) -> Iterator[Fact]:
 
 
 def goals(options: Options) -> Iterator[Fact]:
-    """Everybody is greeted, and everything on their agendas done, but for visits that are dropped."""
+    """Everybody is greeted and every agenda done, except for dropped visits."""
     for person in options.people.values():
         yield Fact("greeted", (PddlWord(USER, person.name),))
         yield from (Fact("done", (task,)) for task in tasks(person))
@@ -127,7 +127,7 @@ def goals(options: Options) -> Iterator[Fact]:
 
 
 def held(options: Options) -> PddlWord:
-    """What the robot holds at first."""
+    """The object that the robot holds initially."""
     bearer = options.people.get(options.bearer_of or "")
     return NOTHING if bearer is None else next(thing for _, thing in brought(bearer))
 
@@ -147,12 +147,12 @@ def _person(person: PersonOptions, turns: Sequence[PddlWord]) -> Iterator[Fact]:
 
 
 def _parameters(person: PersonOptions) -> Iterator[Fact]:
-    """What the actions bind, rounded: no condition and no cost depends on it."""
+    """The parameters that the actions bind, rounded: no condition or cost depends on them."""
     user, values = PddlWord(USER, person.name), person.values
     yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
     yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
     for name, side in person.sides.items():
-        # Without its sign, which Fast Downward would refuse: the side says it.
+        # Without its sign, which Fast Downward rejects: the side implies it.
         yield Fact("direction_mdeg", (user, PddlWord(SIDE, name)), _thousandths(abs(side.bearing_deg)))
 
 
@@ -174,7 +174,7 @@ def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
             Fact("leaves_open", (thing, PddlWord(GESTURE, g))) for g in gestures if g in FREE_OF_HANDS
         )
         if not number and person.in_hand:
-            continue  # it was fetched
+            continue  # already fetched
         yield Fact("kept", (thing, PddlWord(LOCATION, person.fetched_at[number - person.in_hand].place)))
         if not number:
             yield Fact("first_brought", (word,))
@@ -211,26 +211,26 @@ def _company(company: CompanyOptions, options: Options, turns: Sequence[PddlWord
 
 
 def turns_of(options: Options) -> tuple[PddlWord, ...]:
-    """One for each number of people who were greeted; a single one where that number is no matter."""
+    """One turn for each number of greeted people; a single one if that number does not matter."""
     count = len(options.people) + 1 if options.has_priorities else 1
     return tuple(PddlWord(TURN, f"after {before}") for before in range(count))
 
 
 def _steps(turns: Sequence[PddlWord], people: int) -> Iterator[tuple[PddlWord, PddlWord]]:
-    """From each turn to the one after so many people."""
+    """From each turn to the one after so many more people."""
     if len(turns) == 1:
         return iter([(turns[0], turns[0])])
     return zip(turns, turns[people:], strict=False)
 
 
 def way_words(way: tuple[str, str]) -> tuple[PddlWord, PddlWord]:
-    """A modality and a gesture."""
+    """The PDDL objects of a modality and a gesture."""
     modality, gesture = way
     return PddlWord(MODALITY, modality), PddlWord(GESTURE, gesture)
 
 
 def spot_words(spot: Spot) -> tuple[PddlWord, PddlWord]:
-    """A place and a side."""
+    """The PDDL objects of a place and a side."""
     kind = LOCATION if spot.side == THERE else USER
     place = ENTRANCE if spot == START else PddlWord(kind, spot.place)
     return place, PddlWord(SIDE, spot.side)

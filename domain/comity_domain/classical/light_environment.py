@@ -1,7 +1,7 @@
-"""An environment of unified-planning that loads its engines at first use: models and plans need none.
+"""A unified-planning environment that loads its engines at first use: models and plans need none.
 
-`Environment()` of unified-planning 1.3 imports all engines for its factory, a second of computing, before the
-first fluent can be named.
+`Environment()` of unified-planning 1.3 imports all engines for its factory, which takes a second, before the
+first fluent can be created.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class LightEnvironment(Environment):  # type: ignore[misc]
-    """The same parts as `Environment`, with the factory made when it is asked for."""
+    """Like `Environment`, but creates the factory on demand."""
 
     def __init__(self) -> None:
         self._type_manager = TypeManager()
@@ -41,7 +41,7 @@ class LightEnvironment(Environment):  # type: ignore[misc]
 
     @property
     def factory(self) -> Factory:
-        """The engines that are installed."""
+        """The installed engines."""
         if self._factory is None:
             from unified_planning.engines import Factory
 

@@ -1,4 +1,4 @@
-"""PDDL words for names that users chose: `Front`, `robot`, `and`, `Zoë` and `front` again must all work."""
+"""Maps user-chosen names to PDDL names: `Front`, `robot`, `and`, `Zoë` and a second `front` must all work."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ RESERVED = frozenset(
         *("start", "end", "over", "all"),
     )
 )
-"""Words that no object may have: those of `visit.pddl`, which a test compares, and those of PDDL itself.
+"""Names that no object may have: those of `visit.pddl` (compared by a test) and PDDL keywords.
 
-unified-planning lets no two things share a name, and PDDL is blind to case.
+In unified-planning all names are unique, and PDDL ignores case.
 """
 
 
 class PddlWord(NamedTuple):
-    """A name and what it names: a person and a gesture may share one."""
+    """A name and its kind: a person and a gesture may share a name."""
 
     kind: str
     name: str
@@ -64,22 +64,22 @@ class PddlWord(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class PddlNames:
-    """One PDDL word for each name, and back."""
+    """A bijection between names and PDDL names."""
 
     ids: Mapping[PddlWord, str]
     words: Mapping[str, PddlWord]
 
     def id(self, kind: str, name: str) -> str:
-        """The PDDL word of a name."""
+        """The PDDL name of a name."""
         return self.ids[PddlWord(kind, name)]
 
     def name(self, word: str) -> str:
-        """The name behind a PDDL word."""
+        """The name behind a PDDL name."""
         return self.words[word].name
 
 
 def name_all(words: Iterable[PddlWord]) -> PddlNames:
-    """Give each word an id that no other has; a plain lower-case name keeps itself where it can."""
+    """Give each name a unique PDDL name; a plain lower-case name stays unchanged if possible."""
     words_by_id: dict[str, PddlWord] = {}
     for word in dict.fromkeys(words):
         words_by_id[_free_id(_plain(word), words_by_id)] = word
@@ -87,7 +87,7 @@ def name_all(words: Iterable[PddlWord]) -> PddlNames:
 
 
 def _plain(word: PddlWord) -> str:
-    """The name in the letters that every PDDL tool reads."""
+    """The name in characters that every PDDL tool accepts."""
     ascii_only = unicodedata.normalize("NFKD", word.name).encode("ascii", "ignore").decode()
     plain = re.sub(r"[^a-z0-9]+", "_", ascii_only.lower()).strip("_")
     return plain if plain[:1].isalpha() else f"{word.kind}_{plain}".rstrip("_")

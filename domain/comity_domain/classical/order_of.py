@@ -1,4 +1,4 @@
-"""The best order of visits, found in the problem that states what may be chosen."""
+"""Finds the best order of visits in the problem that states the options."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from comity_domain.ordering.order import Order
 
 
 def order_of(choices: Options, time_limit_s: float) -> Order:
-    """The stops of the best plan that is found; what the problem does not state has no part in it.
+    """The visits of the best plan found; nothing outside the problem affects the result.
 
     Args:
-        choices: What may be chosen.
-        time_limit_s: Wall-clock seconds for the search, > 0.
+        choices: The available options.
+        time_limit_s: Wall-clock time for the search [s], > 0.
 
     Raises:
-        NoPlan: There is none.
-        PlanningFailed: None was found; `cut_off` where the limit is the reason.
+        NoPlan: There is no plan.
+        PlanningFailed: No plan was found; `cut_off` if the time limit is the reason.
     """
     from comity_domain.classical.light_environment import LightEnvironment
 
-    require_free_hands(choices)  # in the people's own names
+    require_free_hands(choices)  # checked before renaming, so that messages have the people's own names
     names = visit_names(choices)
     problem = problem_with(choices, names, LightEnvironment())
     plan, order = solved(problem, timing_with(choices, names), time_limit_s=time_limit_s)

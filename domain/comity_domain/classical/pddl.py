@@ -1,7 +1,7 @@
-"""A request as PDDL text, for other planners to solve and people to read.
+"""A request as PDDL text, for other planners and for readers.
 
-The domain is a file, the problem a list of facts. unified-planning reads them and its validator accepts the
-plans; Fast Downward, where it is installed, finds the same cost (tests).
+The domain is a file, the problem a list of facts. unified-planning reads both and its validator accepts the
+plans; Fast Downward, if installed, finds the same cost (tests).
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from comity_domain.problem.request import VisitRequest
 
 
 def plan_pddl(request: VisitRequest) -> tuple[str, str]:
-    """The domain, with comments, and the problem; any planner with action costs finds the same cost on them.
+    """The commented domain and the problem; any planner with action costs finds the same cost for them.
 
-    Deadlines are not in it: a comment lists them, and its optimum may then be cheaper than the plan.
+    Deadlines are only listed in a comment, so its optimum may be cheaper than the plan.
 
     Raises:
-        ValueError: The request holds a person whom no plan can serve.
+        ValueError: The request includes a person whom no plan can serve.
     """
     choices = options(fully_measured(request.dropping(left_out(request))))
     names = visit_names(choices)
@@ -33,7 +33,7 @@ def plan_pddl(request: VisitRequest) -> tuple[str, str]:
 
 
 def problem_pddl(choices: Options, names: PddlNames) -> str:
-    """The problem alone."""
+    """The problem file."""
     lines = (
         "(define (problem visit)",
         "  (:domain visit-domain)",
@@ -70,7 +70,7 @@ def domain_pddl() -> str:
 
 
 def _messages(choices: Options, names: PddlNames) -> Iterator[str]:
-    """What is said, which PDDL has no place for."""
+    """Comments with the spoken messages, which PDDL cannot express."""
     for person in choices.people.values():
         for task, word in zip(person.agenda, tasks(person), strict=True):
             if isinstance(task, Say):
@@ -78,14 +78,14 @@ def _messages(choices: Options, names: PddlNames) -> Iterator[str]:
 
 
 def _deadlines(choices: Options) -> Iterator[str]:
-    """What classical planning cannot hold."""
+    """Comments with the deadlines, which classical planning cannot express."""
     for name, person in choices.people.items():
         if person.by_s is not None:
             yield f"not stated below: {name!a} must be greeted within {person.by_s:g} s"
 
 
 def _legend(names: PddlNames) -> Iterator[str]:
-    """Who is who, where PDDL could not keep a name."""
+    """Comments with the original names that PDDL could not keep."""
     for id_, word in names.words.items():
         if id_ != word.name:
             yield f"{id_}: the {word.kind} {word.name!a}"

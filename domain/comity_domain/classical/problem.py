@@ -23,30 +23,30 @@ if TYPE_CHECKING:
 
 
 def problem_of(request: VisitRequest, environment: Environment | None = None) -> Problem:
-    """The visits as a problem that unified-planning's engines, compilers and validator take.
+    """A request as a problem for unified-planning's engines, compilers and validator.
 
-    Whose visit is dropped is decided before: for them it has the goal that they are `skipped`, at their
-    price. Deadlines are not in it: its optimum may then cost less than the plan.
+    Which visits are dropped was decided before: for those people the goal is `skipped`, at the cost of
+    dropping. Deadlines are not part of the problem, so its optimum may cost less than the plan.
 
     Args:
-        request: What is asked; what is not measured of it yet is measured.
-        environment: Where its parts live; None: unified-planning's global one, which loads all engines; it is
-            the only one in which release 1.3 grounds actions, as its validator does. For `solve` a
-            `classical.light_environment.LightEnvironment()` is enough.
+        request: The planning request; its unmeasured routes are measured.
+        environment: The environment of its parts. None takes unified-planning's global one, which loads all
+            engines; it is the only one in which release 1.3 grounds actions, as its validator does. For
+            `solve`, a `classical.light_environment.LightEnvironment()` suffices.
 
     Raises:
-        ValueError: The request holds a person whom no plan can serve.
+        ValueError: The request includes a person whom no plan can serve.
     """
     choices = _choices(request.dropping(left_out(request)))
     return problem_with(choices, visit_names(choices), environment)
 
 
 def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, SequentialPlan]:
-    """The problem, and a plan for it as unified-planning has plans: its validator takes both.
+    """The problem and a unified-planning plan for it, as its validator takes them.
 
     Args:
         plan: A plan for the request.
-        request: What was asked.
+        request: The planning request.
     """
     choices = _choices(request.dropping(dropped_by(plan)))
     names = visit_names(choices)
@@ -57,7 +57,7 @@ def to_unified_planning(plan: Plan, request: VisitRequest) -> tuple[Problem, Seq
 def sequential_plan(
     problem: Problem, visits: Sequence[PlannedVisit], choices: Options, names: PddlNames
 ) -> SequentialPlan:
-    """A tour as a plan for the problem that states its choices."""
+    """A tour as a plan for the problem that states its options."""
     from unified_planning.plans import ActionInstance, SequentialPlan
 
     make = problem.environment.expression_manager.ObjectExp
@@ -69,17 +69,17 @@ def sequential_plan(
 
 
 def _choices(request: VisitRequest) -> Options:
-    """All that a plan may be made of, measured."""
+    """All options of a request, with measured routes."""
     return options(fully_measured(request))
 
 
 def problem_with(choices: Options, names: PddlNames, environment: Environment | None = None) -> Problem:
-    """The problem whose plans are made of some choices.
+    """The problem that states the given options.
 
     Args:
-        choices: What a plan may be made of.
-        names: What the problem calls them.
-        environment: Where its parts live; None: unified-planning's global one.
+        choices: The available options.
+        names: Their PDDL names.
+        environment: The environment of its parts; None: unified-planning's global one.
     """
     from unified_planning.model import Object
 

@@ -1,7 +1,7 @@
-"""The choices that a problem of the visit domain states, read back from its initial values and goals.
+"""Reads the options of a visit problem back from its initial values and goals.
 
-What is read is stated again and compared with the problem: a fact or a goal that this domain's search would
-overlook is refused, never planned without.
+The options are stated again and compared with the problem: a fact or goal that this domain's search would
+overlook is rejected rather than ignored.
 """
 
 from __future__ import annotations
@@ -36,22 +36,22 @@ if TYPE_CHECKING:
 Atom = tuple[str, *tuple[str, ...]]
 """A fluent and its arguments, by their names in the problem."""
 SIDES = ("front", "left", "right")
-"""As the law of ties has them (`choices.ties`)."""
+"""Tie-break order (`choices.ties`)."""
 BOUND = frozenset(("distance_mm", "speed_mm_s", "direction_mdeg"))
-"""What actions bind, and no condition and no cost depends on."""
+"""Fluents that actions bind, on which no condition or cost depends."""
 NO_VALUES = Inference("none", "exact", {}, {})
-"""A problem says what everything costs, and not why."""
+"""Placeholder: a problem states what everything costs, but not why."""
 
 
 def choices_of(problem: Problem, timing: Timing = NO_TIMING) -> tuple[Options, PddlNames]:
-    """What a plan may be made of, and what each choice is called in the problem.
+    """The options that a problem states, and their PDDL names.
 
     Args:
-        problem: As `problem_of` makes it, of any names; costs in cm.
-        timing: What the problem cannot say.
+        problem: A problem in the form of `problem_of`, with any names; costs in cm.
+        timing: What the problem cannot express.
 
     Raises:
-        InputError: The problem says something else than `problem_of` can say.
+        InputError: The problem states something that `problem_of` cannot.
     """
     _require_visit_domain(problem)
     stated = _Stated(problem)
@@ -81,7 +81,7 @@ class _Stated:
             for atom, value in problem.explicit_initial_values.items()
             if value.constant_value()
         }
-        """All that is true, and all numbers but 0."""
+        """All true facts, and all numbers except 0."""
         self._by_fluent: dict[str, dict[tuple[str, ...], int]] = defaultdict(dict)
         for (fluent, *arguments), value in self.values.items():
             self._by_fluent[fluent][tuple(arguments)] = value
@@ -101,7 +101,7 @@ class _Stated:
         return Options(robot, people, companies, legs, dislikes, timing.durations_s, dropped)
 
     def names(self, choices: Options) -> PddlNames:
-        """What each word of the choices is called: all but tasks, things and turns call themselves so."""
+        """The PDDL name of each word; all but tasks, objects and turns keep their names."""
         ids = {PddlWord(kind, name): name for name, kind in self._kinds.items()}
         ids |= zip(turns_of(choices), self._turns, strict=False)
         for person in choices.people.values():
@@ -111,17 +111,17 @@ class _Stated:
         return PddlNames(ids, {name: word for word, name in ids.items()})
 
     def _facts(self, fluent: str, *first: str) -> Iterator[tuple[tuple[str, ...], int]]:
-        """The other arguments and the value wherever the first arguments are these."""
+        """The other arguments and the value of every fact that starts with these arguments."""
         for arguments, value in self._by_fluent[fluent].items():
             if arguments[: len(first)] == first:
                 yield arguments[len(first) :], value
 
     def _one(self, fluent: str, *first: str) -> str:
-        """The last argument of a fact of which there is one at most; empty where there is none."""
+        """The last argument of a fact that occurs at most once; empty if it does not occur."""
         return next((arguments[-1] for arguments, _ in self._facts(fluent, *first)), "")
 
     def _chain(self, fluent: str, first: str) -> list[str]:
-        """What follows what, each once."""
+        """The sequence from `first` on, each item once."""
         found: list[str] = []
         while first and first not in found:
             found.append(first)
@@ -172,9 +172,9 @@ class _Stated:
         )
 
     def _greetings(self, user: str, timing: Timing) -> tuple[Priced, int]:
-        """What each costs as the first one, and what each person costs who is greeted before.
+        """Cost of each greeting as the first one, and the additional cost per person greeted before.
 
-        Of equal costs the one comes first that is stated first.
+        Among equal costs the one stated first comes first.
         """
         costs = self._by_fluent["greet_cost"]
         first, *later = self._turns or [""]
@@ -208,7 +208,7 @@ class _Stated:
         def cost(spot: Spot, way: tuple[str, str]) -> int:
             return costs.get((name, spot.place, spot.side, *way, *first), 0)
 
-        # Only the sum is stated, of what the spot costs and what the greeting does.
+        # The problem states only the sum of the spot's and the greeting's costs.
         prices = {spot: min(cost(spot, way) for way in ways) for spot in spots if ways}
         least = next(iter(prices.items()), None)
         beyond = {way: cost(least[0], way) - least[1] if least else 0 for way in ways}
@@ -254,12 +254,12 @@ def _require_visit_domain(problem: Problem) -> None:
 
 
 def _named(parts: Iterable[Any]) -> dict[str, Any]:
-    """Fluents and actions by name, metrics by kind: `MinimizeActionCosts`."""
+    """Fluents and actions by name; metrics by class, such as `MinimizeActionCosts`."""
     return {getattr(part, "name", type(part).__name__): part for part in parts}
 
 
 def _wanted(problem: Problem) -> Iterator[Atom]:
-    """The goals, which are one fact each, or joined by `and`."""
+    """The goals: single facts, or facts joined by `and`."""
     waiting = list(problem.goals)
     while waiting:
         goal = waiting.pop()
@@ -276,7 +276,7 @@ def _atom(node: FNode) -> Atom:
 
 
 def _require_same(theirs: Mapping[Atom, int], ours: Mapping[Atom, int], what: str) -> None:
-    """Every fact of either, and the numbers of ours: others belong to actions that no fact allows."""
+    """Compare all facts, and only our numbers: others belong to actions that are never applicable."""
     facts = (atom for atom, value in theirs.items() if value is True)
     for atom in (*facts, *ours):
         if theirs.get(atom, 0) != ours.get(atom, 0):

@@ -1,4 +1,4 @@
-"""The exact search as a function of a unified-planning problem."""
+"""The exact search as a solver of a unified-planning problem."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ if TYPE_CHECKING:
 
 
 def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0) -> SequentialPlan:
-    """The cheapest plan of a visit problem: with its timing, the plan of `make_plan`.
+    """The cheapest plan of a visit problem; with its timing, the plan that `make_plan` finds.
 
-    A problem does not say which of several plans that cost the same is the most desirable; its timing does.
+    A problem does not state which of several equally expensive plans is the most desirable; its timing does.
 
     Args:
-        problem: As `problem_of` makes it.
-        timing: What it cannot say, as `timing_of` makes it.
-        time_limit_s: Wall-clock seconds, > 0. Where they do not suffice, the plan is the best found so far.
+        problem: A problem in the form of `problem_of`.
+        timing: What it cannot express, from `timing_of`.
+        time_limit_s: Wall-clock time [s], > 0; if it runs out, the plan is the best one found so far.
 
     Raises:
-        InputError: The problem says something else than `problem_of` can say.
-        NoPlan: There is none.
-        PlanningFailed: None was found; `cut_off` where the limit is the reason.
+        InputError: The problem states something that `problem_of` cannot.
+        NoPlan: There is no plan.
+        PlanningFailed: No plan was found; `cut_off` if the time limit is the reason.
         ValueError: The time limit is not positive.
     """
     return solved(problem, timing, time_limit_s=time_limit_s)[0]
@@ -38,7 +38,7 @@ def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float =
 def solved(
     problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0
 ) -> tuple[SequentialPlan, Order]:
-    """The same, and what the search knows about it."""
+    """The plan of `solve`, and what the search knows about it."""
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     choices, names = choices_of(problem, timing)

@@ -40,7 +40,7 @@ class Timing:
     equal cost the one with the smallest sum is chosen (`choices.ties`); >= 0, and 0 if there is no entry."""
 
     def __bool__(self) -> bool:
-        """Whether it restricts the plans: other engines ignore it."""
+        """Whether it restricts the plans; other engines ignore it."""
         return bool(self.by_s)
 
 
@@ -48,13 +48,13 @@ NO_TIMING = Timing()
 
 
 def timing_of(request: VisitRequest) -> Timing:
-    """What `problem_of(request)` leaves out."""
+    """What `problem_of(request)` omits."""
     choices = options(request.dropping(left_out(request)))
     return timing_with(choices, visit_names(choices))
 
 
 def timing_with(choices: Options, names: PddlNames) -> Timing:
-    """The same of choices whose problem calls them by these names."""
+    """The timing for options whose problem uses these names."""
     people = choices.people
     ids = {name: names.id("user", name) for name in people}
     places = ids | {at.place: names.id("location", at.place) for at in choices.locations}

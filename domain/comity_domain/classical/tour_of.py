@@ -1,4 +1,4 @@
-"""The visits that a plan in the words of the domain makes, whichever engine found it."""
+"""Translates a plan's ground actions, found by any engine, to the visits of a tour."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from comity_domain.problem.spot import Spot
 from comity_domain.tours.tour import PlannedVisit
 
 Grounded = tuple[str, Sequence[str]]
-"""The name of an action, in whatever case, and the words of its arguments."""
+"""Name of an action, in any case, and its arguments."""
 
 
 def tour_of(steps: Iterable[Grounded], choices: Options, names: PddlNames) -> tuple[PlannedVisit, ...]:
@@ -20,8 +20,8 @@ def tour_of(steps: Iterable[Grounded], choices: Options, names: PddlNames) -> tu
 
     Args:
         steps: A plan for the problem.
-        choices: What it may be made of.
-        names: What the problem's words name.
+        choices: The options it may use.
+        names: The problem's names.
     """
     visits: list[PlannedVisit] = []
     brought = {name for name, person in choices.people.items() if person.in_hand}
@@ -30,7 +30,7 @@ def tour_of(steps: Iterable[Grounded], choices: Options, names: PddlNames) -> tu
         match _own_name(name):
             case actions.FETCH:
                 if not visits or visits[-1].spot.place != said[0]:
-                    brought.add(said[0])  # before they are reached
+                    brought.add(said[0])  # before the person is reached
             case actions.REACH:
                 person, side = said[:2]
                 visits.append(
@@ -48,5 +48,5 @@ def tour_of(steps: Iterable[Grounded], choices: Options, names: PddlNames) -> tu
 
 
 def _own_name(name: str) -> str:
-    """Engines that read PDDL know no capitals."""
+    """Engines that read PDDL ignore case."""
     return name.capitalize()

@@ -1,9 +1,8 @@
 """The visit domain as a unified-planning problem: what each action needs, does and costs.
 
-`visit.pddl` says the same with comments, for people and for tools that read PDDL; a test holds the two
-together.
-Costs are whole centimetres of walking, or what is worth as much: a disliked option costs
-100 * weight * -ln(desirability), with the weight in metres and the desirability in [0, 1].
+`visit.pddl` expresses the same with comments, for readers and for PDDL tools; a test compares the two. Costs
+are whole centimetres of travel, or their equivalent: a less preferred option costs 100 * weight *
+-ln(desirability), with the weight in metres and the desirability in [0, 1].
 """
 
 from __future__ import annotations
@@ -34,10 +33,10 @@ TYPES: Mapping[str, str | None] = {
     "user": "place",
     "location": "place",
 }
-"""Each with the type above it: people are places to be at, the robot stands on one of their sides."""
+"""Each type with its supertype: people are places, and the robot stands on one of their sides."""
 
 STATES: Mapping[str, str] = {
-    # what changes
+    # state that changes
     "at": "robot place side",
     "docked": "robot place",
     "free": "robot",
@@ -56,7 +55,7 @@ STATES: Mapping[str, str] = {
     "after": "user user",
     "dropped": "user",
     "way_to": "place side location side",
-    # what hands are good for
+    # what the hands permit
     "empty": "thing",
     "suits": "thing user",
     "leaves_open": "thing gesture",
@@ -72,16 +71,16 @@ STATES: Mapping[str, str] = {
     "brings": "task thing",
     "first_brought": "task",
     "kept": "thing location",
-    # people who stand together
+    # groups of people
     "member": "user company",
     "overlooks": "company user side",
     "welcome": "company modality gesture",
-    # the counting of people
+    # counting of greeted people
     "lasts": "turn",
     "then": "turn turn",
     "then_together": "company turn turn",
 }
-"""By name, the types of the arguments; what each means says `visit.pddl`."""
+"""Predicates with the types of their arguments; `visit.pddl` explains each."""
 
 NUMBERS: Mapping[str, str] = {
     "travel_cost": "place side user side",
@@ -90,32 +89,32 @@ NUMBERS: Mapping[str, str] = {
     "greet_together_cost": "company user side modality gesture turn",
     "leave_cost": "user modality gesture",
     "skip_cost": "user",
-    # the parameters that are bound when the plan is made, rounded; the plan has them with full precision
+    # parameters bound at planning time, rounded; the plan has them at full precision
     "distance_mm": "user",
     "speed_mm_s": "user",
     "direction_mdeg": "user side",
     **{number: "task" for kind in PLAIN for number in kind.thousandths},
 }
-"""The same for whole numbers of 0 or more."""
+"""Numeric fluents (whole numbers >= 0) with the types of their arguments."""
 
 Priced = tuple[InstantaneousAction, Any]
-"""An action and what it costs: a fluent of its parameters, or a number."""
+"""An action and its cost: a fluent of its parameters, or a number."""
 NOTHING = 0
 
 
 def empty_problem(name: str, environment: Environment | None = None) -> Problem:
-    """The domain with nobody in it yet.
+    """The domain without any objects.
 
     Args:
-        name: Of the problem.
-        environment: Where its parts live; None: unified-planning's global one, the only one in which its
-            release 1.3 grounds actions.
+        name: Name of the problem.
+        environment: The environment of its parts; None: unified-planning's global one, the only one in which
+            its release 1.3 grounds actions.
     """
     return _Domain(get_environment(environment)).problem(name)
 
 
 class _Domain:
-    """What the actions are written with: types, fluents and how conditions are joined."""
+    """Builds the actions: types, fluents and connectives."""
 
     def __init__(self, environment: Environment) -> None:
         types, number = environment.type_manager, environment.type_manager.IntType()
@@ -156,7 +155,7 @@ class _Domain:
         return Fluent(name, kind, arguments, environment=self._environment)
 
     def _action(self, name: str, **parameters: str) -> tuple[InstantaneousAction, Sequence[Any]]:
-        """An action and its parameters, each given by its type."""
+        """An action and its parameters, each given with its type."""
         types = OrderedDict((p, self._types[t]) for p, t in parameters.items())
         action = InstantaneousAction(name, types, self._environment)
         return action, action.parameters
@@ -167,8 +166,7 @@ class _Domain:
     def _reach_user(self) -> Priced:
         """Go to a person and dock at their conversational distance, from one of their sides.
 
-        Where their visit is under way, it goes on with what is left. Whoever is approached is served to the
-        end before the robot goes on.
+        A visit in progress continues with its remaining tasks. A visit is finished before the robot goes on.
         """
         act, (r, u, s, origin, origin_side, h) = self._action(
             REACH, r="robot", u="user", s="side", origin="place", origin_side="side", h="thing"
@@ -242,9 +240,9 @@ class _Domain:
         return act, holds.greet_together_cost(c, u, s, m, g, k)
 
     def _fetch(self) -> Priced:
-        """Go where something is kept, and take it: before its person is reached, or once they wait for it.
+        """Fetch an object from its location: before reaching its person, or while they wait for it.
 
-        What was fetched is brought straight to whom it is for.
+        A fetched object is brought straight to its person.
         """
         act, (r, u, t, h, place, s, origin, origin_side, e) = self._action(
             FETCH,
@@ -270,7 +268,7 @@ class _Domain:
         return act, holds.fetch_cost(origin, origin_side, place)
 
     def _return_to_user(self) -> Priced:
-        """Come back to a person with what was fetched for them in the middle of their visit."""
+        """Return to a person with an object fetched during their visit."""
         act, (r, u, s, t, h, origin, origin_side) = self._action(
             RETURN,
             **{"r": "robot", "u": "user", "s": "side", "t": "task", "h": "thing"},
@@ -290,7 +288,7 @@ class _Domain:
         return act, holds.travel_cost(origin, origin_side, u, s)
 
     def _plain(self, kind: type[PlainTask]) -> Priced:
-        """Do a task without a choice: say something, or stay for some time."""
+        """Do a task without a choice: say a message, or wait."""
         act, (r, u, t) = self._action(kind.action, r="robot", u="user", t="task")
         self._before_user(act, r, u, t)
         act.add_precondition(self.fluents[kind.fact](t))
@@ -298,7 +296,7 @@ class _Domain:
         return act, NOTHING
 
     def _offer(self) -> Priced:
-        """Hand over what the robot holds."""
+        """Hand over the object that the robot holds."""
         act, (r, u, t, h, e) = self._action(OFFER, r="robot", u="user", t="task", h="thing", e="thing")
         holds = self._is
         self._before_user(act, r, u, t)
@@ -327,20 +325,20 @@ class _Domain:
         return act, holds.leave_cost(u, m, g)
 
     def _skip_visit(self) -> Priced:
-        """Drop a visit at its price: whose that is was decided before."""
+        """Drop a visit at its cost; which ones is decided before."""
         act, (_, u) = self._action(SKIP, r="robot", u="user")
         act.add_precondition(self._is.dropped(u))
         act.add_effect(self._is.skipped(u), True)
         return act, self._is.skip_cost(u)
 
     def _before_user(self, act: InstantaneousAction, r: Any, u: Any, t: Any) -> None:
-        """A task is done before its person, when it comes next."""
+        """Require that the robot is docked to the task's person and that the task is due."""
         act.add_precondition(self._is.of(t, u))
         act.add_precondition(self._is.docked(r, u))
         act.add_precondition(self._is.due(t))
 
     def _finish(self, act: InstantaneousAction, r: Any, t: Any) -> None:
-        """After a task the next one comes, and after the last one the robot may go on."""
+        """After a task the next one is due; after the last one the robot may go on."""
         holds, following = self._is, self._any("n", "task")
         act.add_effect(holds.done(t), True)
         act.add_effect(holds.due(t), False)

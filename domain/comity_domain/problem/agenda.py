@@ -30,42 +30,42 @@ LEAST_SPEECH_S = 2.0
 class PlainTask(ABC):
     """A task without a choice, done before the person by one action of the plan.
 
-    What a kind says of itself is all that the planner needs: the action of the problem, the step of the plan,
-    its reason and its time. `PLAIN` lists the kinds; `visit.pddl` has the action of each with comments.
+    A subclass states all that the planner needs: the action of the problem, the step of the plan, its reason
+    and its duration. `PLAIN` lists the subclasses; `visit.pddl` has the action of each with comments.
     """
 
     __slots__ = ()
     action: ClassVar[str]
-    """The name of the action. The robot performs an act of this name in small letters, unless the executor
-    has a subtree for it."""
+    """Name of the action. The robot performs an act of this name in lower case, unless the executor has a
+    subtree for it."""
     effect: ClassVar[str]
     """The name of the goal condition in the tree, a participle: `waited`."""
     fact: ClassVar[str]
     """The predicate of the problem that holds for tasks of this kind."""
     thousandths: ClassVar[Mapping[str, str]] = MappingProxyType({})
-    """By numeric fluent of the problem, the field that it states, in thousandths of its unit."""
+    """Fields stored as numeric fluents in thousandths of their unit, by fluent."""
     shaped_by: ClassVar[tuple[str, ...]] = ()
-    """Behaviour parameters that the step has as well, where the rulebook has them."""
+    """Behaviour parameters that the step also gets, if the rulebook has them."""
 
     @classmethod
     @abstractmethod
     def read(cls, detail: str, numbers: Mapping[str, int]) -> Self:
-        """The task that a problem states.
+        """The task that a problem describes.
 
         Args:
-            detail: What no problem says (`detail` of the task), or a name that stands for it.
+            detail: What the problem omits (`detail` of the task), or a name that stands for it.
             numbers: The values of `thousandths`.
         """
 
     @property
     @abstractmethod
     def seconds(self) -> float:
-        """Time that it takes, as deadlines count it."""
+        """Duration as estimated for deadlines [s]."""
 
     @property
     @abstractmethod
     def parameters(self) -> Mapping[str, float | str]:
-        """The parameters of the step, those of `shaped_by` aside."""
+        """The parameters of the step, without those of `shaped_by`."""
 
     @property
     def arguments(self) -> tuple[str, ...]:
@@ -74,7 +74,7 @@ class PlainTask(ABC):
 
     @property
     def detail(self) -> str:
-        """What a problem does not say of it; empty where it says all."""
+        """What a problem does not express of the task; empty if it expresses everything."""
         return ""
 
     @abstractmethod
@@ -84,7 +84,7 @@ class PlainTask(ABC):
 
 @dataclass(frozen=True, slots=True)
 class Say(PlainTask):
-    """Something to tell a person."""
+    """Say a message to a person."""
 
     action = "Say"
     effect = "said"
@@ -104,41 +104,41 @@ class Say(PlainTask):
 
     @property
     def seconds(self) -> float:
-        """What it takes, as deadlines compute it."""
+        """Duration as estimated for deadlines [s]."""
         return max(LEAST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(self.text))
 
     @property
     def parameters(self) -> Mapping[str, float | str]:
-        """The words."""
+        """The text."""
         return {"text": self.text}
 
     @property
     def detail(self) -> str:
-        """The words: the problem has their cost alone, which is nothing."""
+        """The text: the problem has only its cost, which is 0."""
         return self.text
 
     def reason(self, person: str) -> str:
-        """The words are the scenario's."""
+        """The text comes from the scenario."""
         return "the scenario's words, without a choice"
 
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """Something to fetch somewhere and to hand over."""
+    """Fetch an object and hand it over."""
 
     thing: str
     place: str
-    """Where it is fetched."""
+    """The location where it is fetched."""
 
     @property
     def seconds(self) -> float:
-        """What handing over takes, as deadlines compute it."""
+        """Duration of handing over, as estimated for deadlines [s]."""
         return HANDOVER_S
 
 
 @dataclass(frozen=True, slots=True)
 class Wait(PlainTask):
-    """A pause before the person."""
+    """A pause next to the person."""
 
     action = "Wait"
     effect = "waited"
@@ -146,7 +146,7 @@ class Wait(PlainTask):
     thousandths = MappingProxyType({"cap_ms": "cap_s"})
 
     cap_s: float
-    """So long, or at most so long where something ends it."""
+    """Duration of the pause [s], or its maximum if an event may end it early."""
     until: Until | None = None
 
     def __post_init__(self) -> None:
@@ -155,26 +155,26 @@ class Wait(PlainTask):
 
     @classmethod
     def read(cls, detail: str, numbers: Mapping[str, int]) -> Self:
-        """A pause; what ends it early is no matter to the search."""
+        """A pause; the event that ends it early is irrelevant to the search."""
         return cls(numbers["cap_ms"] / 1000.0)
 
     @property
     def seconds(self) -> float:
-        """What it takes at most."""
+        """The maximum duration [s]."""
         return self.cap_s
 
     @property
     def parameters(self) -> Mapping[str, float | str]:
-        """The longest time [s], and what ends it early."""
+        """The maximum duration [s], and the event that ends it early."""
         return {"cap_s": self.cap_s, **({"until": self.until} if self.until else {})}
 
     @property
     def arguments(self) -> tuple[str, ...]:
-        """The same with the unit."""
+        """The maximum duration with its unit."""
         return (f"{self.cap_s:g} s", *([self.until] if self.until else ()))
 
     def reason(self, person: str) -> str:
-        """What ends it."""
+        """What ends the pause."""
         if self.until is None:
             return f"the scenario's {self.cap_s:g} s, at the distance of the greeting, without a choice"
         return f"until {person} {_UNTIL[self.until]}, for {self.cap_s:g} s at most, without a choice"
@@ -186,24 +186,24 @@ class TakeLeave:
 
     @property
     def seconds(self) -> float:
-        """What it takes, as deadlines compute it."""
+        """Duration as estimated for deadlines [s]."""
         return FAREWELL_S
 
 
 PLAIN: tuple[type[PlainTask], ...] = (Say, Wait)
-"""The kinds of tasks without a choice."""
+"""All kinds of plain tasks."""
 Task = PlainTask | Offer | TakeLeave
 Agenda = tuple[Task, ...]
 
 
 def require_agenda(person: str, agenda: Agenda) -> None:
-    """Refuse an agenda that goes on after the farewell."""
+    """Reject an agenda that continues after the farewell."""
     if any(isinstance(task, TakeLeave) for task in agenda[:-1]):
         raise ValueError(f"{person}: nothing follows the farewell, got {agenda!r}")
 
 
 def offers(agenda: Sequence[Task]) -> tuple[Offer, ...]:
-    """What is to be fetched, in order."""
+    """The objects to fetch, in order."""
     return tuple(task for task in agenda if isinstance(task, Offer))
 
 
@@ -213,10 +213,10 @@ def takes_leave(agenda: Sequence[Task]) -> bool:
 
 
 def seconds_of(agenda: Sequence[Task], *, in_hand: bool = False) -> float:
-    """What all of it takes without the ways, as deadlines compute it.
+    """Duration of an agenda without travel, as estimated for deadlines [s].
 
     Args:
-        agenda: What is to be done.
-        in_hand: Whether what is offered first was picked up already.
+        agenda: The tasks.
+        in_hand: Whether the first offered object was picked up already.
     """
     return sum(task.seconds for task in agenda) + HANDOVER_S * (len(offers(agenda)) - in_hand)

@@ -1,4 +1,4 @@
-"""What the moment rules out: hands that carry something, noise that drowns words, consent that is missing."""
+"""Circumstances that exclude options: full hands, noise that drowns words, missing consent."""
 
 from __future__ import annotations
 
@@ -11,54 +11,55 @@ from comity_fis.proxemics import PERSON_MARGIN_M
 RAISED_VOICE_DB = 66.0
 """A raised voice at 1 m, in dB(A): the vocal effort "raised" of ISO 9921:2003 (from memory, unverified).
 
-That words are useless where the noise is louder than the voice is this project's own choice.
+That words are useless in noise louder than the voice is our choice.
 """
 
 HANDS_OF_PERSON = frozenset({"handshake"})
-"""Gestures that need a hand of the person, too (our choice)."""
+"""Gestures that also need a free hand of the person (our choice)."""
 SPOKEN_TO_M = 1.5
-"""Who does not see is spoken to before the robot is nearer than this, between the bodies (our choice: the
+"""Distance between the bodies at which the robot has spoken to a person who cannot see [m] (our choice: the
 zone in which it also slows down)."""
 FREE_OF_HANDS = frozenset({"nod", "none"})
-"""All that a robot with something in its hands can do: a bow would tip a tray (our choice).
+"""Gestures that a robot with an object in its hands can make: a bow would tip a tray (our choice).
 
-A gesture from a rulebook of other authors is taken to need the hands.
+Any other gesture of a rulebook is assumed to need the hands.
 """
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Circumstances:
-    """How things stand around one person when they are greeted."""
+    """Circumstances of one person when they are greeted."""
 
     robot_carries: str | None = None
-    """What the robot has in its hands; None: they are free."""
+    """Object in the robot's hands; None if they are free."""
     person_carries: str | None = None
-    """The same of the person."""
+    """Object in the person's hands; None if they are free."""
     noise_db: float | None = None
-    """Around the person, in dB(A); None where nothing is known of it, which counts as quiet."""
+    """Noise level at the person [dB(A)]; None if unknown, which counts as quiet."""
     noisy: bool = False
-    """Words are useless here, whatever the distance."""
+    """Whether words are useless here at any distance."""
     withheld: Mapping[str, str] = field(default_factory=dict)
-    """Gestures that are not permitted, with what they require: consent above all."""
+    """Gestures that are not permitted, each with what it requires, such as consent."""
     wants_no_touch: bool = False
-    """They asked not to be touched: that, and no lack of consent, is what is withheld."""
+    """Whether the person asked not to be touched: the reason for `withheld`, rather than missing consent."""
     at_rest: Mapping[str, str] = field(default_factory=dict)
-    """What they asked for and cannot have now, with why, in words; by parameter."""
+    """Requests that cannot be met now, each with the reason in words, by parameter."""
     hears: bool = True
-    """Who does not is never greeted in words alone."""
+    """Whether the person hears; if not, a greeting never consists of words alone."""
     sees: bool = True
-    """Who does not is never greeted by a gesture alone; words say that the robot comes, stops, leaves."""
+    """Whether the person sees; if not, no greeting is a gesture alone, and the robot announces its
+    motions."""
     reach_m: Mapping[str, float] = field(default_factory=dict)
-    """How far beyond its body the robot's gestures reach [m], as it states; of others see `reach`."""
+    """Reach of the robot's gestures beyond its body [m], as it states; `reach` has the defaults."""
     touches: frozenset[str] = frozenset()
-    """Gestures of contact: those that need consent to touch."""
+    """Gestures of contact, which need consent to touch."""
     hits: Mapping[str, str] = field(default_factory=dict)
-    """Gestures within whose reach something stands where the robot would greet, with what it is, in words."""
+    """Gestures that would hit an obstacle at the greeting pose, each with the obstacle in words."""
     presumes_consent: bool = False
-    """As if all that is required were so: only to ask what consent would change, never to act."""
+    """Assume that all requirements are met: only to ask what consent would change, never to act."""
 
     def against_gesture(self, gesture: str) -> str | None:
-        """Why a gesture is out, all reasons joined; None where it is possible."""
+        """Why a gesture is excluded, all reasons joined; None if it is possible."""
         reasons = []
         if gesture in self.withheld and not self.presumes_consent:
             reasons.append(self._against_withheld(self.withheld[gesture]))
@@ -74,7 +75,7 @@ class Circumstances:
         return f"it requires that {required.replace('_', ' ')}"
 
     def against_modality(self, *, speaks: bool, shows: bool) -> str | None:
-        """Why a greeting that speaks, shows a gesture, or both is not perceived; None: it is."""
+        """Why a greeting with speech, a gesture or both is not perceived; None if it is."""
         if (speaks and self.hears) or (shows and self.sees):
             return None
         if not (self.hears or self.sees):
@@ -82,15 +83,15 @@ class Circumstances:
         return "they do not hear" if not self.hears else "they do not see"
 
     def against_coming(self) -> str | None:
-        """Why the robot may not come near: who does not see cannot be told that it comes; None: it may."""
+        """Why the robot may not approach: a person who cannot see cannot be told; None if it may."""
         drowned = None if self.sees else self.against_words(SPOKEN_TO_M)
         return drowned and f"they do not see, and could not be told that the robot comes: {drowned}"
 
     def against_words(self, distance_m: float) -> str | None:
-        """Why words are useless at this distance between the bodies; None where they are heard."""
+        """Why words are useless at this distance between the bodies [m]; None if they are heard."""
         if self.noisy:
             return "it is too noisy for words"
-        # The robot never stands nearer, so the voice is taken to be no louder than there.
+        # The robot never stands closer, so the voice is assumed to be no louder than at this distance.
         voice_db = RAISED_VOICE_DB - 20.0 * math.log10(max(distance_m, PERSON_MARGIN_M))
         if self.noise_db is None or voice_db >= self.noise_db:
             return None
@@ -98,4 +99,4 @@ class Circumstances:
 
 
 QUIET_AND_FREE = Circumstances()
-"""Nothing is ruled out."""
+"""Nothing is excluded."""

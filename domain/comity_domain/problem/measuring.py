@@ -1,4 +1,4 @@
-"""A request with lengths in the place of bounds, where a person asks for them."""
+"""Replaces bounds on route lengths in a request by measured lengths where they are needed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Place = TypeVar("Place")
 
 @dataclass(frozen=True, slots=True)
 class Unmeasured:
-    """Some of what is not measured."""
+    """The legs and ways that are not measured yet."""
 
     legs: tuple[Leg, ...] = ()
     ways: tuple[Way, ...] = ()
@@ -28,20 +28,20 @@ class Unmeasured:
 
 
 def unmeasured(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
-    """What is not measured of the way through these spots."""
+    """Unmeasured legs and ways of the route through these spots."""
     legs = unmeasured_legs(request, spots)
     return replace(legs, ways=unmeasured_ways(request, spots).ways) if request.has_deadlines else legs
 
 
 def unmeasured_legs(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
-    """The same of the routes alone."""
+    """Unmeasured legs of the route."""
     if request.survey is None:
         return Unmeasured()
     return Unmeasured(tuple(dict.fromkeys(leg for leg in pairwise(spots) if leg in request.survey.legs)))
 
 
 def unmeasured_ways(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
-    """The same of the ways without culture alone."""
+    """Unmeasured ways (computed without culture) of the route."""
     if request.survey is None:
         return Unmeasured()
     ways = dict.fromkeys((place_of(start), end.place) for start, end in pairwise(spots))
@@ -49,12 +49,12 @@ def unmeasured_ways(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
 
 
 def measured(request: VisitRequest, which: Unmeasured, *, ends_s: float = math.inf) -> VisitRequest:
-    """The same with lengths in the place of these bounds; where there is no route, without it.
+    """The request with these bounds replaced by lengths; entries without a route are removed.
 
     Args:
-        request: What was asked.
+        request: The planning request.
         which: What to measure.
-        ends_s: When there is no more time, by the machine's clock; what is left then stays a bound.
+        ends_s: Time limit on the machine's clock [s]; what is not measured by then stays a bound.
     """
     survey = request.survey
     if survey is None or not which:
@@ -81,7 +81,7 @@ def measured(request: VisitRequest, which: Unmeasured, *, ends_s: float = math.i
 
 
 def _until(ends_s: float, places: Iterable[Place]) -> Iterator[Place]:
-    """These, as long as there is time."""
+    """The items, until the time limit."""
     for place in places:
         if monotonic() > ends_s:
             return
@@ -89,7 +89,7 @@ def _until(ends_s: float, places: Iterable[Place]) -> Iterator[Place]:
 
 
 def fully_measured(request: VisitRequest) -> VisitRequest:
-    """The same without bounds: for questions about all ways that there are."""
+    """The request without bounds: for questions about all existing routes."""
     if request.survey is None:
         return request
     return replace(measured(request, _all_of(request.survey, request.travel)), survey=None)

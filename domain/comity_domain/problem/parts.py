@@ -1,4 +1,4 @@
-"""People between whom no way leads, although one leads to each from the start: no order visits them all."""
+"""Connected components of a request: people with no route between them, though each is reachable alone."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from comity_domain.problem.spot import START, Leg
 
 
 def parts(request: VisitRequest) -> tuple[tuple[str, ...], ...]:
-    """Those of a request who can be visited one after the other, part by part; the largest first.
+    """The people of each connected component; the largest first.
 
-    Ways are measured where only bounds are known, as far as that takes.
+    Routes are measured where only bounds are known, as far as needed.
 
     Args:
-        request: What was asked; people who cannot be reached from the start have been left out of it.
+        request: The planning request, without people who are unreachable from the start.
 
     Returns:
-        One part where ways lead between all. Of two as large, that of the person named first comes first.
+        One component if routes connect all. Of two of equal size, the one with the first-named person comes
+        first.
     """
     legs: dict[frozenset[str], list[Leg]] = {}
     for start, end in request.travel:

@@ -1,4 +1,4 @@
-"""How far beyond the robot's body its gestures reach: what stands nearer would be hit."""
+"""Reach of gestures beyond the robot's body: anything nearer would be hit."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ REACH_M: Mapping[str, float] = MappingProxyType(
         "handshake": 0.60,  # a stretched arm
     }
 )
-"""Before and beside a robot as large as a person that does not state its own [m] (our choice).
-None of the gestures without contact reaches a person at the safety floor of 0.30 m."""
+"""Reach in front of and beside a human-sized robot that does not state its own [m] (our choice). None of the
+gestures without contact reaches a person at the safety floor of 0.30 m."""
 FORWARDS = frozenset({"palms_together", "bow", "bow_and_nod", "handshake"})
-"""Gestures that reach forwards alone, as wide as the body; others reach to the sides, too (our choice)."""
+"""Gestures that reach forwards only, as wide as the body; others also reach sideways (our choice)."""
 STRETCHED_M = 0.60
-"""The same of a gesture that is not among them: an arm could be stretched in it (our choice)."""
+"""Reach of any other gesture [m]: it may stretch out an arm (our choice)."""
 
 
 def reach_of(gesture: str, stated: Mapping[str, float]) -> float:
-    """How far a gesture reaches beyond the robot's body [m].
+    """Reach of a gesture beyond the robot's body [m].
 
     Args:
-        gesture: Its name.
-        stated: What the robot states of its own, by gesture [m].
+        gesture: Name of the gesture.
+        stated: Reach that the robot states, by gesture [m].
     """
     return stated.get(gesture, REACH_M.get(gesture, STRETCHED_M))

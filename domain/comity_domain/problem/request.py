@@ -22,23 +22,23 @@ class Visitee:
     name: str
     values: Inference
     now: Circumstances = QUIET_AND_FREE
-    """What rules greetings out."""
+    """Circumstances that exclude greetings."""
     priority_m: float = 0.0
-    """What it costs, in metres of walking, for each person who is greeted before this one."""
+    """Cost for each person greeted before this one, in metres of travel."""
     by_s: float | None = None
-    """The latest time at which the greeting may end, in seconds from the start; None: any time will do."""
+    """Deadline for the end of the greeting, from the start [s]; None if there is none."""
     skip_m: float | None = None
-    """What leaving this person out costs, in metres of walking; None: nobody may leave them out."""
+    """Cost of dropping this visit, in metres of travel; None if it must not be dropped."""
     agenda: Agenda = ()
-    """What is to be done once they are greeted, in this order; of a visit under way, what is left."""
+    """Tasks after the greeting, in order; for a visit in progress, the remaining ones."""
     greeted: bool = False
-    """The visit is under way: they were greeted, and the agenda is left."""
+    """Whether the visit is in progress: the person was greeted, the agenda remains."""
     in_hand: bool = False
-    """The robot holds what is offered first: the person it is for is visited before all others."""
+    """Whether the robot holds the first offered object; this person is then visited first."""
     after: str | None = None
-    """The person to be greeted before, if the scenario asks for an order; ignored if nobody visits them."""
+    """The person to greet before this one, if the scenario requires it; ignored if they are not visited."""
     not_from: frozenset[str] = frozenset()
-    """Sides that the scenario rules out."""
+    """Sides that the scenario excludes."""
 
     def __post_init__(self) -> None:
         require_agenda(self.name, self.agenda)
@@ -59,12 +59,12 @@ class Visitee:
 
 @dataclass(frozen=True, slots=True)
 class Company:
-    """People who stand together and may be greeted at once, by one greeting for all."""
+    """A group of people who may be greeted together by one greeting."""
 
     name: str
     members: tuple[str, ...]
     overlooks: Mapping[Spot, Nearness]
-    """The spots of members from which all of them can be greeted, each with how near the others are then."""
+    """Spots of members from which all can be greeted, each with the distances to the others."""
 
     def __post_init__(self) -> None:
         if len(set(self.members)) < 2 or len(set(self.members)) < len(self.members):
@@ -76,7 +76,7 @@ class Company:
                 )
 
     def without(self, names: Collection[str]) -> Company | None:
-        """The same without some people; None where fewer than two are left."""
+        """The group without some people; None if fewer than two remain."""
         members = tuple(name for name in self.members if name not in names)
         overlooks = {
             spot: {name: near for name, near in others.items() if name not in names}
@@ -88,11 +88,11 @@ class Company:
 
 @dataclass(frozen=True, slots=True)
 class Weights:
-    """What disliked options are worth in metres of detour: metres per unit of -ln(desirability).
+    """Weights of preference costs: metres of travel per unit of -ln(desirability).
 
-    At 1 m the robot goes 0.69 m further rather than choose an option half as desirable, and 5.6 m rather than
-    one that is not desirable at all. A design choice, without a source: the project reports how stable plans
-    are when the weights go from a quarter to four times.
+    At 1 m the robot drives 0.69 m further rather than choose an option half as desirable, and 5.6 m rather
+    than choose one that is not desirable at all. A design choice without a source: the project reports how
+    stable plans are when the weights vary from a quarter to four times their value.
     """
 
     side_m: float = 1.0
@@ -104,23 +104,23 @@ class Weights:
                 raise ValueError(f"{name} must be between 0 and 100 metres, got {weight!r}")
 
     def scaled(self, factor: float) -> Weights:
-        """All of them times a factor."""
+        """All weights times a factor."""
         return Weights(self.side_m * factor, self.greeting_m * factor)
 
 
 GREETING_S = 4.0
-"""What a greeting takes in the computation of deadlines: a gesture takes 1.5 s, an utterance rarely 4 s."""
+"""Duration of a greeting, as estimated for deadlines [s]: a gesture takes 1.5 s, an utterance rarely 4 s."""
 
 ANNOUNCING_S = 6.0
-"""What it takes longer before a person who does not see: they are told that the robot comes, and has stopped
-(our choice: two short sentences)."""
+"""Additional duration for a person who cannot see [s]: the robot announces that it comes and that it has
+stopped (our choice: two short sentences)."""
 
 
 @dataclass(frozen=True, slots=True)
 class VisitRequest:
-    """Visit each of these people once, in any order: greet them, one by one or together with their company.
+    """A request to greet each of these people once, in any order, one by one or together with their group.
 
-    A person with an agenda is greeted alone, and served to its end before the next one.
+    A person with an agenda is greeted alone, and their agenda is finished before the next visit.
     """
 
     robot: str
@@ -128,21 +128,21 @@ class VisitRequest:
     travel: Travel
     weights: Weights = field(default_factory=Weights)
     companies: tuple[Company, ...] = ()
-    """Nobody belongs to two."""
+    """Groups; nobody belongs to two."""
     durations_s: Mapping[Way, float] = field(default_factory=dict)
-    """From place to place, computed without culture, so that it cannot decide whether a deadline is kept.
+    """Travel times between places [s], computed without culture, so that it cannot affect deadlines.
 
-    Needed for every pair of places with a route where a person has a deadline.
+    Required for every pair of places with a route if a person has a deadline.
     """
     ways_m: Mapping[Way, float] = field(default_factory=dict)
-    """The same as lengths, needed where a person may be left out: culture has no say in who is."""
+    """The same as lengths [m]; required if a visit may be dropped, so that culture cannot affect which."""
     dropped_m: Mapping[str, float] = field(default_factory=dict)
-    """People whose visit is dropped, with its price in metres: no plan can serve them, or `dropping` them was
-    decided."""
+    """People whose visit is dropped, with its cost in metres: no plan can serve them, or `dropping` was
+    called."""
     blocked: Mapping[Spot, str] = field(default_factory=dict)
-    """What stands on spots that no way leads to, so far as that is known: it is what is told of them."""
+    """Obstacles on spots that no route leads to, as far as known, for explanations."""
     survey: Survey | None = None
-    """What of the ways are bounds so far, and how to measure them; None: nothing."""
+    """Which routes are only bounds so far, and how to measure them; None if there are none."""
 
     def __post_init__(self) -> None:
         names = [visitee.name for visitee in self.visitees]
@@ -165,7 +165,7 @@ class VisitRequest:
             self._require_durations()
 
     def without(self, names: Collection[str]) -> VisitRequest:
-        """The same without some people."""
+        """The request without some people."""
         companies = (company.without(names) for company in self.companies)
         return replace(
             self,
@@ -175,13 +175,13 @@ class VisitRequest:
         )
 
     def dropping(self, names: Collection[str]) -> VisitRequest:
-        """The same with some visits dropped at their price."""
+        """The request with some visits dropped at their cost."""
         prices = {visitee.name: visitee.skip_m or 0.0 for visitee in self.visitees if visitee.name in names}
         return replace(self.without(names), dropped_m={**prices, **self.dropped_m}) if names else self
 
     @property
     def has_deadlines(self) -> bool:
-        """Whether time matters."""
+        """Whether some person has a deadline."""
         return any(visitee.by_s is not None for visitee in self.visitees)
 
     def _require_durations(self) -> None:
@@ -194,6 +194,6 @@ class VisitRequest:
 
 
 def require_price(name: str, what: str, metres: float) -> None:
-    """Refuse a price that is no finite number of metres >= 0."""
+    """Reject a cost that is not a finite number of metres >= 0."""
     if not 0.0 <= metres <= 1e6:
         raise ValueError(f"{name}: {what} must be between 0 and 1e6 metres, got {metres!r}")

@@ -6,5 +6,5 @@ from comity_fis.inference.value import ParameterValue
 
 
 def is_setting(value: ParameterValue) -> bool:
-    """Whether the person asked for it; still so where safety clamped it afterwards."""
+    """Whether the person asked for the value, even if safety clamped it afterwards."""
     return value.origin == "setting" or any(part.origin == "setting" for part in value.contributions)

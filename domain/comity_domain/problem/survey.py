@@ -1,8 +1,8 @@
-"""Ways of which only a bound is known so far, and how to measure them.
+"""Routes of which only a lower bound is known so far, and how to measure them.
 
-To measure a way among people takes milliseconds, and there are thousands of them, of which a plan takes a few
-dozen. So a request may hold bounds: no route is shorter. What is planned with bounds costs no more than what
-is planned with lengths; once all that a cheapest plan takes is measured, it is the cheapest of all.
+Measuring a route among people takes milliseconds; a request has thousands, and a plan uses a few dozen. So a
+request may hold lower bounds: no route is shorter. A plan computed with bounds costs no more than one
+computed with lengths; so once every route of a cheapest plan is measured, that plan is optimal.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from comity_domain.problem.spot import Leg, Way
 
 @dataclass(frozen=True, slots=True)
 class Survey:
-    """What is not measured of a request. The functions answer the same each time."""
+    """The unmeasured routes of a request. The functions are deterministic."""
 
     legs: frozenset[Leg]
-    """Those of `travel` that are bounds."""
+    """The legs of `travel` that are bounds."""
     ways: frozenset[Way]
-    """Those of `ways_m` and `durations_s` that are bounds."""
+    """The ways of `ways_m` and `durations_s` that are bounds."""
     leg_m: Callable[[Leg], float | None]
-    """The length of a route [m]; None where there is none."""
+    """The length of a leg [m]; None if there is no route."""
     way: Callable[[Way], tuple[float, float] | None]
-    """The length of a way [m] and what it takes [s], computed without culture; None where there is none."""
+    """The length [m] and travel time [s] of a way, computed without culture; None if there is no route."""

@@ -1,4 +1,4 @@
-"""What no plan can cost less than, when a search was cut off before it proved an optimum."""
+"""Lower bound on a plan's cost, for a search that was cut off before it proved an optimum."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from comity_domain.tours.waiting_bound import least_waiting
 
 
 def lower_bound(options: Options) -> int:
-    """The ways alone, the waiting alone and everything else alone, each at its cheapest.
+    """The sum of the minimum travel, waiting and other costs, each computed independently.
 
-    Left out is what they have to do with each other: that whoever is worth most may be far off, that an order
-    keeps the deadlines, and that the side of a stop is the same for the way there and the way on.
+    It neglects how these interact: high-priority people may be far away, deadlines restrict the order, and a
+    visit's side is shared by the leg to it and the leg from it.
     """
     apart = sum(least_costs(options).values())
     if any(person.skip is not None for person in options.people.values()):
@@ -24,7 +24,7 @@ def lower_bound(options: Options) -> int:
 
 
 def _least_acts(options: Options) -> Iterator[int]:
-    """Of every greeting, farewell and fetching, what it costs at least; of a company, of one greeting."""
+    """Minimum cost of every greeting, farewell and fetch; one greeting per group."""
     together = {name for company in options.companies.values() for name in company.members}
     for company in options.companies.values():
         yield min(options.people[name].least_dislike() for name in company.members)
@@ -45,9 +45,9 @@ def _least_legs_to(options: Options) -> Mapping[str, int]:
 
 
 def least_costs(options: Options) -> Mapping[str, int]:
-    """By person, in cm, what they add at least to a plan.
+    """Minimum additional cost of each person in a plan [cm], by name.
 
-    Of a company only the first member counts, with the cheapest leg to and the cheapest greeting of any.
+    For a group only the first member counts, with the cheapest leg to, and greeting of, any member.
     """
     legs = _least_legs_to(options)
     least = {

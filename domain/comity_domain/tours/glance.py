@@ -1,4 +1,4 @@
-"""What an order of visits costs at a glance: from person to person, wherever the robot stands before them."""
+"""Quick cost of an order of visits: legs from person to person, each from the cheapest sides."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from comity_domain.problem.spot import Way, place_of
 from comity_domain.tours.tour import Stop, people_at
 
 FAR = 10**7
-"""In cm: no way is known, but something may be fetched in between."""
+"""Leg cost where no route is known, though an object may be fetched in between [cm]."""
 
 
 class Glance:
-    """Which of several orders to look at first; a thousand times as quick as their true costs.
+    """Ranks orders of visits by a quick cost, a thousand times as fast as their true cost.
 
     Args:
-        choices: What may be chosen.
+        choices: The available options.
     """
 
     def __init__(self, choices: Options) -> None:
@@ -28,7 +28,7 @@ class Glance:
             self._least[way] = min(cost, self._least.get(way, cost))
 
     def cost(self, stops: Sequence[Stop]) -> int:
-        """In cm, the least legs and the waiting; greetings cost the same in every order."""
+        """Minimum legs plus waiting [cm]; greetings cost the same in every order."""
         places = [None, *(stop.person for stop in stops)]
         total, before = 0, 0
         for start, end in pairwise(places):

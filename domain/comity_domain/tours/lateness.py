@@ -1,4 +1,4 @@
-"""Who would be greeted too late on a tour, and up to which visit that matters."""
+"""Greetings that miss their deadline on a tour, and the last visit that a deadline depends on."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from comity_domain.tours.tour import PlannedVisit, end_times_s, served
 
 @dataclass(frozen=True, slots=True)
 class Late:
-    """A greeting that is over after its deadline, as deadlines are computed."""
+    """A greeting that ends after its deadline, by the estimated durations."""
 
     person: str
     greeted_s: float
     by_s: float
 
     def after(self, begun_s: float) -> Late:
-        """The same on a clock that showed so much when the tour was begun."""
+        """The same with times on a clock that showed `begun_s` when the tour began."""
         return replace(self, greeted_s=self.greeted_s + begun_s, by_s=self.by_s + begun_s)
 
     def __str__(self) -> str:
@@ -28,7 +28,7 @@ class Late:
 
 
 def late(visits: Sequence[PlannedVisit], options: Options) -> Late | None:
-    """The first who would be greeted too late; None where every deadline is kept."""
+    """The first late greeting; None if every deadline is met."""
     if not options.has_deadlines:
         return None
     for visit, end_s in zip(visits, end_times_s(visits, options), strict=True):
@@ -40,7 +40,7 @@ def late(visits: Sequence[PlannedVisit], options: Options) -> Late | None:
 
 
 def until_last_deadline(visits: Sequence[PlannedVisit], options: Options) -> Sequence[PlannedVisit]:
-    """The visits on which some deadline hangs; none where nobody has one."""
+    """The visits up to the last one with a deadline; empty if there is none."""
     hurried = (
         index
         for index, visit in enumerate(visits, 1)

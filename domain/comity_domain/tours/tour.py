@@ -1,4 +1,4 @@
-"""A plan as people see it: where the robot stops in which order, on which side, with which greeting."""
+"""A plan as a tour: the visits in order, each with its side and greeting."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ from comity_domain.problem.spot import START, Spot, place_of
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """The person whom the robot reaches, and whether it greets their company at once."""
+    """A visit: the person that the robot reaches, and whether it greets their whole group."""
 
     person: str
     company: str | None = None
     bringing: bool | None = None
-    """Whether what is offered first is fetched before; None: as is cheaper, where there is time for both."""
+    """Whether the first offered object is fetched beforehand; None: whichever is cheaper and in time."""
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedVisit:
-    """A stop with its choices."""
+    """A visit with its choices."""
 
     spot: Spot
     company: str | None
     way: tuple[str, str] | None
-    """The modality and the gesture of the greeting; None: they were greeted before."""
+    """Modality and gesture of the greeting; None if the person was greeted before."""
     bringing: bool = False
-    """Whether what is offered first was fetched before."""
+    """Whether the first offered object was fetched beforehand."""
     returns: tuple[Spot, ...] = ()
-    """Where the robot stops again, with each thing that it fetched in the middle of the visit."""
+    """Docking poses after each object that the robot fetched during the visit."""
     farewell: tuple[str, str] | None = None
-    """The modality and the gesture of the farewell; None where there is none."""
+    """Modality and gesture of the farewell; None if there is none."""
 
     @property
     def stop(self) -> Stop:
-        """The stop without its choices."""
+        """The visit without its choices."""
         return Stop(self.spot.place, self.company, self.bringing)
 
     @property
@@ -49,9 +49,9 @@ class PlannedVisit:
 
 @dataclass(frozen=True, slots=True, order=True)
 class Stay:
-    """How a visit may be made, apart from what is always best: which way it leads, and on which sides.
+    """The choices of a visit that affect its neighbours: its path and its sides.
 
-    Sorted as the law of ties has it: front, left, right.
+    Sorted by the tie-break order: front, left, right.
     """
 
     spot: Spot
@@ -65,12 +65,12 @@ class Stay:
 
 
 def people_at(stop: Stop, options: Options) -> tuple[str, ...]:
-    """The people whom a stop serves."""
+    """The people greeted at a visit."""
     return (stop.person,) if stop.company is None else options.companies[stop.company].members
 
 
 def stays(stop: Stop, options: Options) -> Iterator[Stay]:
-    """All ways to make a visit: from each side, and with what is offered first in the hands, or without."""
+    """All ways to make a visit: from each side, with or without fetching the first offered object before."""
     person = options.people[stop.person]
     fetched = len(person.fetched_at)
     for spot in person.spots():
@@ -88,7 +88,7 @@ def stays(stop: Stop, options: Options) -> Iterator[Stay]:
 def ways_through(
     stay: Stay | PlannedVisit, person: PersonOptions
 ) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
-    """The spots of a visit in order: until the robot is before the person, and from there on."""
+    """The spots of a visit in order: up to reaching the person, and from then on."""
     fetched = person.fetched_at
     before = fetched[:1] if stay.bringing and not person.in_hand else ()
     later = fetched[len(before) :]
@@ -97,7 +97,7 @@ def ways_through(
 
 
 def path(visits: Iterable[Stay | PlannedVisit], options: Options) -> tuple[Spot, ...]:
-    """Every spot of a tour, locations included, from the start on."""
+    """Every spot of a tour in order, with the start and locations."""
     spots = [START]
     for visit in visits:
         there, on = ways_through(visit, options.people[visit.spot.place])
@@ -106,25 +106,25 @@ def path(visits: Iterable[Stay | PlannedVisit], options: Options) -> tuple[Spot,
 
 
 def best_tour(order: Sequence[Stop], options: Options, *, start: Spot = START) -> tuple[PlannedVisit, ...]:
-    """The cheapest sides and greetings for this order, by the law of ties (`choices.ties`).
+    """The cheapest sides and greetings for an order of visits; ties as in `choices.ties`.
 
-    A person meets the side and greeting inferred for them unless another is really cheaper. It also improves
+    A person gets their inferred side and greeting unless another one is strictly cheaper. This also improves
     the plan of a search that was cut off.
 
     Args:
-        order: The stops.
-        options: What may be chosen.
-        start: Where the robot sets out.
+        order: The visits.
+        options: The available options.
+        start: Where the robot starts.
 
     Raises:
-        ValueError: No route goes through these stops in this order.
+        ValueError: No route passes through these visits in this order.
     """
     chosen = _best_stays(order, options, start)
     return tuple(visit_as(stay, stop, options) for stay, stop in zip(chosen, order, strict=True))
 
 
 def visit_as(stay: Stay, stop: Stop, options: Options) -> PlannedVisit:
-    """A visit with what is best once its way is settled."""
+    """The visit along a given path, with the cheapest greeting and farewell."""
     person = options.people[stop.person]
     leave = person.best_greeting().way if takes_leave(person.agenda) else None
     way = None if person.greeted else best_way(stop, options, bringing=stay.bringing)
@@ -132,24 +132,24 @@ def visit_as(stay: Stay, stop: Stop, options: Options) -> PlannedVisit:
 
 
 def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[str, str]:
-    """The cheapest greeting at a stop."""
+    """Modality and gesture of the cheapest greeting at a visit."""
     if stop.company is None:
         return options.people[stop.person].best_greeting(bringing=bringing).way
     return options.companies[stop.company].best_greeting
 
 
 def served(visit: PlannedVisit, options: Options) -> tuple[str, ...]:
-    """People who are greeted in a visit, in whatever order they were reached."""
+    """People greeted at a visit, in canonical order."""
     reached = visit.spot.place
     people = people_at(Stop(reached, visit.company), options)
     return (reached, *(name for name in people if name != reached))
 
 
 def greeting_parts(visits: Sequence[PlannedVisit], options: Options) -> list[Mapping[str, int]]:
-    """What the cost of each greeting is made of, in cm.
+    """The parts of each greeting's cost [cm].
 
-    `greeting`: the dislike of it. `nearness`: the dislike of how near others of a company stand. `waiting`:
-    that others were greeted before.
+    `greeting`: its preference cost. `nearness`: the preference cost of how near the robot is to others of a
+    group. `waiting`: the cost of greeting others first.
     """
     parts: list[Mapping[str, int]] = []
     before = 0
@@ -167,7 +167,7 @@ def greeting_parts(visits: Sequence[PlannedVisit], options: Options) -> list[Map
 
 
 def greeting_cost(visit: PlannedVisit, options: Options) -> int:
-    """The dislike of one greeting, and of how near others stand to it; 0 where it is over."""
+    """Preference cost of a greeting and of the nearness to others of the group; 0 if greeted before."""
     if visit.way is None:
         return 0
     if visit.company is not None:
@@ -176,7 +176,7 @@ def greeting_cost(visit: PlannedVisit, options: Options) -> int:
 
 
 def farewell_cost(visit: PlannedVisit, options: Options) -> int:
-    """The dislike of the farewell; 0 where there is none."""
+    """Preference cost of the farewell; 0 if there is none."""
     return 0 if visit.farewell is None else _price(visit.farewell, options.people[visit.spot.place])
 
 
@@ -186,7 +186,7 @@ def _price(way: tuple[str, str], person: PersonOptions, *, bringing: bool = Fals
 
 
 def tie_break(stay: Stay, stop: Stop, options: Options) -> int:
-    """What decides between ways to make a visit that cost the same, each with its best greetings."""
+    """The tie-break between equally expensive ways to make a visit, each with its best greetings."""
     person = options.people[stop.person]
     found = sum(person.sides[spot.side].tie_break for spot in (stay.spot, *stay.returns))
     if takes_leave(person.agenda):
@@ -197,14 +197,14 @@ def tie_break(stay: Stay, stop: Stop, options: Options) -> int:
 
 
 def cost_of(spots: Sequence[Spot], options: Options) -> int | None:
-    """What the legs through these spots cost, in cm; None where a route is missing."""
+    """Cost of the legs through these spots [cm]; None if a route is missing."""
     costs = [options.legs.get(leg) for leg in pairwise(spots)]
     known = [cost for cost in costs if cost is not None]
     return sum(known) if len(known) == len(costs) else None
 
 
 def tour_cost(visits: Sequence[PlannedVisit], options: Options) -> int | None:
-    """What all of it costs; None where an option of it is not on offer."""
+    """Total cost [cm]; None if an option is not available."""
     if any(not _is_offered(visit, options) for visit in visits):
         return None
     legs = cost_of(path(visits, options), options)
@@ -215,12 +215,12 @@ def tour_cost(visits: Sequence[PlannedVisit], options: Options) -> int | None:
 
 
 def end_times_s(visits: Sequence[PlannedVisit], options: Options) -> list[float]:
-    """When each greeting is over, as deadlines compute it; needs durations."""
+    """End time of each greeting [s], as estimated for deadlines; needs durations."""
     return [greeted for greeted, _ in times_s(visits, options)]
 
 
 def times_s(visits: Sequence[PlannedVisit], options: Options) -> list[tuple[float, float]]:
-    """When each greeting is over, and when the visit; as above."""
+    """End times of each greeting and of the whole visit [s]; likewise."""
     times, now, here = [], 0.0, START
     for visit in visits:
         greeted = now + seconds_to_greeting(here, visit, options)
@@ -231,26 +231,26 @@ def times_s(visits: Sequence[PlannedVisit], options: Options) -> list[tuple[floa
 
 
 def seconds_to_greeting(start: Spot, stay: Stay | PlannedVisit, options: Options) -> float:
-    """What it takes from a spot until a person was greeted, with what is fetched before."""
+    """Time from a spot until the person has been greeted, with fetching before [s]."""
     person = options.people[stay.spot.place]
     there, _ = ways_through(stay, person)
     return seconds_through((start, *there), options) + _picking_up_s(stay, person) + person.greeting_s
 
 
 def seconds_after_greeting(stay: Stay | PlannedVisit, options: Options) -> float:
-    """What the rest of a visit takes."""
+    """Time for the rest of a visit [s]."""
     person = options.people[stay.spot.place]
     _, on = ways_through(stay, person)
     return seconds_through(on, options) + person.agenda_s - _picking_up_s(stay, person)
 
 
 def _picking_up_s(stay: Stay | PlannedVisit, person: PersonOptions) -> float:
-    """What of an agenda comes before the greeting: to take up what is fetched by then."""
+    """Time for picking up objects before the greeting [s]."""
     return HANDOVER_S if stay.bringing and not person.in_hand else 0.0
 
 
 def seconds_through(spots: Sequence[Spot], options: Options) -> float:
-    """What the ways through these spots take."""
+    """Travel time through these spots [s]."""
     return sum(options.durations_s[place_of(start), end.place] for start, end in pairwise(spots))
 
 
@@ -265,8 +265,8 @@ def _is_offered(visit: PlannedVisit, options: Options) -> bool:
 
 
 def _best_stays(order: Sequence[Stop], options: Options, start: Spot) -> tuple[Stay, ...]:
-    """Dynamic programming along the order: the best way to every spot where the last visit may end."""
-    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {start: (0, 0, ())}  # cost, tie break, before
+    """Dynamic programming along the order: the best path to every spot where the last visit may end."""
+    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {start: (0, 0, ())}  # cost, tie-break, stays
     for stop in order:
         longer: dict[Spot, list[tuple[int, int, tuple[Stay, ...]]]] = {}
         for stay in stays(stop, options):
@@ -286,7 +286,7 @@ def _best_stays(order: Sequence[Stop], options: Options, start: Spot) -> tuple[S
 
 
 def _price_of(stay: Stay, stop: Stop, options: Options) -> int:
-    """What a stay costs beside its ways, but for what all stays of a stop cost."""
+    """Cost of a stay without its legs, relative to the costs common to all stays of the visit."""
     if stop.company is not None:
         return options.companies[stop.company].spots[stay.spot]
     return options.people[stop.person].least_dislike(bringing=stay.bringing)

@@ -1,7 +1,7 @@
-"""What all legs of a plan cost at least, whatever the order: by the cheapest trees that join everybody.
+"""Lower bound on the cost of all legs of a plan in any order: minimum spanning trees.
 
-A tour without its last leg joins everybody, so that no tour costs less than the cheapest tree with one edge
-more. Prices on people, which a tour pays twice each and a tree once per edge, draw the tree towards a tour:
+A tour without its last leg is a spanning tree, so no tour costs less than the minimum 1-tree. Each person's
+price counts twice in a tour, and once per edge in a tree, so that prices can push the tree towards a tour:
 Held and Karp 1970, "The traveling-salesman problem and minimum spanning trees", Operations Research 18(6).
 """
 
@@ -20,32 +20,32 @@ if TYPE_CHECKING:
     Costs = NDArray[np.float64]
 
 ROUNDS = 200
-"""Of raising and lowering the prices; more gain next to nothing."""
+"""Rounds of price updates; more of them gain next to nothing."""
 FAR = 1e9
-"""In cm: no route."""
+"""Cost of a leg without a route [cm]."""
 
 
 def least_legs(options: Options) -> int:
-    """In cm, what the ways to everybody cost at least, with the dislike of the sides."""
+    """Minimum cost of the legs to everybody [cm], with the preference cost of the sides."""
     groups = _groups(options)
     if len(groups) < 2:
         return 0
-    # Prices hold for tours only: where a company may be reached more than once, there are none.
+    # Prices are valid for tours only: if a group may be reached more than once, there are none.
     rounds = 1 if options.companies else ROUNDS
     return max(0, math.ceil(_one_tree_bound(_between(options, groups), rounds) - 1e-6))
 
 
 def _groups(options: Options) -> list[frozenset[str]]:
-    """Who may be reached by one leg: a company, or a person of their own."""
+    """Sets of people that one leg can reach: a group, or a single person."""
     companies = [frozenset(company.members) for company in options.companies.values()]
     members = frozenset[str]().union(*companies)
     return [*companies, *(frozenset([name]) for name in options.people if name not in members)]
 
 
 def _between(options: Options, groups: list[frozenset[str]]) -> Costs:
-    """The least cost between any two groups, either way; first the start, and last the end, which is free.
+    """Minimum cost between any two groups in either direction; the start is first, the free end last.
 
-    Half of a dislike counts on the way there and half on the way on, so that the costs have no direction.
+    Half of a side's preference cost counts on the leg to it and half on the leg from it: costs are symmetric.
     """
     import numpy as np
 
@@ -63,7 +63,7 @@ def _between(options: Options, groups: list[frozenset[str]]) -> Costs:
             way = leg - dislikes[end] / 2 + (0 if start == START else dislikes[start] / 2)
             _lower(costs, origin, goal, way)
         elif start in kept[end.place]:
-            # What is offered may be fetched on the way; the way to where it is kept counts apart.
+            # An offered object may be fetched on the way; the leg to its location is counted separately.
             for origin in range(len(groups) + 1):
                 _lower(costs, origin, goal, leg - dislikes[end] / 2)
     np.fill_diagonal(costs, FAR)
@@ -75,19 +75,18 @@ def _lower(costs: Costs, one: int, other: int, way: float) -> None:
 
 
 def _one_tree_bound(costs: Costs, rounds: int) -> float:
-    """The best of the bounds while the prices follow how far the trees are from a tour.
+    """The best bound of all rounds, with prices updated by the degrees of the 1-tree.
 
     Args:
-        costs: Between any two, shape (n, n); the last one joins the tour's ends.
-        rounds: The first one is without prices.
+        costs: Costs between groups, shape (n, n); the last node joins the tour's ends.
+        rounds: Number of rounds; the first is without prices.
     """
     import numpy as np
 
-    # Subgradient ascent on the Lagrangian dual (Held and Karp 1971). A tour has two legs at every place,
-    # the cheapest tree need not: a price on places with more legs than two, and a reward on those with one,
-    # leave the order of tours as it is, since each tour pays the same, and push the tree towards a tour.
-    # Every round gives a valid bound, so the best one stands, also where the rounds do not converge; the
-    # steps shrink geometrically so that they do.
+    # Subgradient ascent on the Lagrangian dual (Held and Karp 1971). In a tour every node has degree 2, in a
+    # minimum tree not necessarily. Prices on nodes of higher degree and rewards on nodes of degree 1 keep the
+    # order of tours, since each tour pays the same, and push the tree towards a tour. Every round gives a
+    # valid bound, so the best one is kept; the steps shrink geometrically so that the rounds converge.
     prices, best, step = np.zeros(len(costs)), 0.0, 0.0
     for k in range(rounds):
         tree_cost, degrees = _one_tree(costs + prices[:, None] + prices)
@@ -102,12 +101,12 @@ def _one_tree_bound(costs: Costs, rounds: int) -> float:
 
 
 def _one_tree(costs: Costs) -> tuple[float, NDArray[np.int64]]:
-    """The cheapest tree over all but the last, which joins the first and the cheapest; and all degrees."""
+    """The minimum 1-tree: the cheapest tree over all nodes but the last, plus its two edges; all degrees."""
     import numpy as np
     from scipy.sparse.csgraph import minimum_spanning_tree
 
     inner = costs[:-1, :-1]
-    lift = 1.0 - float(inner.min())  # an edge of no cost would count as none
+    lift = 1.0 - float(inner.min())  # an edge of cost 0 would count as missing
     tree = minimum_spanning_tree(np.triu(inner + lift, 1)).tocoo()
     ends = np.array([0, 1 + int(np.argmin(costs[-1, 1:-1]))])
     joined = np.concatenate([tree.row, tree.col, ends, [len(inner)] * 2])

@@ -1,4 +1,4 @@
-"""What it costs at least that some are greeted before others: by the best order for that alone."""
+"""Lower bound on the cost of waiting: the best order of greetings for that alone."""
 
 from __future__ import annotations
 
@@ -6,10 +6,9 @@ from comity_domain.choices.options import Options
 
 
 def least_waiting(options: Options) -> int:
-    """In cm, for everybody who has a priority.
+    """Minimum cost of waiting for everybody with a priority [cm].
 
-    Whoever is worth most goes first. Those of a company do not wait for each other, as they may be greeted
-    at once.
+    Highest priority first. Members of a group do not wait for each other, as they may be greeted at once.
     """
     worth = {name: person.priority for name, person in options.people.items() if not person.greeted}
     others = {
