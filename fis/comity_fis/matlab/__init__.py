@@ -1,1 +1,1 @@
-"""MATLAB's .fis files: reading and writing them, and checking that answers agree."""
+"""MATLAB's .fis files: reading and writing them, and checking that the inferred values agree."""

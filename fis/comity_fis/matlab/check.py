@@ -1,4 +1,4 @@
-"""How far the answers of an exported rulebook are from its own, over a sample of inputs."""
+"""Differences between an exported rulebook and the original, over a sample of inputs."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29)
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """The largest difference found."""
+    """The largest differences found."""
 
     inputs: int
-    """How many were tried."""
+    """Number of sampled inputs."""
     differences: Mapping[str, float]
-    """For every parameter, in its own unit."""
+    """Largest difference of every parameter, in its own unit."""
 
 
 def compare(rulebook: Rulebook, exported: Rulebook, samples: int = SAMPLES) -> Comparison:
-    """Infer with both, for inputs spread evenly over all variables (Halton 1960), everything disclosed.
+    """Infer with both rulebooks for inputs spread evenly over all variables (Halton 1960), all known.
 
     Args:
-        rulebook: With numeric parameters.
-        exported: The same, read back; categories are codes from 1 there.
-        samples: How many inputs.
+        rulebook: A rulebook with numeric parameters.
+        exported: The exported rulebook, read back; categories are codes from 1 there.
+        samples: Number of inputs.
     """
     worst = dict.fromkeys(rulebook.parameters, 0.0)
     for n in range(1, samples + 1):
@@ -47,7 +47,7 @@ def compare(rulebook: Rulebook, exported: Rulebook, samples: int = SAMPLES) -> C
 
 
 def _drawn(variable: Variable, place: float) -> tuple[float | str, float]:
-    """A value at a place in [0, 1) of the variable's domain, and what stands for it in the export."""
+    """The value at a quantile `place` in [0, 1) of the variable's domain, and its value in the export."""
     if isinstance(variable, NominalVariable):
         index = int(place * len(variable.categories))
         return variable.categories[index], index + 1.0
@@ -57,7 +57,7 @@ def _drawn(variable: Variable, place: float) -> tuple[float | str, float]:
 
 
 def _halton(n: int, base: int) -> float:
-    """The n-th number of the van der Corput sequence to a base."""
+    """The n-th number of the van der Corput sequence to a base, in [0, 1)."""
     place, part = 0.0, 1.0
     while n:
         part /= base

@@ -1,4 +1,4 @@
-"""A rulebook's variables and parameters as inputs and outputs of a `.fis` file, their terms as indexes."""
+"""A rulebook's variables and parameters as inputs and outputs of a `.fis` file, with indexed terms."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 SAMPLES = 101
-"""At which MATLAB looks at an output of a Mamdani system."""
+"""Number of points at which MATLAB samples the output of a Mamdani system."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,23 +44,23 @@ class MatlabVariable:
     low: float
     high: float
     shapes: Mapping[str, Shape]
-    """Terms in the file's order."""
+    """Membership functions by term, in the file's order."""
     index: Mapping[str, int]
-    """What stands for a term in a rule: its number from 1, negative for the complement of another one."""
+    """Index of each term in rules, from 1; negative for the complement of another term."""
     notes: tuple[str, ...] = ()
-    """What had to be changed, or could not be said."""
+    """What was changed, or could not be expressed."""
 
 
 def refuse_coarse(rulebook: Rulebook, tolerance: float | None) -> None:
-    """Refuse terms that no trapezoid comes near enough to, and say what would do for all of them.
+    """Reject terms that no trapezoid approximates well enough, and state the tolerance that would suffice.
 
     Args:
-        rulebook: With the terms.
-        tolerance: The largest error that a trapezoid in place of a curve may have; None refuses curves that
-            MATLAB does not know.
+        rulebook: The rulebook with the terms.
+        tolerance: Maximum error of a trapezoid that replaces a curve; None rejects curves that MATLAB does
+            not have.
 
     Raises:
-        InputError: for the term that is worst off.
+        InputError: A term exceeds the tolerance; the worst one is named.
     """
     numeric = [v for v in rulebook.variables.values() if isinstance(v, NumericVariable)]
     outputs = [p for p in rulebook.parameters.values() if isinstance(p, NumericParameter)]
@@ -93,10 +93,10 @@ def input_column(variable: Variable) -> MatlabVariable:
     """A variable as an input.
 
     Args:
-        variable: Numeric as it is; the categories of a nominal one become the codes 1, 2, ....
+        variable: A numeric variable is kept; the categories of a nominal one become the codes 1, 2, ....
 
     Raises:
-        InputError: if a term has no counterpart.
+        InputError: A term has no counterpart.
     """
     if isinstance(variable, NominalVariable):
         return _coded(variable)
@@ -107,11 +107,11 @@ def output_column(parameter: Parameter, *, sugeno: bool = False) -> MatlabVariab
     """A parameter as an output.
 
     Args:
-        parameter: A number.
-        sugeno: Whether its terms, all of them singletons, are the constants of a Sugeno system.
+        parameter: A numeric parameter.
+        sugeno: Whether its terms, all singletons, are the constants of a Sugeno system.
 
     Raises:
-        InputError: if it is nominal, or a term has no counterpart.
+        InputError: The parameter is nominal, or a term has no counterpart.
     """
     if not isinstance(parameter, NumericParameter):
         raise InputError(
@@ -132,7 +132,7 @@ def output_column(parameter: Parameter, *, sugeno: bool = False) -> MatlabVariab
 
 
 def _sampled(x: float, low: float, high: float) -> bool:
-    """Whether MATLAB looks at a value of an output's range."""
+    """Whether MATLAB samples this value of an output's range."""
     steps = (x - low) / (high - low) * (SAMPLES - 1)
     return abs(steps - round(steps)) < 1e-9
 
@@ -159,7 +159,7 @@ def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMe
 
 
 def _shape(term: NumericMembership, ends: tuple[float, float]) -> tuple[Shape, float | None]:
-    """A term in MATLAB's words, and the error of a replacement; None where it is the same function."""
+    """A term as a MATLAB shape, and the approximation error; None if the function is identical."""
     if isinstance(term, Curved):
         return Shape(term.matlab, term.parameters), None
     if isinstance(term, Trapezoid):
@@ -178,7 +178,7 @@ def _straight(term: Trapezoid) -> Shape:
 
 
 def _coded(variable: NominalVariable) -> MatlabVariable:
-    """Triangles with their tops on the codes: at a code, every degree is 1 or 0, as it was for the word."""
+    """Triangles that peak at the codes: at a code every degree is 1 or 0, as it is for the category."""
     codes = {category: code for code, category in enumerate(variable.categories, 1)}
     shapes = {
         category: Shape("trimf", (code - 1.0, float(code), code + 1.0)) for category, code in codes.items()

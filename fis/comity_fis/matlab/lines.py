@@ -1,4 +1,4 @@
-"""MATLAB's `.fis` files as sections of keys and values, each with its line; what they mean is read elsewhere.
+"""Splits a `.fis` file into sections of keys and values with line numbers; `reader` interprets them.
 
 The format is line based: `[System]`, `Name='tipper'`, `Range=[0 30]`, rules as rows of indexes, comments
 after `%` (GNU Octave: `#`) outside quotes.
@@ -26,43 +26,43 @@ CODE = re.compile(r"""(?:[^'"%#]|'[^']*'|"[^"]*")*""")
 """A line up to its comment."""
 NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,4})?|[Ii]nf|NaN)")
 WHOLE = re.compile(r"([-+]?\d{1,9})(?:\.0*)?")
-"""Some programs write every number with decimals, `1.000`."""
+"""An integer; some programs write every number with decimals, `1.000`."""
 
 
 @dataclass(frozen=True, slots=True)
 class MatlabLine:
-    """What stands on one line: the value of a key, or a rule."""
+    """One line of a file: the value of a key, or a rule."""
 
     text: str
     where: Where
 
     def wrong(self, expected: str, remedy: str) -> InputError:
-        """A complaint about this line."""
+        """The error for this line."""
         got = self.text if len(self.text) <= 60 else f"{self.text[:57]}..."
         return InputError(expected=expected, got=repr(got), remedy=remedy, where=self.where)
 
     def words(self) -> str:
-        """The text between quotes."""
+        """The text in quotes."""
         match = TEXT.fullmatch(self.text)
         if match is None:
             raise self.wrong("a text in single quotes", "Write for example 'tipper'.")
         return match[1] if match[1] is not None else match[2]
 
     def count(self, most: int, least: int = 1) -> int:
-        """A whole number from `least` to `most`."""
+        """An integer from `least` to `most`."""
         number = whole(self.text)
         if number is None or not least <= number <= most:
             raise self.wrong(f"a whole number from {least} to {most}", "Split a larger system.")
         return number
 
     def number(self, text: str) -> float:
-        """One number of the line, which may be infinite."""
+        """One number of the line; it may be infinite."""
         if not NUMBER.fullmatch(text) or isnan(float(text)):
             raise self.wrong(f"a number where {text[:20]!r} stands", "Write for example 0.5 or 1e-3.")
         return float(text)
 
     def numbers(self, text: str) -> tuple[float, ...]:
-        """Numbers between square brackets."""
+        """The numbers in square brackets."""
         text = text.strip()
         if not (text.startswith("[") and text.endswith("]")):
             raise self.wrong("numbers between square brackets", "Write for example [0 0.5 1].")
@@ -70,14 +70,14 @@ class MatlabLine:
 
 
 def whole(text: str) -> int | None:
-    """A whole number, with or without decimals that are 0; None for any other text."""
+    """An integer, possibly with decimals that are 0; None for any other text."""
     match = WHOLE.fullmatch(text)
     return int(match[1]) if match else None
 
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """What follows one `[...]` line."""
+    """The lines after a `[...]` line."""
 
     name: str
     where: Where
@@ -89,7 +89,7 @@ class Section:
         """The value of a key.
 
         Raises:
-            InputError: if it is missing.
+            InputError: The key is missing.
         """
         if key not in self.entries:
             raise InputError(
@@ -101,21 +101,21 @@ class Section:
         return self.entries[key]
 
     def refuse_others(self, known: Sequence[str]) -> None:
-        """Refuse a key that nobody reads: what it means would be lost."""
+        """Reject an unknown key: ignoring it would lose information."""
         for key, entry in self.entries.items():
             if key not in known:
                 raise unknown_word(f"a known key in [{self.name}]", key, known, where=entry.where)
 
 
 def sections_of(text: str, name: str) -> Mapping[str, Section]:
-    """The sections of a file's text, by name and in its order.
+    """The sections of a file's text, by name, in file order.
 
     Args:
-        text: All of it.
-        name: How messages call the file.
+        text: The whole text.
+        name: Name of the file in messages.
 
     Raises:
-        InputError: if a line has no form that a `.fis` file knows.
+        InputError: A line is not valid in a `.fis` file.
     """
     sections: dict[str, Section] = {}
     section: Section | None = None
@@ -156,7 +156,7 @@ def read_text(path: Path, name: str) -> str:
     """A file's text.
 
     Raises:
-        InputError: if it cannot be read, is too large, or is no text.
+        InputError: The file cannot be read, is too large, or is not text.
     """
 
     def refuse(got: str, remedy: str) -> InputError:
@@ -181,7 +181,7 @@ def read_text(path: Path, name: str) -> str:
 
 
 def _decoded(content: bytes) -> str:
-    """UTF-8, UTF-16 where a mark says so, else what MATLAB on Windows writes: every byte a Latin letter."""
+    """Decode as UTF-8, as UTF-16 if there is a byte-order mark, or else as Latin-1 (MATLAB on Windows)."""
     if content.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
         return content.decode("utf-16", errors="replace")
     for encoding in ("utf-8-sig", "cp1252"):

@@ -1,12 +1,11 @@
-"""From a `.fis` file to a rulebook: what MATLAB's format says, and a declared choice for what it cannot say.
+"""Reads a `.fis` file into a rulebook, with a declared choice for what the format cannot express.
 
 A `.fis` file names no sources, units, or people. The rulebook's only source is the file itself, evidence
-`design`; variables are of kind `situation`, since nothing says that they tell who a person is; the neutral
-value is the middle of the range, which MATLAB gives where no rule fires; a person may ask for the whole
-range.
+`design`. Variables are of kind `situation`, since nothing says that they describe a person. The neutral value
+is the middle of the range, as in MATLAB if no rule fires. A person may ask for any value in the range.
 
-A Sugeno system of order 0 is one whose output terms are constants: singletons, scaled by their rules, summed
-up, and averaged.
+In a zero-order Sugeno system output terms are constants: singletons, scaled by their rules' strengths,
+summed, and averaged.
 """
 
 from __future__ import annotations
@@ -47,23 +46,23 @@ METHOD_KEYS = {
     "DefuzzMethod": "defuzzification",
 }
 OF_SUGENO = {"implication": "prod", "aggregation": "sum", "defuzzification": "centroid"}
-"""What MATLAB does in a Sugeno system, whatever its file says."""
+"""MATLAB's methods for a Sugeno system, whatever its file says."""
 
 UNUSED = {"conjunction": And, "disjunction": Or}
-"""Methods that only some rules need, with the condition that needs them."""
+"""Methods that only some rules need, each with the kind of condition that needs it."""
 
 COUNT_KEYS = ("NumInputs", "NumOutputs", "NumRules")
 STRAIGHT = {"trimf": 3, "trapmf": 4, "linsmf": 2, "linzmf": 2}
-"""MATLAB's straight membership functions, with their number of parameters."""
+"""MATLAB's piecewise linear membership functions, with their number of parameters."""
 
 SUGENO = ("constant", "linear")
-"""Terms of a Sugeno output: a number, or a linear function of the inputs."""
+"""Terms of a Sugeno output: a constant, or a linear function of the inputs."""
 
 TERM = re.compile(r"('[^']*'|\"[^\"]*\")\s*:\s*('[^']*'|\"[^\"]*\")\s*,\s*(\[[^\]]*\]|[-+.\w]+)")
 UNIT = "units"
-"""The file names none."""
+"""Placeholder unit: the file has none."""
 MakeTerm = Callable[[MatlabLine, str, tuple[float, ...], Interval], NumericMembership]
-"""From a line, the kind of term that it names, its numbers and the variable's range."""
+"""Makes a term from a line, the term's type, its numbers and the variable's range."""
 
 
 def read_fis(path: Path, name: str | None = None) -> Rulebook:
@@ -71,10 +70,10 @@ def read_fis(path: Path, name: str | None = None) -> Rulebook:
 
     Args:
         path: The file.
-        name: How messages call it; the path when None.
+        name: Name of the file in messages; None: the path.
 
     Raises:
-        InputError: with file and line, for whatever the file says that a rulebook cannot say.
+        InputError: The file contains something that a rulebook cannot express; with file and line.
     """
     name = name or str(path)
     return parse_fis(read_text(path, name), name)
@@ -84,11 +83,11 @@ def parse_fis(text: str, name: str) -> Rulebook:
     """The rulebook that the text of a `.fis` file describes.
 
     Args:
-        text: All of it.
-        name: How messages call the file.
+        text: The whole text.
+        name: Name of the file in messages.
 
     Raises:
-        InputError: with file and line, for whatever the text says that a rulebook cannot say.
+        InputError: The text contains something that a rulebook cannot express; with file and line.
     """
     sections = sections_of(text, name)
     system = _system(sections)
@@ -123,7 +122,7 @@ def parse_fis(text: str, name: str) -> Rulebook:
 
 @dataclass(frozen=True, slots=True)
 class _Variable:
-    """An input or an output, before it is known which."""
+    """An input or an output, not yet distinguished."""
 
     name: str
     range: Interval
@@ -173,7 +172,7 @@ class _Variable:
 
     @property
     def _reach(self) -> Interval:
-        """The range, and the constants beyond it: MATLAB does not keep a Sugeno output within its range."""
+        """The range, extended to constants outside it: MATLAB does not clip a Sugeno output to its range."""
         if not self.sugeno:
             return self.range
         places = [place for term in self.terms.values() for place in term.knots]
@@ -206,7 +205,7 @@ def _title(system: Section, file: str) -> str:
 
 
 def _methods(system: Section, rules: Sequence[Rule], *, sugeno: bool) -> Methods:
-    """A method that is left empty, as some programs do, is MATLAB's default where no rule needs it."""
+    """The methods; an empty one, as some programs write, is MATLAB's default if no rule needs it."""
     chosen: dict[str, str] = {}
     needed = {type(rule.antecedent) for rule in rules}
     for key, method in METHOD_KEYS.items():
@@ -234,7 +233,7 @@ def _methods(system: Section, rules: Sequence[Rule], *, sugeno: bool) -> Methods
 
 
 def _numbered(sections: Mapping[str, Section], system: Section, kind: str) -> list[Section]:
-    """`[Input1]`, `[Input2]`, ...: as many as the system says, and no others."""
+    """The sections `[Input1]`, `[Input2]`, ...: as many as the system declares, and no others."""
     counted = system.entry(f"Num{kind}s")
     count = counted.count(MAX_VARIABLES)
     wanted = [f"{kind}{i}" for i in range(1, count + 1)]
@@ -261,7 +260,7 @@ def _rules(sections: Mapping[str, Section], system: Section) -> list[MatlabLine]
 
 
 def _variable(section: Section, constant: MakeTerm | None = None) -> _Variable:
-    """An input or an output; CONSTANT makes the terms of a Sugeno output."""
+    """An input or an output; `constant` makes the terms of a Sugeno output."""
     entry = section.entry("Range")
     ends = entry.numbers(entry.text)
     if len(ends) != 2 or not -inf < ends[0] < ends[1] < inf:
@@ -333,7 +332,7 @@ def _membership(
 
 
 def _corners(kind: str, numbers: tuple[float, ...], domain: Interval) -> tuple[float, ...]:
-    """The trapezoid that is the same over the variable's range."""
+    """Corners of the trapezoid that equals the function over the variable's range."""
     match kind:
         case "trimf":
             a, b, d = numbers
@@ -352,7 +351,7 @@ def _corners(kind: str, numbers: tuple[float, ...], domain: Interval) -> tuple[f
 
 
 def _checked_name(entry: MatlabLine, name: str) -> str:
-    """The name without blanks around it, which MATLAB's editor leaves where one was typed."""
+    """The name without the surrounding blanks that MATLAB's editor keeps."""
     name = name.strip()
     if not re.fullmatch(NAME_PATTERN, name) or len(name) > LONGEST_NAME:
         raise entry.wrong(

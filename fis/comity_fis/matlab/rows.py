@@ -1,7 +1,7 @@
-"""A `.fis` file's rules: rows of indexes, such as `1 -2 0, 3 (0.5) : 1`, and what they say in words.
+"""Translates a `.fis` file's rules, rows of indexes such as `1 -2 0, 3 (0.5) : 1`, to rules in words.
 
-One index per input, one per output, the weight, and 1 for `and` or 2 for `or`. An index counts a variable's
-terms from 1; 0 leaves the variable out, a negative one means `not`. A weight of 0 turns a rule off.
+One index per input, one per output, the weight, and 1 for `and` or 2 for `or`. Indexes count a variable's
+terms from 1; 0 omits the variable, a negative index means `not`. A weight of 0 disables a rule.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ ROW = re.compile(r"([^,()]*),([^,()]*)\(([^()]*)\)\s*:\s*(\S*)")
 def read_rows(
     rows: Sequence[MatlabLine], *, inputs: Terms, outputs: Terms, source: Source, constants: bool = False
 ) -> tuple[Rule, ...]:
-    """The rules; rows that conclude nothing are none.
+    """The rules; rows without a conclusion are skipped.
 
     Args:
-        rows: Of the file.
-        inputs: With their terms.
-        outputs: With their terms.
-        source: Of all rules.
-        constants: Whether the outputs' terms are constants, which have no opposites.
+        rows: The rule lines of the file.
+        inputs: Inputs with their terms.
+        outputs: Outputs with their terms.
+        source: Source of all rules.
+        constants: Whether the outputs' terms are constants, which cannot be negated.
 
     Raises:
-        InputError: for an index, a weight or a connective that stands for nothing.
+        InputError: An index, weight or connective is invalid.
     """
     read = [_parts(row, inputs, outputs) for row in rows]
     for parts in read:
@@ -50,13 +50,13 @@ def read_rows(
 
 
 class _Parts(NamedTuple):
-    """What a row holds."""
+    """The parts of a row."""
 
     row: MatlabLine
     reads: tuple[tuple[Is, bool], ...]
-    """What it reads, and whether the opposite is meant."""
+    """Antecedents, each with whether it is negated."""
     concludes: tuple[tuple[Is, bool], ...]
-    """The same of what it concludes."""
+    """Consequents, each with whether it is negated."""
     weight: float
     connective: int | None
 
@@ -93,7 +93,7 @@ def _rule(number: int, parts: _Parts, outputs: Terms, source: Source) -> Rule:
 
 
 def _opposite(row: MatlabLine, is_: Is, outputs: Terms) -> Is:
-    """A negative conclusion: a term of its own."""
+    """The conclusion for a negative index: a separate, complementary term."""
     opposite = negated(is_.term)
     if opposite in outputs[is_.name] or len(opposite) > LONGEST_NAME:
         raise row.wrong(f"a term of {is_.name!r} that can be called {opposite!r}", "Rename or shorten it.")
@@ -101,7 +101,7 @@ def _opposite(row: MatlabLine, is_: Is, outputs: Terms) -> Is:
 
 
 def negated(term: str) -> str:
-    """What the term of a negative index in a consequent is called."""
+    """Name of the term for a negative index in a consequent."""
     return f"not {term}"
 
 
@@ -119,7 +119,7 @@ def _condition(parts: _Parts) -> Condition:
 
 
 def _literals(row: MatlabLine, text: str, variables: Terms, kind: str) -> Iterator[tuple[Is, bool]]:
-    """Every variable that a row does not leave out, with the term, and whether that is negated."""
+    """Every variable with a nonzero index in a row, with its term and whether it is negated."""
     words = text.split()
     if len(words) != len(variables):
         raise row.wrong(f"{len(variables)} {kind} indexes, one for each {kind}", "Correct the row.")

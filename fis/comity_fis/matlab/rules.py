@@ -1,7 +1,7 @@
 """A rulebook's rules as rows of a `.fis` file: `and` or `or` over single terms, each variable once in a row.
 
-A rule that mixes both is written as several rows that mean the same together; that holds for min, max and
-aggregation by max, where both distribute, and for no other methods.
+A rule that mixes both becomes several rows with the same meaning. This is valid only for min, max and
+aggregation by max, which are distributive.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from comity_fis.rules.methods import DUAL, Methods
 from comity_fis.rules.rule import And, Condition, Hedged, Is, Not, Or, Rule
 
 MAX_ROWS = 200
-"""Of one rule."""
+"""Maximum number of rows for one rule."""
 
 Indexes = Mapping[str, Mapping[str, int]]
-"""For every input or output its terms' indexes."""
+"""Term indexes of every input or output."""
 
 Literal = tuple[str, int]
 """A variable's name and the index of a term, negative for `not`."""
@@ -32,14 +32,14 @@ class MatlabRule:
     concludes: Mapping[str, int]
     weight: float
     either: bool
-    """Whether one of the inputs suffices (`or`)."""
+    """Whether the connective is `or`."""
 
 
 def rows_of(rule: Rule, inputs: Indexes, outputs: Indexes, methods: Methods) -> tuple[MatlabRule, ...]:
-    """The rows that mean what the rule means.
+    """The rows that are equivalent to a rule.
 
     Raises:
-        InputError: if there are none.
+        InputError: No such rows exist.
     """
     condition = _inward(rule.antecedent, rule, methods, negated=False)
     conclusions = list(_conclusions(rule, outputs))
@@ -57,7 +57,7 @@ def rows_of(rule: Rule, inputs: Indexes, outputs: Indexes, methods: Methods) -> 
 
 
 def _inward(condition: Condition, rule: Rule, methods: Methods, *, negated: bool) -> Condition:
-    """`not` moved to the single terms by De Morgan's laws."""
+    """Push `not` down to the single terms by De Morgan's laws."""
     if isinstance(condition, Is):
         return Not(condition) if negated else condition
     if isinstance(condition, Not):
@@ -78,7 +78,7 @@ def _inward(condition: Condition, rule: Rule, methods: Methods, *, negated: bool
 
 
 def _flat(condition: Condition, rule: Rule, inputs: Indexes) -> tuple[dict[str, int], bool] | None:
-    """A condition that is one row as it stands, and whether it is an `or`; None for any other."""
+    """A condition that fits one row unchanged, and whether it is an `or`; None for any other."""
     parts = condition.parts if isinstance(condition, And | Or) else (condition,)
     literals = [_literal(part, rule, inputs) for part in parts if isinstance(part, Is | Not)]
     if len(literals) < len(parts) or len({name for name, _ in literals}) < len(literals):
@@ -89,7 +89,7 @@ def _flat(condition: Condition, rule: Rule, inputs: Indexes) -> tuple[dict[str, 
 def _alternatives(
     condition: Condition, rule: Rule, inputs: Indexes, methods: Methods
 ) -> Iterator[dict[str, int]]:
-    """The condition as alternatives, each an `and` over single terms."""
+    """The condition in disjunctive normal form: alternatives, each an `and` of single terms."""
     if (methods.conjunction, methods.disjunction, methods.aggregation) != ("min", "max", "max"):
         raise _refusal(
             rule,
@@ -148,7 +148,7 @@ def _literal(part: Is | Not, rule: Rule, inputs: Indexes) -> Literal:
 
 
 def _conclusions(rule: Rule, outputs: Indexes) -> Iterator[dict[str, int]]:
-    """The consequents, in as many rows as the parameter named most often needs."""
+    """The consequents, in as many rows as a parameter is concluded at most."""
     rows: list[dict[str, int]] = []
     for is_ in rule.consequents:
         index = outputs[is_.name][is_.term]

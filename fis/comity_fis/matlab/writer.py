@@ -1,4 +1,4 @@
-"""From a rulebook to a `.fis` file, with a list of what such a file cannot say."""
+"""Writes a rulebook as a `.fis` file, with a list of what such a file cannot express."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ from comity_fis.rulebook.sugeno import is_sugeno
 from comity_fis.variables.parameter import NumericParameter
 
 FIRST_LINE = "% Written by Comity"
-"""How a file that may be overwritten starts."""
+"""First line that marks a file as safe to overwrite."""
 
 
 @dataclass(frozen=True, slots=True)
 class Exported:
-    """A `.fis` file's text, and what became of the rulebook in it."""
+    """The text of a `.fis` file, and how it differs from the rulebook."""
 
     text: str
     changed: tuple[str, ...]
-    """What stands in the file in another form: codes for words, trapezoids for curves, rows for a rule."""
+    """Content in another form: codes for categories, trapezoids for curves, several rows for a rule."""
     lost: tuple[str, ...]
-    """What stands in the file's comments at most, where no program reads it."""
+    """Content that is lost, or only in comments, which no program reads."""
 
 
 def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported:
     """The rulebook as a `.fis` file.
 
     Args:
-        rulebook: With numeric parameters, and rules that read variables only.
-        tolerance: The largest error of a trapezoid that stands for a curve MATLAB does not have; None
-            refuses such curves.
+        rulebook: A rulebook with numeric parameters, and rules that read only variables.
+        tolerance: Maximum error of a trapezoid that replaces a curve MATLAB does not have; None rejects such
+            curves.
 
     Raises:
-        InputError: for whatever changes an answer and has no counterpart.
+        InputError: Something that affects the values has no counterpart.
     """
     inputs = [input_column(variable) for variable in rulebook.variables.values()]
     sugeno = is_sugeno(rulebook)
@@ -75,7 +75,7 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
 def _rows_that_are_off(
     rulebook: Rulebook, reads: Indexes, gives: Indexes
 ) -> dict[int, tuple[MatlabRule, ...]]:
-    """Rules that are off as rows of weight 0, by number, where they can be rows."""
+    """Disabled rules as rows of weight 0, by rule number, if they can be rows."""
     off: dict[int, tuple[MatlabRule, ...]] = {}
     for rule in rulebook.rules:
         if not rule.enabled:
@@ -86,7 +86,7 @@ def _rows_that_are_off(
 
 
 def _refuse_shifts(rulebook: Rulebook) -> None:
-    """A `.fis` file knows one domain per output: what the situation adds to a value has no place in it."""
+    """Reject situational shifts: a `.fis` file has one domain per output and no place for them."""
     for name, block in rulebook.program.shifts.items():
         raise InputError(
             expected="a rulebook whose values no situation moves, for a .fis file",
@@ -96,11 +96,11 @@ def _refuse_shifts(rulebook: Rulebook) -> None:
 
 
 def _lost(rulebook: Rulebook, off_rows: Collection[int]) -> Iterator[str]:
-    """What MATLAB does not know of, as far as this rulebook says it.
+    """What the rulebook expresses and a `.fis` file cannot.
 
     Args:
-        rulebook: What was written.
-        off_rows: Numbers of rules that are off, and stand in the file with weight 0.
+        rulebook: The rulebook that was written.
+        off_rows: Numbers of disabled rules that are in the file with weight 0.
     """
     yield "sources and evidence of rules (comments only), kinds, levels and units"
     yield "an input that is not disclosed; MATLAB wants a number for each"
@@ -179,5 +179,5 @@ def _vector(numbers: Iterable[float]) -> str:
 
 
 def _number(x: float) -> str:
-    """The shortest text that reads back as the same number."""
+    """The shortest text that parses to the same number."""
     return str(int(x)) if x == int(x) and abs(x) < 1e15 else repr(x)

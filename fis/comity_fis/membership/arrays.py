@@ -1,4 +1,4 @@
-"""Degrees of many numbers at once."""
+"""Vectorised membership degrees."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 
 @np.errstate(over="ignore")  # steep edges, exp and powers may overflow on the way to a degree of 0 or 1
 def degrees(term: Membership, xs: Floats) -> Floats:
-    """The degrees of numbers, in an array of the same shape."""
+    """Degrees of an array of numbers, in the same shape."""
     match term:
         case Trapezoid():
             return _trapezoid(term, xs)
@@ -38,7 +38,7 @@ def degrees(term: Membership, xs: Floats) -> Floats:
 
 
 def _trapezoid(term: Trapezoid, xs: Floats) -> Floats:
-    """An edge may be vertical."""
+    """Degrees of a trapezoid, whose edges may be vertical."""
     a, b, c, d = term.knots
     rising = (xs - a) / (b - a) if a < b else np.where(xs >= b, 1.0, 0.0)
     falling = (d - xs) / (d - c) if c < d else np.where(xs <= c, 1.0, 0.0)

@@ -1,8 +1,8 @@
 """MATLAB's curved membership functions, under MATLAB's names and with its parameters in its order.
 
-Their degrees are scikit-fuzzy's, which is imported when the first one is asked for.
-Its straight ones (trimf, trapmf, linsmf, linzmf) are trapezoids. Where GNU Octave's toolkit differs (it cuts
-a negative `dsigmf` off at 0, and wants whole exponents for `gbellmf`), MATLAB's definition stands.
+The degrees come from scikit-fuzzy, which is imported at first use. MATLAB's piecewise linear functions
+(trimf, trapmf, linsmf, linzmf) are trapezoids. Where GNU Octave's toolkit differs (it clips a negative
+`dsigmf` at 0 and requires integer exponents for `gbellmf`), MATLAB's definition is used.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 WIDTHS = range(-6, 7)
-"""Knots stand a width apart, up to six widths from a centre: farther away a curve has no feature to miss."""
+"""Knots are one width apart, up to six widths from a centre; beyond that a curve is featureless."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,40 +30,40 @@ class Curved:
     """A smooth membership function; its fields are MATLAB's parameters."""
 
     matlab: ClassVar[str]
-    """What MATLAB calls it."""
+    """Name in MATLAB."""
 
     def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
+        """Degree of `x`, in [0, 1]."""
         import numpy as np
 
         return float(self.degrees(np.array([x]))[0])
 
     def degrees(self, xs: Floats) -> Floats:
-        """The degrees of numbers, in an array of the same shape."""
+        """Degrees of an array of numbers, in the same shape."""
         import numpy as np
         import skfuzzy
 
-        with np.errstate(over="ignore"):  # on the way to a degree of 0 or 1
+        with np.errstate(over="ignore"):  # intermediate values may overflow where the degree is 0 or 1
             found = np.abs(self._by(skfuzzy, xs.ravel()))  # MATLAB's dsigmf is the absolute difference
         return np.asarray(found.reshape(xs.shape))
 
     def _by(self, skfuzzy: Any, xs: Floats) -> Any:
-        """What scikit-fuzzy's function gives, whose parameters are in the same order but for some."""
+        """The value of scikit-fuzzy's function; its parameters mostly have the same order."""
         return getattr(skfuzzy, self.matlab)(xs, *self.parameters)
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Ascending places between which the function is smooth and turns once at most."""
+        """Ascending points between which the function is smooth and has at most one extremum."""
         raise NotImplementedError
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """The knots, and places between them where the function turns."""
+        """The knots and the local extrema between them."""
         return self.knots
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """In MATLAB's order."""
+        """The parameters in MATLAB's order."""
         return tuple([getattr(self, field.name) for field in fields(self)])
 
     def height(self, low: float, high: float) -> float:
@@ -77,7 +77,7 @@ class Curved:
 
 @dataclass(frozen=True, slots=True)
 class _WidthFirst(Curved):
-    """In MATLAB the width or the slope comes before the centre, in scikit-fuzzy after it."""
+    """MATLAB has the width or slope before the centre, scikit-fuzzy after it."""
 
     def _by(self, skfuzzy: Any, xs: Floats) -> Any:
         numbers = self.parameters
@@ -98,7 +98,7 @@ class Gaussian(_WidthFirst):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Around the centre."""
+        """Knots around the centre."""
         return _around((self.centre, abs(self.sigma)))
 
 
@@ -116,7 +116,7 @@ class TwoSidedGaussian(Curved):
         self._refuse_unless(self.left_sigma != 0 and self.right_sigma != 0, "sigmas that are not 0")
 
     def _by(self, skfuzzy: Any, xs: Floats) -> Any:
-        """The product of both sides: scikit-fuzzy's own refuses crossed centres."""
+        """The product of both sides: scikit-fuzzy's own function rejects crossed centres."""
         import numpy as np
 
         rise = skfuzzy.gaussmf(np.minimum(xs, self.left_centre), self.left_centre, self.left_sigma)
@@ -125,12 +125,12 @@ class TwoSidedGaussian(Curved):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Around both centres."""
+        """Knots around both centres."""
         return _around((self.left_centre, abs(self.left_sigma)), (self.right_centre, abs(self.right_sigma)))
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """The knots, and places between them where the function turns."""
+        """The knots and the local extrema between them."""
         return _turns(self)
 
 
@@ -150,7 +150,7 @@ class Bell(Curved):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Around the centre and both places of degree 1/2, where a large exponent makes the flank steep."""
+        """Knots around the centre and both points of degree 1/2: a large exponent makes flanks steep."""
         width = abs(self.width)
         flank = width / max(1.0, 2 * self.exponent)
         sides = self.centre - width, self.centre + width
@@ -170,7 +170,7 @@ class Sigmoid(_WidthFirst):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Around the centre."""
+        """Knots around the centre."""
         return _around((self.centre, 2 / abs(self.slope)))
 
 
@@ -186,7 +186,7 @@ class _TwoSigmoids(_WidthFirst):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Around both centres."""
+        """Knots around both centres."""
         return self._around_both
 
     @property
@@ -197,7 +197,7 @@ class _TwoSigmoids(_WidthFirst):
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """The knots, and places between them where the function turns."""
+        """The knots and the local extrema between them."""
         return _turns(self)
 
 
@@ -209,7 +209,7 @@ class SigmoidDifference(_TwoSigmoids):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Around both centres, and at the corner of the absolute difference, where the sigmoids are equal."""
+        """Knots around both centres, and at the kink where the two sigmoids are equal."""
         if self.first_slope == self.second_slope:
             return self._around_both
         shift = self.first_slope * self.first_centre - self.second_slope * self.second_centre
@@ -236,7 +236,7 @@ class SShape(Curved):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Where one parabola passes into the next."""
+        """The points where the parabolas start, join and end."""
         return self.foot, (self.foot + self.shoulder) / 2, self.shoulder
 
 
@@ -253,7 +253,7 @@ class ZShape(Curved):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Where one parabola passes into the next."""
+        """The points where the parabolas start, join and end."""
         return self.shoulder, (self.shoulder + self.foot) / 2, self.foot
 
 
@@ -274,20 +274,20 @@ class PiShape(Curved):
         )
 
     def _by(self, skfuzzy: Any, xs: Floats) -> Any:
-        """The product of both sides: scikit-fuzzy's own refuses crossed shoulders."""
+        """The product of both sides: scikit-fuzzy's own function rejects crossed shoulders."""
         rise = skfuzzy.smf(xs, self.left_foot, self.left_shoulder)
         return rise * skfuzzy.zmf(xs, self.right_shoulder, self.right_foot)
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Where one parabola passes into the next."""
+        """The points where the parabolas start, join and end."""
         left = self.left_foot, (self.left_foot + self.left_shoulder) / 2, self.left_shoulder
         right = self.right_shoulder, (self.right_shoulder + self.right_foot) / 2, self.right_foot
         return tuple(sorted((*left, *right)))
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """The knots, and places between them where the function turns."""
+        """The knots and the local extrema between them."""
         return _turns(self)
 
 
@@ -305,15 +305,15 @@ CURVED: dict[str, type[Curved]] = {
         PiShape,
     )
 }
-"""By MATLAB's name."""
+"""Curved shapes by MATLAB's name."""
 
 
 def _around(*centres: tuple[float, float]) -> tuple[float, ...]:
-    """Knots around several centres, each with the width of the curve there."""
+    """Knots around several centres, each given with the width of the curve there."""
     return tuple(sorted({centre + k * width for centre, width in centres for k in WIDTHS}))
 
 
 @lru_cache(maxsize=1024)
 def _turns(curve: Curved) -> tuple[float, ...]:
-    """Found by search, once for each curve."""
+    """Local extrema, found by search once per curve."""
     return turning_places(curve, curve.knots)

@@ -1,4 +1,4 @@
-"""Membership functions: to which degree in [0, 1] a value belongs to a linguistic term."""
+"""Membership functions: the degree in [0, 1] to which a value belongs to a linguistic term."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Membership(Protocol):
     """A fuzzy set over the real numbers."""
 
     def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
+        """Degree of `x`, in [0, 1]."""
         ...
 
     def height(self, low: float, high: float) -> float:
@@ -28,7 +28,7 @@ class Membership(Protocol):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Ascending places between which the function is smooth; a quadrature starts from them."""
+        """Ascending points between which the function is smooth; quadrature starts from them."""
         ...
 
 
@@ -52,7 +52,7 @@ class Trapezoid:
             )
 
     def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
+        """Degree of `x`, in [0, 1]."""
         if self.b <= x <= self.c:
             return 1.0
         if x <= self.a or x >= self.d:
@@ -78,7 +78,7 @@ class Trapezoid:
 
 @dataclass(frozen=True, slots=True)
 class Singleton:
-    """1 at one place and 0 everywhere else: the constant that a zero-order Sugeno rule concludes."""
+    """1 at one value and 0 elsewhere: the constant that a zero-order Sugeno rule concludes."""
 
     place: float
 
@@ -87,7 +87,7 @@ class Singleton:
             raise WrongValueError(expected="a singleton at a finite place", got=self.place)
 
     def __call__(self, x: float) -> float:
-        """The degree of `x`, 0 or 1."""
+        """Degree of `x`, 0 or 1."""
         return 1.0 if x == self.place else 0.0
 
     def height(self, low: float, high: float) -> float:
@@ -96,12 +96,12 @@ class Singleton:
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """The place."""
+        """The value."""
         return (self.place,)
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """The place."""
+        """The value."""
         return (self.place,)
 
 
@@ -120,23 +120,23 @@ class Bump:
             )
 
     def __call__(self, x: float) -> float:
-        """The bump's height at `x`."""
+        """Height of the bump at `x`."""
         off = (x - self.centre) / self.width
         return self.height * exp(-off * off)
 
 
 @dataclass(frozen=True, slots=True)
 class TwoTermGaussian:
-    """The sum of two bumps, cut off at 1: the shape that the paper fits to its clusters.
+    """The sum of two bumps, clipped at 1: the shape that the paper fits to its clusters.
 
-    Heights are at least 0: a negative one fits the c-means memberships better and has negative memberships.
+    Heights are at least 0: a negative one fits the c-means memberships better, but yields negative degrees.
     """
 
     first: Bump
     second: Bump
 
     def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
+        """Degree of `x`, in [0, 1]."""
         return min(self.first(x) + self.second(x), 1.0)
 
     def height(self, low: float, high: float) -> float:
@@ -145,9 +145,9 @@ class TwoTermGaussian:
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Both centres, the places up to three widths from them in steps of half a width, and the corners.
+        """Both centres, points up to three widths from them in steps of half a width, and the kinks.
 
-        Corners are where the sum is cut off at 1.
+        Kinks are where the sum is clipped at 1.
         """
         bumps = (self.first, self.second)
         places = {bump.centre + k / 2 * bump.width for bump in bumps for k in range(-6, 7)}
@@ -157,19 +157,19 @@ class TwoTermGaussian:
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """The knots, and places between them where the function turns."""
+        """The knots and the local extrema between them."""
         return _turns(self)
 
 
 @lru_cache(maxsize=1024)
 def _cut_off(term: TwoTermGaussian) -> tuple[float, ...]:
-    """Where the sum of the bumps passes 1."""
+    """The points where the sum of the bumps crosses 1."""
     bumps = (term.first, term.second)
 
     def excess(x: float) -> float:
         return sum(bump(x) for bump in bumps) - 1
 
-    # Six widths from its centre, a bump is at 2e-16 of its height: no sum passes 1 beyond.
+    # Six widths from its centre a bump is at 2e-16 of its height: no sum crosses 1 beyond.
     knots = sorted({bump.centre + k / 2 * bump.width for bump in bumps for k in range(-12, 13)})
     places = turning_places(excess, knots)
     return tuple(crossing(excess, a, b) for a, b in pairwise(places) if (excess(a) > 0) != (excess(b) > 0))
@@ -182,12 +182,12 @@ def _turns(term: TwoTermGaussian) -> tuple[float, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Complement:
-    """`1 - part`: what a negative index in a rule's consequent concludes."""
+    """`1 - part`: the conclusion of a negative index in a consequent."""
 
     part: NumericMembership
 
     def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
+        """Degree of `x`, in [0, 1]."""
         return 1.0 - self.part(x)
 
     def height(self, low: float, high: float) -> float:
@@ -196,12 +196,12 @@ class Complement:
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Those of the part."""
+        """The knots of the part."""
         return self.part.knots
 
     @property
     def turns(self) -> tuple[float, ...]:
-        """Those of the part."""
+        """The extrema of the part."""
         return self.part.turns
 
 
@@ -221,10 +221,10 @@ class Categories:
 
 
 def everywhere(domain: Interval) -> Trapezoid:
-    """The set that is 1 on the whole domain: what is known when nothing is known."""
+    """The universal set: 1 on the whole domain, for an unknown value."""
     return Trapezoid(domain.low, domain.low, domain.high, domain.high)
 
 
 def is_straight(term: NumericMembership) -> bool:
-    """Whether a membership function is made of straight lines."""
+    """Whether a membership function is piecewise linear."""
     return isinstance(term.part if isinstance(term, Complement) else term, Trapezoid | Singleton)

@@ -26,13 +26,13 @@ class Interval:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Low and high, as a curve's domain wants them."""
+        """Low and high as a tuple."""
         return self.low, self.high
 
     def clamp(self, x: float) -> float:
-        """The member of the interval nearest to `x`."""
+        """The nearest number in the interval."""
         return min(max(x, self.low), self.high)
 
     def covers(self, other: Interval) -> bool:
-        """Whether every member of `other` is a member."""
+        """Whether the interval contains `other`."""
         return self.low <= other.low and other.high <= self.high

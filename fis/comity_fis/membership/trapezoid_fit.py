@@ -1,4 +1,4 @@
-"""The trapezoid nearest to a curved membership function: for formats that have no other shape for it."""
+"""Fits a trapezoid to a curved membership function, for formats without other shapes."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 SAMPLES = 2001
-"""Of the range; the error is the largest at any of them."""
+"""Number of sample points over the range; the error is the maximum over them."""
 
 
 @lru_cache(maxsize=64)
 def nearest_trapezoid(term: NumericMembership, low: float, high: float) -> tuple[Trapezoid, float]:
-    """A trapezoid whose largest error over [low, high] is small, and that error.
+    """A trapezoid with a small maximum error over [low, high], and that error.
 
-    A local search from several starts (Nelder and Mead 1965), the same one each time. Corners may lie
-    outside the range, where nothing is ever asked.
+    A local search (Nelder and Mead 1965) from several fixed starts. Corners may lie outside the range, where
+    the function is never evaluated.
     """
     from scipy.optimize import minimize
 
@@ -50,7 +50,7 @@ def nearest_trapezoid(term: NumericMembership, low: float, high: float) -> tuple
 
 
 def _start(xs: Floats, wanted: Floats, foot: float, shoulder: float) -> Floats:
-    """Corners where the term crosses two levels; beyond the range where it does not come down within it."""
+    """Corners where the term crosses two levels; outside the range if it does not fall within it."""
     span, top = xs[-1] - xs[0], wanted.max()
     above_foot, above_shoulder = xs[wanted >= foot * top], xs[wanted >= shoulder * top]
     a, d = above_foot[0], above_foot[-1]

@@ -1,4 +1,4 @@
-"""Where a function turns: places between which it only rises or only falls."""
+"""Local extrema of a function: the points between which it is monotonic."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ Function = Callable[[float], float]
 GOLDEN = (5**0.5 - 1) / 2
 
 SAME = 1e-12
-"""Values that differ by less are the same: what turns by less does not turn."""
+"""Tolerance: values that differ by less are equal."""
 
 
 def turning_places(function: Function, knots: Sequence[float]) -> tuple[float, ...]:
-    """The knots, and between them every place where the function turns.
+    """The knots and every local extremum between them.
 
     Args:
-        function: With at most one peak and one valley between neighbouring knots, and none beyond them.
+        function: At most one maximum and one minimum between neighbouring knots, and none beyond them.
         knots: Ascending.
     """
     turns = {
@@ -31,7 +31,7 @@ def turning_places(function: Function, knots: Sequence[float]) -> tuple[float, .
 
 
 def extreme(function: Function, sign: int, low: float, high: float) -> float:
-    """Where the largest value in [low, high] is, the smallest for sign -1: golden-section search for one."""
+    """Location of the maximum in [low, high], or minimum for sign -1, by golden-section search."""
     best = max((sign * function(x), x) for x in (low, high))
     for _ in range(60):  # 0.618^60 is below 1e-12
         left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
@@ -42,12 +42,12 @@ def extreme(function: Function, sign: int, low: float, high: float) -> float:
 
 
 def largest(function: Function, places: Sequence[float], low: float, high: float) -> float:
-    """The largest value in [low, high] of a function that turns at some of the places only."""
+    """The maximum in [low, high] of a function whose extrema are among `places`."""
     return max(function(x) for x in (low, *(x for x in places if low < x < high), high))
 
 
 def crossing(function: Function, low: float, high: float) -> float:
-    """Where a function that differs in sign at both ends is 0, by bisection."""
+    """Root of a function that changes sign between the ends, by bisection."""
     rises = function(high) > 0
     for _ in range(60):
         middle = (low + high) / 2

@@ -1,1 +1,1 @@
-"""Rulebooks: variables, parameters and rules as one, answers for one person or many, and YAML files."""
+"""Rulebooks of variables, parameters and rules: inference for one person or many, and YAML files."""

@@ -1,7 +1,7 @@
-"""From what the rules give to what stands: the situation and what was learnt move it, limits hold it.
+"""Adjusts inferred values by the situation and by learning, and limits them to allowed and safe ranges.
 
-`value = safety(setting, or culture + situation + learnt)`. What a person explicitly asked for is moved by
-nothing but safety (`composition.asked_number`).
+`value = safety(setting, or culture + situation + learnt)`. A person's explicit request is changed only by
+safety (`composition.asked_number`).
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ from comity_fis.variables.parameter import NumericParameter, Parameter
 def adjusted(
     value: ParameterValue, parameter: Parameter, shift: ParameterValue | None, learnt: Learnt | None
 ) -> ParameterValue:
-    """A value moved by the situation and what was learnt, within what may be asked for, and what is safe.
+    """A value shifted by the situation and by learning, within the requestable and the safe range.
 
-    The steps are summed before anything is limited, so that their order does not matter. The desirability
-    curve moves along with the value. Nothing moves a setting, or a category.
+    The shifts are summed before limits apply, so their order does not matter. The desirability curve shifts
+    along with the value. Settings and categories are not shifted.
 
     Args:
-        value: What the rules give, the neutral value, or a setting.
-        parameter: What it is a value of.
-        shift: By how much the situation moves it; None for nothing.
-        learnt: What meetings with the person taught about it; None for nothing.
+        value: The inferred value, the neutral value, or a setting.
+        parameter: Its parameter.
+        shift: Shift by the situation; None for none.
+        learnt: Correction learnt from encounters with the person; None for none.
     """
     if not isinstance(parameter, NumericParameter) or value.asked_for:
         return value
@@ -61,7 +61,7 @@ def _steps(shift: ParameterValue | None, learnt: Learnt | None) -> list[Contribu
 
 
 def _limits(parameter: NumericParameter, wanted: float, mover: Origin) -> list[Contribution]:
-    """What the two ranges take away: the first in the name of what moved the value that far."""
+    """The reductions by the two ranges; the first is attributed to what shifted the value that far."""
     asked = parameter.ask.clamp(wanted)
     safe = parameter.safe.clamp(asked)
     limits = []
@@ -79,7 +79,7 @@ def _end(interval: Interval, beyond: float) -> str:
 
 
 def _last_origin(steps: Sequence[Contribution], otherwise: Origin) -> Origin:
-    """Of the last step that changed something."""
+    """Origin of the last step that changed something."""
     for step in reversed(steps):
         if step.value != 0:
             return step.origin

@@ -1,4 +1,4 @@
-"""A rulebook as a control system of scikit-fuzzy: `skfuzzy.control`, with its terms sampled on a grid."""
+"""Converts a rulebook to a scikit-fuzzy control system (`skfuzzy.control`), with terms sampled on a grid."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Floats = NDArray[np.float64]
 
 LEAST_POINTS, MOST_POINTS = 11, 100_001
 LABEL = "rule {}"
-"""Of a rule in the control system, by its number in the rulebook."""
+"""Label of a rule in the control system, by its number in the rulebook."""
 
 COUNTERPARTS: Mapping[str, tuple[str, ...]] = {
     "conjunction": ("min", "prod"),
@@ -38,8 +38,8 @@ COUNTERPARTS: Mapping[str, tuple[str, ...]] = {
     "aggregation": ("max",),
     "defuzzification": ("centroid", "bisector"),
 }
-"""The methods that `skfuzzy.control` evaluates as Comity does. It picks a maximum (mom, som, lom) among the
-points of its grid, which may be one of another term that is as high but for the grid's error."""
+"""Methods that `skfuzzy.control` evaluates as Comity does. It takes maxima (mom, som, lom) over its grid
+points; by grid error this may be another term's equally high maximum."""
 
 
 def control_system(
@@ -54,7 +54,7 @@ def control_system(
         )
     rules = [rule for rule in rules if rule.enabled]
     _refuse(program, parameters, rules)
-    from skfuzzy import control  # importing it takes most of a second
+    from skfuzzy import control  # the import takes most of a second
 
     read = dict.fromkeys(name for rule in rules for name in rule.reads)
     inputs: dict[str, Any] = {}
@@ -76,7 +76,7 @@ def control_system(
 
 
 def _refuse(program: Program, parameters: Mapping[str, Parameter], rules: list[Rule]) -> None:
-    """Refuse what changes an answer and has no counterpart in `skfuzzy.control`."""
+    """Reject features that affect values and have no counterpart in `skfuzzy.control`."""
     _refuse_reads(program, parameters, rules)
     _refuse_outputs(program, parameters, rules)
     for field, known in COUNTERPARTS.items():
@@ -116,7 +116,7 @@ def _refusal(expected: str, got: str) -> InputError:
 
 
 def _universe(low: float, high: float, terms: Iterable[NumericMembership], points: int) -> Floats:
-    """Even places, every corner, and the nearest places beside it that make a vertical edge."""
+    """An even grid plus every corner, and the nearest floats next to corners with a vertical edge."""
     knots = np.array([knot for term in terms for knot in term.knots], dtype=np.float64)
     beside = np.spacing(max(abs(low), abs(high)))
     places = np.concatenate([np.linspace(low, high, points), knots - beside, knots, knots + beside])
@@ -125,7 +125,7 @@ def _universe(low: float, high: float, terms: Iterable[NumericMembership], point
 
 
 def _graded(xs: Floats, terms: Iterable[NumericMembership]) -> Floats:
-    """More places the nearer to a corner: a root, which a hedge may take, rises there with no bound."""
+    """Additional points, denser near corners: a hedge may take a root, whose slope is unbounded there."""
     knots = np.array([knot for term in terms for knot in term.knots], dtype=np.float64)
     steps = (xs[-1] - xs[0]) * 2.0 ** -np.arange(4, 40)
     places = np.concatenate([xs, np.add.outer(knots, steps).ravel(), np.subtract.outer(knots, steps).ravel()])
@@ -164,7 +164,7 @@ def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], met
 
 
 def _condition(condition: Condition, inputs: Mapping[str, Any]) -> Any:
-    """A condition in scikit-fuzzy's operators; a hedged term is a term of its own, `very high`."""
+    """A condition with scikit-fuzzy's operators; a hedged term becomes a separate term, `very high`."""
     if isinstance(condition, Is):
         return inputs[condition.name][condition.term]
     if isinstance(condition, Hedged):

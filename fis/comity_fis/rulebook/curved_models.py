@@ -15,7 +15,7 @@ Four = Annotated[Numbers, Field(min_length=4, max_length=4)]
 
 
 def _fits(name: str) -> AfterValidator:
-    """Let the shape say whether it takes its numbers."""
+    """Let the shape validate its numbers."""
 
     def checked(numbers: list[float]) -> list[float]:
         CURVED[name](*numbers)
@@ -40,5 +40,5 @@ class MatlabShapesModel(BaseModel):
     pimf: Annotated[Four, _fits("pimf")] | None = None
 
     def curved(self) -> Curved:
-        """The shape whose key is there."""
+        """The shape whose key is given."""
         return next(shape(*numbers) for name, shape in CURVED.items() if (numbers := getattr(self, name)))

@@ -1,4 +1,4 @@
-"""What a parameter depends on: the variables and parameters that its rules read, also indirectly."""
+"""Dependencies of a parameter: the variables and parameters that its rules read, also indirectly."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from comity_fis.rulebook.rulebook import Rulebook
 
 @dataclass(frozen=True, slots=True)
 class Dependencies:
-    """Everything that can change one parameter of one person."""
+    """Everything that can affect one parameter of one person."""
 
     inputs: tuple[str, ...]
     """Variables, in declared order."""
     parameters: tuple[str, ...]
-    """The parameter itself first, then those behind it."""
+    """The parameter itself, then those it depends on."""
     reads: Mapping[str, tuple[str, ...]]
-    """What each of the parameters reads itself; nothing where a setting replaced its rules."""
+    """What each parameter's rules read directly; empty if a setting replaced the rules."""
 
 
 def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Dependencies:
-    """What one parameter depends on, given what this person asked for."""
+    """The dependencies of a parameter, given this person's settings."""
     reads: dict[str, tuple[str, ...]] = {}
     waiting = [parameter]
     while waiting:

@@ -1,6 +1,6 @@
-"""The form of a rulebook file: what may stand where, and of which type.
+"""Schema of a rulebook file: the keys and their types.
 
-How the parts refer to each other is checked where the rulebook is built from them (`rulebook_file`).
+References between parts are checked when the rulebook is built from the models (`rulebook_file`).
 """
 
 from __future__ import annotations
@@ -61,14 +61,14 @@ from comity_fis.variables.variable import (
 )
 
 LARGEST = 1e12
-"""Of any number: no quantity that a robot meets is larger, and its cube is far from overflowing."""
+"""Maximum magnitude of any number: above any quantity a robot meets, with a cube far from overflow."""
 
 MAX_RULES = 20_000
 MAX_NAMES = 1_000
-"""Variables, parameters, categories: each."""
+"""Maximum number of variables, of parameters, and of categories."""
 
 MAX_TERMS = 100
-"""Of one variable or parameter over numbers."""
+"""Maximum number of terms of a numeric variable or parameter."""
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
 Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
@@ -89,11 +89,11 @@ LONGEST_NAME = 80
 Name = Annotated[
     str, BeforeValidator(_plain), StringConstraints(pattern=NAME_PATTERN, max_length=LONGEST_NAME)
 ]
-"""Names that are no plain words stand in quotes in a rule, so that they may hold spaces but no quotes."""
+"""Names that are not plain words are quoted in rules, so they may contain spaces but no quotes."""
 
 
 def _fits(build: Callable[[list[float]], object]) -> AfterValidator:
-    """Let the record that the numbers are for say whether it takes them."""
+    """Let the record built from the numbers validate them."""
 
     def checked(numbers: list[float]) -> list[float]:
         build(numbers)
@@ -120,9 +120,9 @@ class TermModel(MatlabShapesModel):
 
     trapezoid: Corners | None = None
     two_term_gaussian: Annotated[list[BumpNumbers], Field(min_length=2, max_length=2)] | None = None
-    """Twice height, centre, width."""
+    """Two bumps: height, centre and width of each."""
     singleton: Number | None = None
-    """The one value at which it is 1."""
+    """The one value with degree 1."""
     complement: TermModel | None = None
     """1 minus another shape."""
 
@@ -149,7 +149,7 @@ class TermModel(MatlabShapesModel):
 
 
 class CoercionModel(_Model):
-    """A declared step to a higher level of measurement."""
+    """A declared treatment of a variable at a higher level of measurement."""
 
     to: Literal["interval", "ratio"]
     reason: Words
@@ -164,19 +164,19 @@ TableName = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
 
 
 class Tables(NamedTuple):
-    """The tables that one variable names, read."""
+    """The tables that one variable names, loaded."""
 
     scores: PopulationTable[Score] | None = None
-    """What it is derived from."""
+    """The scores that the variable is derived from."""
     populations: PopulationTable[Population] | None = None
-    """What its categories are from."""
+    """The populations that are its categories."""
 
 
 NO_TABLES = Tables()
 
 
 class DerivationModel(_Model):
-    """Where a value comes from when the profile does not state it."""
+    """How a value is derived if the profile does not state it."""
 
     fact: Name
     table: TableName | None = Field(
@@ -232,18 +232,18 @@ class _VariableModel(_Model):
     kind: Literal["culture", "situation"]
     derived_from: DerivationModel | None = None
     reason: Words
-    """Why this domain and these terms: a source, or that it is our choice."""
+    """Reason for the domain and the terms: a source, or that it is our choice."""
 
 
 class NumericVariableModel(_VariableModel):
-    """A variable over numbers."""
+    """A numeric variable."""
 
     level: Literal["ordinal", "interval", "ratio"]
     range: Ends
     unit: Words | None = None
     coercion: CoercionModel | None = None
     terms: Annotated[dict[Name, TermModel], Field(max_length=MAX_TERMS)]
-    """None where no rule reads it."""
+    """Terms; empty if no rule reads the variable."""
     shapes: Shapes
     partition: PartitionModel | None = None
 
@@ -265,7 +265,7 @@ class NumericVariableModel(_VariableModel):
 
 
 class NominalVariableModel(_VariableModel):
-    """A variable over words."""
+    """A nominal variable."""
 
     level: Literal["nominal"]
     categories: Annotated[list[Name], Field(max_length=MAX_NAMES)] = []
@@ -292,15 +292,15 @@ class NominalVariableModel(_VariableModel):
 
 
 class OrdinalVariableModel(_VariableModel):
-    """A variable over words in an order."""
+    """An ordinal variable."""
 
     level: Literal["ordinal"]
     categories: list[Name]
-    """From the first to the last."""
+    """Categories from first to last."""
     numbered_from: Annotated[int, Field(strict=True)] | None = None
-    """The first one's number, where they are commonly numbered."""
+    """Number of the first category, if they are commonly numbered."""
     groups: dict[Name, Annotated[list[Name], Field(min_length=1)]] = {}
-    """Terms that stand for several consecutive categories."""
+    """Terms that cover several consecutive categories."""
 
     def build(self, name: str, tables: Tables = NO_TABLES) -> OrdinalVariable:
         """The variable."""
@@ -316,7 +316,7 @@ class OrdinalVariableModel(_VariableModel):
 
 
 def _form(written: object) -> str | None:
-    """Which model a variable is: ordinal values may be words, or numbers that a coercion treats as more."""
+    """Selects the model of a variable: ordinal values may be words, or numbers coerced to a higher level."""
     if not isinstance(written, Mapping) or "level" not in written:
         return None
     if written["level"] in ("interval", "ratio") or written.keys() & {"range", "terms"}:
@@ -337,7 +337,7 @@ VariableModel = Annotated[
 
 
 class SafeModel(_Model):
-    """What safety allows; a missing end sets no limit."""
+    """Safety limits; a missing end sets no limit."""
 
     at_least: Number | None = None
     at_most: Number | None = None
@@ -349,7 +349,7 @@ class SafeModel(_Model):
 
 
 class ShiftModel(_Model):
-    """How far the situation may move a parameter, in words."""
+    """How far the situation may shift a parameter, as linguistic terms."""
 
     range: Ends
     terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
@@ -367,7 +367,7 @@ class ShiftModel(_Model):
 
 
 class NumericReasons(_Model):
-    """Why these numbers: a source, or that they are our choice."""
+    """Reason for these numbers: a source, or that they are our choice."""
 
     ranges: Words
     terms: Words
@@ -376,7 +376,7 @@ class NumericReasons(_Model):
 
 
 class NumericParameterModel(_Model):
-    """A parameter over numbers."""
+    """A numeric parameter."""
 
     kind: Literal["action", "behaviour"]
     level: Literal["interval", "ratio"]
@@ -386,18 +386,18 @@ class NumericParameterModel(_Model):
     ask: Ends
     safe: SafeModel = SafeModel()
     terms: Annotated[dict[Name, TermModel], Field(max_length=MAX_TERMS)]
-    """None where no rule concludes it."""
+    """Terms; empty if no rule concludes the parameter."""
     shapes: Shapes
     neutral: Number
     spread: Number
     shift: ShiftModel | None = None
-    """What rules over situation variables may add."""
+    """Shift by rules over situation variables."""
     reasons: NumericReasons
 
     @field_validator("neutral")
     @classmethod
     def _in_range(cls, neutral: float, others: ValidationInfo) -> float:
-        """Look at it here as well as in the parameter, so that the complaint names its line."""
+        """Checked here as well as in the parameter, so that the error names this line."""
         rules = Interval(*others.data["rules"]) if "rules" in others.data else None
         if rules and neutral not in rules:
             raise WrongValueError(
@@ -427,27 +427,27 @@ class NumericParameterModel(_Model):
 
 
 class NominalReasons(_Model):
-    """Why these categories and this neutral one."""
+    """Reasons for these categories and the neutral one."""
 
     categories: Words
     neutral: Words
 
 
 class NominalParameterModel(_Model):
-    """A parameter over words."""
+    """A nominal parameter."""
 
     kind: Literal["action", "behaviour"]
     level: Literal["nominal"]
     categories: Annotated[list[Name], Field(min_length=1, max_length=MAX_NAMES)]
     requires: dict[Name, Words] = {}
-    """What must hold, and be known, before a category is permitted."""
+    """Condition that must be known to hold before a category is permitted."""
     neutral: Name
     reasons: NominalReasons
 
     @field_validator("neutral", mode="before")
     @classmethod
     def _permitted(cls, neutral: object, others: ValidationInfo) -> object:
-        """Look at it here as well as in the parameter, so that the complaint names its line."""
+        """Checked here as well as in the parameter, so that the error names this line."""
         guarded = others.data.get("requires", {})
         known = [category for category in others.data.get("categories", ()) if category not in guarded]
         if known and neutral not in known:
@@ -470,14 +470,14 @@ class NominalParameterModel(_Model):
 
 
 class SourceModel(_Model):
-    """A publication or a decision that rules rest on."""
+    """A publication or a decision that rules are based on."""
 
     citation: Words
     verified: Words
     found: Words | None = None
-    """What was found."""
+    """The finding."""
     measured: Words | None = None
-    """How it was measured, and with whom."""
+    """How it was measured, and with which participants."""
 
     def build(self, key: str) -> Source:
         """The source."""
@@ -493,15 +493,15 @@ class RuleModel(_Model):
     counter_evidence: Words | None = None
     note: Words | None = None
     weight: Annotated[Number, Field(gt=0, le=1)] = 1.0
-    """What the strength of the rule is multiplied by."""
+    """Factor on the firing strength of the rule, in (0, 1]."""
     enabled: Annotated[bool, Field(strict=True)] = True
-    """False: it is there to be read, and decides nothing."""
+    """False: the rule is documented but has no effect."""
     finding: Name | None = None
-    """The key of the finding that it states."""
+    """Key of the finding that the rule states."""
 
 
 class MethodsModel(_Model):
-    """How the rules are evaluated; MATLAB's names."""
+    """Inference methods, with MATLAB's names."""
 
     conjunction: Conjunction = "min"
     disjunction: Disjunction = "max"

@@ -1,4 +1,4 @@
-"""The table of scores that a rulebook names: the shipped one, or a CSV file beside the rulebook."""
+"""The table of scores that a rulebook names: a built-in one, or a CSV file next to the rulebook."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ def named_scores(
     """The table with a score for each of its rows.
 
     Args:
-        name: What the rulebook writes: `individualism`, or a path relative to the rulebook.
-        file: The rulebook's.
-        place: Where it names the table.
-        column: The heading of the scores, where it names that, too.
-        variable: Which follows from the table: a heading of that name is the one.
+        name: The name in the rulebook: `individualism`, or a path relative to the rulebook.
+        file: The rulebook's file.
+        place: Location of the name in the file.
+        column: Heading of the scores' column, if the rulebook names it.
+        variable: The derived variable; its name is the default heading.
 
     Raises:
-        InputError: if there is no such table, or it cannot be used; with file and line.
+        InputError: There is no such table, or it cannot be used; with file and line.
     """
     if name == INDIVIDUALISM:
         return individualism()
@@ -36,7 +36,7 @@ def named_scores(
 
 
 def named_populations(name: str, file: YamlFile, place: Location) -> PopulationTable[Population]:
-    """The table with all of its rows; arguments and refusals as for `named_scores`."""
+    """The table with all its rows; arguments and errors as for `named_scores`."""
     if name == INDIVIDUALISM:
         return individualism()
     with file.placing(*place):
@@ -45,10 +45,10 @@ def named_populations(name: str, file: YamlFile, place: Location) -> PopulationT
 
 
 def refuse_outside(variable: NumericVariable, scores: PopulationTable[Score], file: YamlFile) -> None:
-    """Refuse a score that is no value of the variable which follows from it.
+    """Reject a score outside the domain of the variable derived from it.
 
     Raises:
-        InputError: with the line in the table's file.
+        InputError: With the line in the table's file.
     """
     for row in scores.rows:
         if row.value not in variable.domain:
@@ -61,10 +61,10 @@ def refuse_outside(variable: NumericVariable, scores: PopulationTable[Score], fi
 
 
 def _found(name: str, file: YamlFile) -> tuple[Path, str]:
-    """A CSV file, whose ending may be left out, and what messages call it.
+    """A CSV file, given with or without extension, and its name in messages.
 
     Raises:
-        InputError: if there is none.
+        InputError: There is none.
     """
     for written in (name, f"{name}.csv"):
         path = file.path.parent / written

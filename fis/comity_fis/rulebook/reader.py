@@ -1,4 +1,4 @@
-"""From a rulebook file to a rulebook: every name that a part uses must stand for another part."""
+"""Builds a rulebook from a file: every name that a part uses must refer to another part."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from comity_fis.variables.parameter import Parameter
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 KEPT = 16
-"""Rulebooks that were compiled already; nothing changes one but its tables of scores."""
+"""Number of compiled rulebooks to cache; only changes of their score tables invalidate them."""
 
 
 def rulebook_from(file: YamlFile) -> Rulebook:
-    """The rulebook that a file describes, with the tables of scores that it names as they are now.
+    """The rulebook of a file, with the current content of the score tables that it names.
 
     Raises:
-        InputError: with the line of the first thing that cannot be used.
+        InputError: With the line of the first error.
     """
     model = _checked(file)
     return _compiled(file, tuple(_tables(name, variable, file) for name, variable in model.variables.items()))
@@ -57,7 +57,7 @@ def _tables(name: str, variable: VariableModel, file: YamlFile) -> Tables:
 
 @lru_cache(maxsize=KEPT)
 def _compiled(file: YamlFile, tables: tuple[Tables, ...]) -> Rulebook:
-    """The rulebook; `tables` are those of each variable in turn."""
+    """The rulebook; `tables` has the tables of each variable in order."""
     model = _checked(file)
     sources = {key: source.build(key) for key, source in model.sources.items()}
     variables = _variables(model, file, tables)
@@ -87,7 +87,7 @@ def _variables(model: RulebookModel, file: YamlFile, tables: tuple[Tables, ...])
 
 
 def _with_named_cultures(variables: dict[str, Variable], rules: tuple[Rule, ...]) -> dict[str, Variable]:
-    """The variables; those of cultures with the ones that rules name, so that an audit sees them."""
+    """The variables; culture variables get the categories that rules name, so that an audit sees them."""
     named = [is_ for rule in rules for is_ in literals(rule.antecedent)]
     return {
         name: variable.naming(is_.term for is_ in named if is_.name == name)
@@ -123,7 +123,7 @@ def _guards(
 
 @dataclass(frozen=True, slots=True)
 class _RuleReader:
-    """Reads one rule after the other against everything that rules may name."""
+    """Reads rules and resolves every name in them."""
 
     file: YamlFile
     sources: dict[str, Source]

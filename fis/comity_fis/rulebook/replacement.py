@@ -1,4 +1,4 @@
-"""A rule that takes another one's place."""
+"""Replaces a rule by another one."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def replaced_rule(
     """The new rule, with the number of the one that it replaces.
 
     Args:
-        rules: Of the rulebook.
-        variables: Of the rulebook.
-        parameters: Of the rulebook.
-        number: Of the rule to replace, from 1.
-        rule: The new one, or its text.
+        rules: Rules of the rulebook.
+        variables: Variables of the rulebook.
+        parameters: Parameters of the rulebook.
+        number: Number of the rule to replace, from 1.
+        rule: The new rule, or its text.
 
     Raises:
-        InputError: if there is no rule of that number, or the text cannot be read.
+        InputError: There is no rule of that number, or the text is invalid.
     """
     if not isinstance(number, int) or isinstance(number, bool) or not 1 <= number <= len(rules):
         raise InputError(

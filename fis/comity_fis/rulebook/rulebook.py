@@ -33,16 +33,16 @@ if TYPE_CHECKING:
     from comity_fis.inference.columns import Answers
 
 Inputs = Mapping[str, object]
-"""What is known of one person: a variable that is missing, None or NaN was not disclosed. A value is a number
-or a category, or something rougher: see `comity_fis.inference.known.known`."""
+"""Known values of one person: a variable that is missing, None or NaN is unknown. A value is a number, a
+category, or a fuzzy input: see `comity_fis.inference.known.known`."""
 
 Settings = Mapping[str, float | str]
-"""What one person explicitly asked for, by parameter."""
+"""Explicit requests of one person, by parameter."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rulebook:
-    """Variables, parameters and rules; immutable, no memory between calls, safe to share between threads."""
+    """Variables, parameters and rules; immutable, stateless, and thread-safe."""
 
     name: str
     description: str
@@ -51,13 +51,13 @@ class Rulebook:
     rules: tuple[Rule, ...]
     sources: Mapping[str, Source]
     methods: Methods = MAMDANI
-    """How the rules are evaluated."""
+    """Inference methods."""
     program: Program = field(init=False, repr=False, compare=False)
-    """The rules by what they decide."""
+    """The rules, grouped by the parameter they conclude."""
     coercions: Mapping[str, Coercion] = field(init=False, repr=False, compare=False)
-    """Of the variables that are used above their own level of measurement."""
+    """Coercions of the variables used above their own level of measurement."""
     facts: frozenset[str] = field(init=False, repr=False, compare=False)
-    """The names under which something can be told: of variables, and of facts that they are derived from."""
+    """Names of all accepted inputs: variables, and facts from which variables are derived."""
 
     def __post_init__(self) -> None:
         freeze(self, variables=self.variables, parameters=self.parameters, sources=self.sources)
@@ -86,18 +86,18 @@ class Rulebook:
         settings: Settings | None = None,
         learnt: Mapping[str, Learnt] | None = None,
     ) -> Inference:
-        """Every parameter for one person.
+        """Infer every parameter for one person.
 
         Args:
-            inputs: Values of variables; what is missing, None or NaN counts as not disclosed. A variable that
-                is derived from a fact follows from it, unless it is told itself.
-            mode: How degrees and centres of area are computed: exact, matlab or skfuzzy.
-            settings: What the person asked for; it replaces the rules, and only safety changes it.
-            learnt: What meetings with the person taught, by numeric parameter; it is added to what the rules
-                give, and a setting replaces it too.
+            inputs: Values of variables; missing, None or NaN means unknown. A variable derived from a fact is
+                computed from it, unless it is given itself.
+            mode: How degrees and centroids are computed: exact, matlab or skfuzzy.
+            settings: Explicit requests of the person; they replace the rules, and only safety changes them.
+            learnt: Corrections learnt from encounters with the person, by numeric parameter; added to the
+                inferred value, but not to a setting.
 
         Raises:
-            InputError: if a name, a value or the mode cannot be used.
+            InputError: A name, a value or the mode is invalid.
         """
         asked = {} if settings is None else self.checked_settings(settings)
         learnt = {} if learnt is None else learnt
@@ -119,30 +119,29 @@ class Rulebook:
         )
 
     def value(self, parameter: str, inputs: Inputs) -> float | str:
-        """One parameter's value for one person, as `infer` finds it.
+        """One parameter's value for one person, as `infer` computes it.
 
         Raises:
-            InputError: if a name or a value cannot be used.
+            InputError: A name or a value is invalid.
         """
         if not isinstance(parameter, str) or parameter not in self.parameters:
             raise _unknown_name(parameter, "parameter", self.parameters, self.name)
         return self.infer(inputs)[parameter].value
 
     def infer_many(self, columns: Columns) -> Answers:
-        """The value of every parameter for many people at once, as `infer` finds them one by one.
+        """Values of every parameter for many people at once, as `infer` computes them one by one.
 
         Args:
-            columns: By variable, a table of numpy arrays, lists or pandas: numbers, categories, or the
-                numbers of categories in declared order (-1: not disclosed), all of one length. None, NaN and
-                pandas' NA are not disclosed, and so is a variable that is missing; a variable that is derived
-                from a fact follows from that one's column. Other columns are ignored, with a note.
+            columns: By variable, a table of numpy arrays, lists or pandas columns of equal length: numbers,
+                categories, or category indexes in declared order (-1: unknown). None, NaN and pandas' NA are
+                unknown, and so is a missing variable. A variable derived from a fact is computed from the
+                fact's column. Other columns are ignored, with a note.
 
-        Returns:
-            By parameter, an array of float64, or of the categories' names; in `neutral` the rows for which
-            the rules have nothing to go on, in `notes` what was ignored.
+        By parameter, an array of float64 or of category names; `neutral` has the rows for which no rule had a
+        known input, `notes` the ignored columns.
 
         Raises:
-            InputError: if no column or a value cannot be used, with the number of its row, from 0.
+            InputError: No column is known, or a value is invalid; with its row number, from 0.
         """
         from comity_fis.inference.columns import infer_columns
         from comity_fis.rulebook.table import told_columns
@@ -153,15 +152,15 @@ class Rulebook:
     def to_skfuzzy(self, points: int = 1001) -> Any:
         """The rules as a `skfuzzy.control.ControlSystem`, for a simulation with all inputs given.
 
-        Its answers are these to within the error of its grid. Where no rule fires, a simulation has no
-        output; here the neutral value stands. Inputs that no rule reads are left out.
+        Its values agree with `infer` up to grid error. If no rule fires, a simulation has no output, whereas
+        `infer` gives the neutral value. Inputs that no rule reads are left out.
 
         Args:
-            points: Even places of every universe; the corners of the terms are added to them.
+            points: Number of even grid points of every universe; the corners of the terms are added.
 
         Raises:
-            InputError: for what `skfuzzy.control` has not: words as inputs or outputs, singletons, rules that
-                read a parameter, values that the situation moves, other methods.
+            InputError: Something has no counterpart in `skfuzzy.control`: nominal inputs or outputs,
+                singletons, rules that read a parameter, shifts by the situation, other methods.
         """
         from comity_fis.rulebook.control_system import control_system
 
@@ -171,12 +170,12 @@ class Rulebook:
         """The same rulebook with one rule replaced.
 
         Args:
-            number: Of the rule to replace, from 1.
-            rule: The new one, which takes over the number; or its text, which takes over nothing: sources and
-                evidence of the old rule do not speak for it.
+            number: Number of the rule to replace, from 1.
+            rule: The new rule, which takes over the number; or its text, which takes over neither sources nor
+                evidence of the old rule.
 
         Raises:
-            InputError: if there is no such rule, or the text cannot be read.
+            InputError: There is no such rule, or the text is invalid.
         """
         from comity_fis.rulebook.replacement import replaced_rule  # it imports the parser
 
@@ -187,7 +186,7 @@ class Rulebook:
         """A value or None for every variable, in declared order.
 
         Raises:
-            InputError: if a name is unknown or a value is outside its variable's domain.
+            InputError: A name is unknown, or a value is outside its variable's domain.
         """
         return self._checked(self._told(inputs)[0])
 
@@ -198,7 +197,7 @@ class Rulebook:
         }
 
     def _told(self, inputs: Inputs) -> tuple[Inputs, tuple[str, ...], Mapping[str, str]]:
-        """What is told, with what follows from it; notes; where scores come from, by variable."""
+        """The inputs with derived values; notes; and the origin of derived scores, by variable."""
         told: dict[str, Any] = {}
         for name in by_name(inputs):
             if name not in self.facts:
@@ -215,10 +214,10 @@ class Rulebook:
         return told, tuple(notes), sources
 
     def checked_settings(self, settings: Settings) -> dict[str, float | str]:
-        """The settings, each inside what a person may ask for; what a category requires is checked later.
+        """The settings, each within the requestable range; requirements of categories are checked later.
 
         Raises:
-            InputError: if a name is unknown or a value cannot be asked for.
+            InputError: A name is unknown, or a value cannot be requested.
         """
         for name in by_name(settings, "settings by the name of a parameter"):
             if name not in self.parameters:
@@ -226,21 +225,21 @@ class Rulebook:
         return {name: self.parameters[name].check(settings[name]) for name in by_name(settings)}
 
     def rules_for(self, parameter: str) -> tuple[Rule, ...]:
-        """The rules that give a parameter its value, in the rulebook's order; not those that only move it."""
+        """The rules that conclude a parameter's value, in the rulebook's order, without shift rules."""
         clauses = self.program.blocks[parameter].clauses
         return tuple({clause.rule.number: clause.rule for clause in clauses}.values())
 
     def reads(self, parameter: str) -> tuple[str, ...]:
-        """The variables and other parameters that a parameter's rules read, and those that only move it."""
+        """The variables and parameters that a parameter's rules read, including shift rules."""
         shift = self.program.shifts.get(parameter)
         return (*self.program.blocks[parameter].reads, *(shift.reads if shift else ()))
 
 
 def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:
-    """Parameters such that each comes after those that its rules read.
+    """Parameters in topological order: each after those that its rules read.
 
     Raises:
-        InputError: if they read each other in a circle.
+        InputError: Parameters depend on each other in a cycle.
     """
     reads = {name: [read for read in block.reads if read in blocks] for name, block in blocks.items()}
     try:

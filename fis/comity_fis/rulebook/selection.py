@@ -1,4 +1,4 @@
-"""A part of a rulebook: some of its parameters, with the rules and variables that decide them."""
+"""A part of a rulebook: some of its parameters, with the rules and variables they depend on."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from comity_fis.variables.parameter import NominalParameter, Parameter
 
 
 def selected(rulebook: Rulebook, names: Collection[str]) -> Rulebook:
-    """The rulebook with some of its parameters only, each inferred as it is in the whole.
+    """The rulebook reduced to some parameters, each inferred as in the full rulebook.
 
-    Parameters that their rules read come along. Rules are counted again, and one that concludes several
-    parameters keeps what it says about these.
+    Parameters that their rules read are included. Rules are renumbered; a rule that concludes several
+    parameters keeps only the conclusions about included ones.
 
     Args:
-        rulebook: The whole.
-        names: Of the parameters to keep.
+        rulebook: The full rulebook.
+        names: Names of the parameters to keep.
 
     Raises:
-        InputError: if there is no such parameter.
+        InputError: There is no such parameter.
     """
     for name in names:
         if name not in rulebook.parameters:
@@ -43,7 +43,7 @@ def _about(rules: Collection[Rule], parameters: Collection[str]) -> Iterator[Rul
 
 
 def _required(parameters: Collection[Parameter]) -> Iterator[str]:
-    """The variables that categories make a condition of."""
+    """The variables in the conditions that categories require."""
     for parameter in parameters:
         if isinstance(parameter, NominalParameter):
             for category in parameter.categories:

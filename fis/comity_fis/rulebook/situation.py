@@ -1,8 +1,8 @@
-"""The situation's own rules: by how much they move one parameter of one person.
+"""Shift rules: how much the situation shifts a parameter of one person.
 
-A rule counts here only where something that it reads is known. In the rules that give a value, what was not
-disclosed holds as possible, so that the answer lies between what either statement would get; a shift has a
-neutral answer, and what nobody said moves nothing.
+A shift rule counts only if one of its inputs is known. In the rules for a value, an unknown input fires with
+possibility 1, so that the value lies between those of the possible inputs. A shift has a neutral value, 0, so
+unknown inputs shift nothing.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ EVERYTHING = Interval(float("-inf"), float("inf"))
 def shift_blocks(
     parameters: Mapping[str, Parameter], rules: Sequence[Rule], methods: Methods
 ) -> dict[str, Block]:
-    """The rules of every parameter that the situation may move, where any of them are on."""
+    """The enabled shift rules, by parameter."""
     blocks = {
         name: block_of(_as_parameter(parameter), rules, methods)
         for name, parameter in parameters.items()
@@ -38,7 +38,7 @@ def shift_blocks(
 
 
 def shift_of(block: Block | None, person: DisclosedPerson) -> ParameterValue | None:
-    """By how much the situation moves a parameter, in its unit; None where no rule knows anything."""
+    """The situation's shift of a parameter, in its unit; None if no rule has a known input."""
     if block is None:
         return None
     told = [clause for clause in block.clauses if any(map(person.discloses, clause.rule.reads))]
@@ -52,10 +52,10 @@ def refuse_person_in_shift(
     variables: Mapping[str, Variable],
     parameters: Mapping[str, Parameter],
 ) -> None:
-    """Refuse a rule that moves a parameter and reads who a person is: that is for the other rules.
+    """Reject a shift rule that reads variables about the person: those belong in the other rules.
 
     Raises:
-        InputError: with the first name that is no variable of the situation.
+        InputError: With the first name that is not a situation variable.
     """
     moves = [is_ for is_ in consequents if is_.term not in parameters[is_.name].terms]
     for read in literals(antecedent) if moves else ():
@@ -69,7 +69,7 @@ def refuse_person_in_shift(
 
 
 def _as_parameter(parameter: NumericParameter) -> NumericParameter:
-    """The difference as a parameter of the same name, whose rules are those that conclude its terms."""
+    """The shift as a parameter of the same name, concluded by the shift rules."""
     shift = parameter.shift
     assert shift is not None
     return NumericParameter(

@@ -1,4 +1,4 @@
-"""Sugeno systems of order 0: every output is a mean of constants, weighted by their rules' strengths."""
+"""Zero-order Sugeno systems: every output is a mean of constants, weighted by firing strength."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def is_sugeno(rulebook: Rulebook) -> bool:
-    """Whether a rulebook is one: its numbers have singletons for terms, summed up, and their centre."""
+    """Whether a rulebook is one: numeric terms are singletons, aggregated by sum, defuzzified by centroid."""
     numbers = [one for one in rulebook.parameters.values() if isinstance(one, NumericParameter)]
     terms = [term for one in numbers for term in one.conclusions.values()]
     methods = rulebook.methods

@@ -1,4 +1,4 @@
-"""The columns of a table that a rulebook can use: those of its variables, and what follows from them."""
+"""The columns of a table that a rulebook can use: its variables, and facts they are derived from."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def told_columns(
     """The columns by variable, and notes.
 
     Args:
-        rulebook: Its name, for messages.
-        variables: Of the rulebook.
-        columns: Of the table.
+        rulebook: Name of the rulebook, for messages.
+        variables: Variables of the rulebook.
+        columns: Columns of the table.
 
     Raises:
-        InputError: if nothing in the table is known to the rulebook.
+        InputError: The rulebook knows no column of the table.
     """
     facts = told_names(variables)
     names = list(by_name(columns, "columns by the name of a variable"))
@@ -56,7 +56,7 @@ def _ignored(name: object, facts: Iterable[str]) -> str:
 def _derived_column(
     variables: Mapping[str, Variable], name: str, fact: str, columns: Columns
 ) -> tuple[NDArray[Any], list[str]]:
-    """What follows from a column of facts, and why nothing follows from some."""
+    """Values derived from a column of facts, and reasons where nothing can be derived."""
     variable, told = variables[name], variables.get(fact)
     words: Sequence[object] = (
         read_columns(variables, {fact: columns[fact]})[fact].words()
@@ -71,7 +71,7 @@ def _derived_column(
 
 
 def _by_word(words: Sequence[Any], follow: Callable[[Any], Derived]) -> dict[Any, Derived]:
-    """What follows from each word, worked out once; a refusal says in which row the word stands."""
+    """The value derived from each distinct word, computed once; an error names the word's row."""
     follows: dict[Any, Derived] = {}
     for row, word in enumerate(words):
         if word not in follows:

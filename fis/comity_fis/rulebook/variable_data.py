@@ -1,4 +1,4 @@
-"""A numeric variable as the plain values that a rulebook file holds below `variables:`."""
+"""Converts a numeric variable to the plain data below `variables:` in a rulebook file."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from comity_fis.variables.resolution import resolved
 from comity_fis.variables.variable import Derivation, NumericVariable
 
 DIGITS = 12
-"""Significant ones, of the variable's range: the fit itself is good to about nine."""
+"""Number of significant digits, relative to the variable's range: the fit is accurate to about nine."""
 
 
 def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dict[str, Any]:
-    """What a rulebook file says of a variable; reading it back gives the same one.
+    """A variable as data for a rulebook file; reading it back gives the same variable.
 
     Args:
-        variable: Over numbers.
-        digits: The significant ones that are kept; None: all of them.
+        variable: A numeric variable.
+        digits: Significant digits to keep; None: all.
     """
     coercion, derived, parts = variable.coercion, variable.derived_from, variable.partition
     span = variable.domain.high - variable.domain.low
@@ -54,7 +54,7 @@ def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dic
 
 
 def derivation_data(derivation: Derivation) -> dict[str, str]:
-    """What a rulebook file says of where a value comes from."""
+    """A derivation as data for a rulebook file."""
     table = derivation.table
     named = {} if table is None else {"table": table.name, "column": table.column}
     return {key: value for key, value in {"fact": derivation.fact, **named}.items() if value}
@@ -63,12 +63,13 @@ def derivation_data(derivation: Derivation) -> dict[str, str]:
 def term_data(
     term: NumericMembership, digits: int | None = DIGITS, span: float | None = None
 ) -> dict[str, Any]:
-    """What a rulebook file says of a membership function.
+    """A membership function as data for a rulebook file.
 
     Args:
         term: The function.
-        digits: The significant ones that are kept; None: all of them.
-        span: The width of the variable's range, where places are to be as fine as it needs.
+        digits: Significant digits to keep; None: all.
+        span: Width of the variable's range, to which positions are rounded; None: round relative to the
+            value.
     """
     match term:
         case Trapezoid():

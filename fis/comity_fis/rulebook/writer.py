@@ -1,4 +1,4 @@
-"""From a rulebook to the YAML file that describes it."""
+"""Writes a rulebook as a YAML file."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from comity_fis.variables.shift import Shift
 from comity_fis.variables.variable import NominalVariable, NumericVariable, OrdinalVariable
 
 FIRST_LINE = "# Written by Comity"
-"""How a file that may be overwritten starts."""
+"""First line that marks a file as safe to overwrite."""
 
 
 def rulebook_yaml(rulebook: Rulebook, origin: str, command: str = "comity convert") -> str:
     """The text of a rulebook file that reads back as the same rulebook.
 
     Args:
-        rulebook: Any rulebook; tables of scores are named as it named them.
+        rulebook: Any rulebook; score tables keep the names it uses.
         origin: What it was made from, for the first line.
-        command: What may overwrite it.
+        command: The command that may overwrite the file.
     """
     content: dict[str, Any] = {
         "schema_version": 1,
@@ -122,5 +122,5 @@ def _rule(rule: Rule) -> dict[str, Any]:
 
 
 def _stated(**keys: Any) -> dict[str, Any]:
-    """What is there; what is None is left out."""
+    """The given keys, without those that are None."""
     return {key: value for key, value in keys.items() if value is not None}
