@@ -1,4 +1,4 @@
-"""Who is in which group and meets the conditions in which order: drawn by a seed, in blocks."""
+"""Allocation of participants to groups and orders of conditions: seeded, in permuted blocks."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from comity.study.latin_square import balanced_orders
 from comity_fis.errors import WrongValueError
 
 GROUPS, ORDERS = 1, 2
-"""Streams of random numbers: another number of conditions leaves the groups as they are."""
+"""Random streams: a different number of conditions leaves the groups unchanged."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,11 +22,11 @@ class Session:
     participant: str
     """A code such as `P07`."""
     group: str
-    """Empty where there is only one."""
+    """Name of the group; empty if there is only one."""
     block: int
-    """From 1; the groups are equally large in each block."""
+    """Block number, from 1; the groups are equally large in each block."""
     conditions: tuple[str, ...]
-    """In the order in which the participant meets them."""
+    """Conditions in the participant's order."""
 
 
 def allocated(
@@ -39,19 +39,19 @@ def allocated(
 ) -> tuple[Session, ...]:
     """Sessions in the order of arrival.
 
-    Groups are drawn in permuted blocks (Pocock 1983, Clinical Trials, chapter 5), so that they stay of about
-    one size whenever the study ends. In each group the orders of a balanced Latin square come equally often,
-    in a drawn order. More participants change nothing for those before them.
+    Groups are drawn in permuted blocks (Pocock 1983, Clinical Trials, chapter 5), so that their sizes stay
+    similar whenever the study ends. In each group, the orders of a balanced Latin square are used equally
+    often, in random order. Additional participants leave earlier ones unchanged.
 
     Args:
-        participants: How many, from 1 up.
-        conditions: What each meets, each once.
-        groups: Between which participants are divided; none for one group.
-        block: Participants in a block, a multiple of the number of groups; twice that number without it.
-        seed: Of all that is drawn.
+        participants: Number of participants, at least 1.
+        conditions: Conditions that each participant meets, without duplicates.
+        groups: Groups that participants are divided into; empty for one group.
+        block: Participants per block, a multiple of the number of groups; twice that number by default.
+        seed: Seed of all random draws.
 
     Raises:
-        WrongValueError: for a block that the groups do not divide, or a name twice.
+        WrongValueError: for a block size that is no multiple of the number of groups, or a duplicate name.
     """
     names = tuple(groups) or ("",)
     size = block or 2 * len(names)
@@ -107,9 +107,9 @@ def sheet(session: Session, study: str, trials: int) -> str:
     """A participant's sheet to print and fill in by hand.
 
     Args:
-        session: The participant's.
-        study: What the study is called.
-        trials: Stop distances to write down for each condition.
+        session: The participant's session.
+        study: Name of the study.
+        trials: Number of stop distances to write down for each condition.
     """
     lines = [f"{study}: participant {session.participant}", ""]
     lines += [f"Group: {session.group}"] if session.group else []

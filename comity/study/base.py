@@ -1,4 +1,4 @@
-"""A scenario under one condition with all that it reads written out, so that it runs wherever it is sent."""
+"""A scenario under one condition, self-contained, so that it runs wherever it is sent."""
 
 from __future__ import annotations
 
@@ -34,23 +34,23 @@ if TYPE_CHECKING:
     from comity.study.design import StudyCondition
 
 ABOUT_TESTS = ("expect", "matrix", "markers", "about")
-"""What of a scenario no episode depends on."""
+"""Keys of a scenario that no episode depends on."""
 FILES = ("rulebook", "profile", "map")
-"""Keys whose words may name a file beside the study."""
+"""Keys whose values may name a file next to the study."""
 
 
 @dataclass(frozen=True, slots=True)
 class EpisodeBase:
-    """All that the episodes of one scenario under one condition share; plain values, to be sent anywhere."""
+    """Shared input of all episodes of one scenario under one condition; plain values, to be sent anywhere."""
 
     scenario: Mapping[str, Any]
-    """With its map, wordings and profiles written out, and without a rulebook."""
+    """The scenario with its map, wordings and profiles written out, and without a rulebook."""
     called: str
     rulebook: str
     """A shipped name, or the text of a rulebook whose tables are named by absolute paths."""
     rulebook_name: str
     digest: str
-    """Of all this by content, the tables of the rulebook included."""
+    """Digest of all this by content, including the tables of the rulebook."""
 
 
 def base_of(
@@ -64,17 +64,17 @@ def base_of(
     """A scenario under a condition.
 
     Args:
-        scenario: As written.
+        scenario: The scenario as written.
         condition: The values of the factors.
-        roles: The people of the scenario, by role.
-        folder: From which files start that factors name.
-        at: The day that the study takes facts on; None for the scenario's.
+        roles: People of the scenario, by role.
+        folder: Base folder of files named by factors.
+        at: Date for dated facts; None for the scenario's.
 
     Returns:
-        What is sent to workers, and the same scenario as a file, for checks.
+        The input for workers, and the same scenario as a file, for checks.
 
     Raises:
-        InputError: for a value that the scenario cannot have, a stored profile, or facts that need a day.
+        InputError: for a value that the scenario cannot have, a stored profile, or facts that need a date.
     """
     data = {key: part for key, part in scenario.file.data.items() if key not in ABOUT_TESTS}
     if at is not None:
@@ -109,14 +109,14 @@ def base_of(
 
 
 def _require_person(keys: Sequence[str], people: Collection[str], roles: Collection[str]) -> None:
-    """Refuse a path into a person whom the scenario has not; a person alone may be added whole."""
+    """Refuse a path into an unknown person; only a whole person may be added."""
     if keys[0] == "people" and len(keys) > 2 and keys[1] not in people:
         known = dict.fromkeys((*people, *roles))
         raise unknown_word("a person or a role of the scenario", keys[1], known)
 
 
 def _beside(folder: Path, key: str, value: Any) -> Any:
-    """A file that stands beside the study by its whole path; everything else as it is."""
+    """The absolute path of a file next to the study; any other value unchanged."""
     if key in FILES and isinstance(value, str) and value not in shipped_rulebooks():
         path = folder / value
         return str(path.absolute()) if path.is_file() else value
@@ -124,7 +124,7 @@ def _beside(folder: Path, key: str, value: Any) -> Any:
 
 
 def _places(data: Any, at: Location = ()) -> Iterator[Location]:
-    """Where values stand: messages then call each by its key."""
+    """Places of all values: messages refer to each by its key."""
     yield at
     parts = data.items() if isinstance(data, Mapping) else enumerate(data) if isinstance(data, list) else ()
     for key, part in parts:
@@ -132,7 +132,7 @@ def _places(data: Any, at: Location = ()) -> Iterator[Location]:
 
 
 def _people(file: ScenarioFile) -> Iterator[tuple[str, tuple[Any, Declared]]]:
-    """Everyone's profile as plain values, and as it was read."""
+    """Everyone's profile, as plain values and as parsed."""
     for name, person in file.scenario.people.items():
         if isinstance(person.profile, Profile):
             plain = file.file.data["people"][name].get("profile", {})
@@ -151,7 +151,7 @@ def _people(file: ScenarioFile) -> Iterator[tuple[str, tuple[Any, Declared]]]:
 
 
 def _rulebook(source: YamlFile, book: Rulebook) -> tuple[str, str, list[str]]:
-    """How a worker names the rulebook, its text, and the texts of its own tables."""
+    """The rulebook's name for workers, its text, and the texts of its own tables."""
     name = source.path.stem
     if name in shipped_rulebooks() and read_rulebook(name).text == source.text:
         return name, source.text, []

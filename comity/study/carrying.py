@@ -1,4 +1,4 @@
-"""What carries the episodes of a study out: processes here, or the workers of a cluster."""
+"""Runners of a study's episodes: processes on this machine, or the workers of a cluster."""
 
 from __future__ import annotations
 
@@ -8,25 +8,26 @@ from dataclasses import dataclass
 from comity.study.worker import Installation, StudyTask, TaskDone
 
 MOST_LOSSES = 10
-"""Workers that an episode may lose before it counts as failed: one may be the machine's fault, not ten."""
+"""Number of workers that may be lost on an episode before it counts as failed: one loss may be the machine's
+fault, ten are not."""
 
 
 @dataclass(frozen=True, slots=True)
 class Ended:
-    """Episodes that ended at the same time, to be written down together."""
+    """Episodes that ended at the same time and are stored together."""
 
     done: tuple[TaskDone, ...]
     lost: int = 0
-    """Workers that were lost meanwhile."""
+    """Number of workers lost meanwhile."""
 
 
 @dataclass(frozen=True, slots=True)
 class EpisodeRunner:
-    """A way to carry episodes out.
+    """A way to run episodes.
 
-    Whatever leaves `carry_out` early ends what is under way.
+    Leaving `carry_out` early, for whatever reason, ends the running episodes.
     """
 
     installed: Installation
-    """What the workers have installed."""
+    """Code and libraries of the workers."""
     carry_out: Callable[[Iterator[StudyTask]], Generator[Ended]]

@@ -1,4 +1,4 @@
-"""The workers of a Dask cluster, by the address of its scheduler."""
+"""Runner on a Dask cluster, by the address of its scheduler."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from comity_fis import InputError, Where
 from comity_fis.errors import ComityError
 
 FOR_EACH = 3
-"""Episodes that a thread of a worker has at once, so that none waits for the next."""
+"""Episodes queued per worker thread, so that no thread waits."""
 PATIENCE_S = 30.0
-"""How long an address may give no answer before the cluster counts as lost."""
+"""Time without an answer after which the cluster counts as lost [s]."""
 POLL_S = 1.0
 
 
@@ -39,13 +39,13 @@ class ClusterLost(ComityError):  # noqa: N818 - it says what happened; the famil
 
 
 def cluster_carrier(address: str) -> EpisodeRunner:
-    """The workers of a cluster, whatever their number; more may join later.
+    """A runner on all workers of a cluster; more may join later.
 
     Args:
-        address: Of the scheduler, such as `tcp://127.0.0.1:8786`.
+        address: Address of the scheduler, such as `tcp://127.0.0.1:8786`.
 
     Raises:
-        InputError: Dask is not installed, there is no cluster, or its workers have other code.
+        InputError: if Dask is not installed, there is no cluster, or its workers have other code.
     """
     client = _connected(address)
     try:
@@ -70,7 +70,7 @@ def _connected(address: str) -> Any:
             where=where,
         ) from None
     for logger in ("distributed", "distributed.client"):
-        logging.getLogger(logger).setLevel(logging.CRITICAL)  # what it means is told once, by us
+        logging.getLogger(logger).setLevel(logging.CRITICAL)  # reported once, by us
     set_dask({"distributed.comm.timeouts.connect": f"{PATIENCE_S:g}s"})
     try:
         make: Any = Client
@@ -87,7 +87,7 @@ def _connected(address: str) -> Any:
 
 
 def _installed(client: Any, address: str) -> Installation:
-    """What all workers have installed: the command's own code, and the same libraries on each of them."""
+    """The installation common to all workers: the command's own code, and identical libraries."""
     try:
         found = set(client.run(installation).values())
     except ImportError as error:
@@ -118,10 +118,10 @@ class _Cluster:
     address: str
     ended: SimpleQueue[Any] = field(default_factory=SimpleQueue)
     under_way: dict[Any, tuple[StudyTask, int]] = field(default_factory=dict)
-    """By future: the task, and how many workers it has lost."""
+    """By future: the task, and the number of workers lost on it."""
 
     def carried(self, tasks: Iterator[StudyTask]) -> Generator[Ended]:
-        """Carry episodes out, in whatever order they end."""
+        """Run episodes; they may end in any order."""
         workers = set(self.client.nthreads())
         try:
             self._fill(tasks)
@@ -147,10 +147,10 @@ class _Cluster:
         future.add_done_callback(self.ended.put)
 
     def _next(self) -> list[Any]:
-        """The futures that have ended; waits for one.
+        """Futures that have ended; waits for at least one.
 
         Raises:
-            ClusterLost: the scheduler gives no answer.
+            ClusterLost: if the scheduler gives no answer.
         """
         silent_since = None
         while True:
@@ -167,7 +167,7 @@ class _Cluster:
             return found
 
     def _result(self, future: Any) -> TaskDone | None:
-        """What came of an episode; None where it is carried out again."""
+        """The result of an episode; None if it is run again."""
         from distributed import KilledWorker
 
         task, losses = self.under_way.pop(future)
@@ -187,7 +187,7 @@ class _Cluster:
 
 
 def _carried_there(task: StudyTask) -> TaskDone:
-    """On a worker: one that joined later may have other code or libraries."""
+    """Run a task on a worker; checks the installation, as one that joined later may differ."""
     if installation() != task.installed:
         raise _other("the cluster", "a worker that joined later, with another")
     return carried_out(task)

@@ -20,15 +20,15 @@ class ColumnDefinition:
     """What a column holds."""
 
     unit: str
-    """`1` for a share or a count; empty for words."""
+    """Unit; `1` for a share or a count, empty for text."""
     means: str
     source: str
     missing: str = ""
-    """Why a cell may be empty; empty where no cell is, or an empty cell says all there is to say."""
+    """Why a cell may be empty; empty if none can be, or if an empty cell needs no explanation."""
 
     @property
     def is_measured(self) -> bool:
-        """Whether it is a result of the episode, and not what went into it."""
+        """Whether it is a result of the episode rather than an input."""
         return self.source not in (FILE, PEOPLE)
 
 
@@ -46,7 +46,7 @@ DESIGN: Mapping[str, ColumnDefinition] = MappingProxyType(
         "person": ColumnDefinition("", "Person of the scenario that was visited.", FILE),
     }
 )
-"""Which episode, and which visit in it."""
+"""Columns that identify the episode and the visit."""
 
 COMFORT: Mapping[str, ColumnDefinition] = MappingProxyType(
     {
@@ -112,7 +112,7 @@ REACHED: Mapping[str, ColumnDefinition] = MappingProxyType(
         ),
     }
 )
-"""What was aimed at and what came of it."""
+"""Columns of targets and results."""
 
 PROVENANCE: Mapping[str, ColumnDefinition] = MappingProxyType(
     {
@@ -135,12 +135,12 @@ PROVENANCE: Mapping[str, ColumnDefinition] = MappingProxyType(
         "note": ColumnDefinition("", STATEMENT, OWN),
     }
 )
-"""What the row comes from, and what it does not say."""
+"""Columns of the row's provenance and limits."""
 FACT, WISH = "fact_", "wish_"
 
 
 def column_of(path: str) -> str:
-    """The column of a factor: its path with `_` between the keys, a name in R and in SQL."""
+    """Column name of a factor: its path with `_` between the keys, valid in R and SQL."""
     return re.sub(r"\W+", "_", path).strip("_")
 
 
@@ -149,7 +149,7 @@ def columns_of(factors: Sequence[str], found: Iterable[str]) -> dict[str, Column
 
     Args:
         factors: The paths of the study's factors.
-        found: The columns that some row has a value in.
+        found: Columns with a value in some row.
     """
     measured = set(found)
     told = sorted(name for name in measured if name.startswith((FACT, WISH)))
@@ -181,7 +181,7 @@ def _factor(path: str) -> ColumnDefinition:
 
 
 UNITS = {"_m_s2": "m/s^2", "_m_s": "m/s", "_m": "m", "_s": "s", "_deg": "deg", "_db": "dB(A)"}
-"""By the end of a factor's path; the first that fits."""
+"""Units by the suffix of a factor's path; the first match counts."""
 
 
 def _told(name: str) -> ColumnDefinition:

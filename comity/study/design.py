@@ -1,4 +1,4 @@
-"""How factors are combined into conditions."""
+"""Combination of factors into conditions."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from comity_fis.validation.yaml_file import YamlFile
 
 MOST = 100_000
-"""Conditions of a study."""
+"""Maximum number of conditions of a study."""
 
 Values = dict[str, Any]
-"""By the path of a key in the scenario."""
+"""Values by the path of their key in the scenario."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,14 +28,14 @@ class StudyCondition:
     """One combination of the factors' values."""
 
     number: int
-    """From 1, in the order of the design."""
+    """Number of the condition, from 1, in the order of the design."""
     values: Mapping[str, Any]
     places: Mapping[str, tuple[str | int, ...]]
-    """By path, where in the study's file its value stands."""
+    """By path, the place of the value in the study's file."""
 
 
 def conditions_of(file: YamlFile, written: StudyFile) -> tuple[StudyCondition, ...]:
-    """All conditions of a study; one without values where nothing differs.
+    """All conditions of a study; a single one without values if there are no factors.
 
     Raises:
         InputError: with the line, for factors that the design cannot combine.
@@ -76,14 +76,14 @@ def _place(path: str, value: Any, lists: Mapping[str, Sequence[Any]]) -> tuple[s
 
 
 def _combined(blocks: Sequence[Sequence[Values]], order: Sequence[str]) -> Iterator[Values]:
-    """Every choice of one of each block; the last block changes fastest."""
+    """The Cartesian product of blocks; the last block changes fastest."""
     for choice in product(*blocks):
         merged = dict(chain.from_iterable(values.items() for values in choice))
         yield {path: merged[path] for path in order}
 
 
 def _require_keys(file: YamlFile, written: StudyFile) -> None:
-    """The keys that belong to a design stand beside it, and no others."""
+    """Check that the file has the keys of its design, and no others."""
     design = written.design
     needed = {"list": ("conditions",), "latin hypercube": ("factors", "samples"), "in step": ("factors",)}
     foreign = {
@@ -137,7 +137,7 @@ def _require_ranges(file: YamlFile, written: StudyFile, ranges: Mapping[str, Val
 def _groups(
     file: YamlFile, together: Sequence[Sequence[str]], lists: Mapping[str, Sequence[Any]]
 ) -> Iterator[Sequence[str]]:
-    """Factors that change together, and every other one alone, in the order of the factors."""
+    """Groups of factors that change together, and each other factor alone, in the order of the factors."""
     of: dict[str, Sequence[str]] = {}
     for i, group in enumerate(together):
         for path in group:
@@ -176,13 +176,13 @@ def _in_step(file: YamlFile, group: Sequence[str], lists: Mapping[str, Sequence[
 
 
 def refuse_repeated(file: YamlFile, place: Location, items: Sequence[Any], what: str) -> None:
-    """Refuse a list that has an item twice.
+    """Refuse a list with a duplicate item.
 
     Args:
         file: The study's file.
-        place: Of the list.
-        items: What it holds.
-        what: Each is, for the message.
+        place: Place of the list.
+        items: Its items.
+        what: What an item is, for the message.
 
     Raises:
         InputError: with the line of the second one.
@@ -206,8 +206,8 @@ def _told(item: Any) -> str:
 def _sampled(written: StudyFile, ranges: Mapping[str, ValueRange]) -> Sequence[Values]:
     """Points of a Latin hypercube over all ranges.
 
-    Each range is cut into as many parts as there are points, and each part is met once (McKay, Beckman and
-    Conover 1979; scipy's generator).
+    Each range is divided into as many parts as there are points, and each part contains one point (McKay,
+    Beckman and Conover 1979; scipy's generator).
     """
     from scipy.stats import qmc
 
@@ -220,7 +220,7 @@ def _sampled(written: StudyFile, ranges: Mapping[str, ValueRange]) -> Sequence[V
 
 
 def _within(levels: ValueRange, share: float) -> float | int:
-    """The value at a share of a range, to six digits behind the point."""
+    """The value at a share, in [0, 1], of a range, to six decimals."""
     if levels.whole:
         low, high = round(levels.from_), round(levels.to)
         return min(low + int(share * (high - low + 1)), high)

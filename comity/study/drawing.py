@@ -1,7 +1,7 @@
-"""Individuals drawn by a seed.
+"""Random sampling of individuals, with a seed.
 
-Each individual has random numbers of its own, which follow from the seed, its group and its number there. So
-a group that grows keeps the individuals that it had, and another group changes none of them.
+Each individual has its own random stream, which follows from the seed, its group and its number there. A
+larger group therefore keeps its previous individuals, and another group changes none of them.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ if TYPE_CHECKING:
 
 
 def drawn_individuals(file: YamlFile, written: PopulationFile, day: date | None) -> Iterator[Individual]:
-    """The individuals of all groups, group by group.
+    """Draw the individuals of all groups, group by group.
 
     Args:
-        file: The population's file, for complaints.
-        written: What it says.
-        day: On which dated facts are taken.
+        file: The population's file, for messages.
+        written: Its content.
+        day: Date for dated facts.
 
     Raises:
-        InputError: with the line, for facts that no profile can have, or a rulebook without a distance.
+        InputError: with the line, for facts that are invalid in a profile, or a rulebook without a distance.
     """
     for name, group in written.groups.items():
         width = len(str(group.individuals))
@@ -68,7 +68,7 @@ def _drawn(
 
 
 def _require_profile(profile: Mapping[str, Any], called: str) -> None:
-    """Refuse facts that no profile has; the place is that of the group, and no line of a text unseen."""
+    """Refuse facts that are invalid in a profile; errors name the group's line, not that of a text."""
     try:
         declared_by(profile, called=called)
     except InputError as error:
@@ -76,12 +76,12 @@ def _require_profile(profile: Mapping[str, Any], called: str) -> None:
 
 
 def random_numbers(seed: int, group: str, number: int) -> np.random.Generator:
-    """Random numbers that no other individual of a population shares.
+    """A random generator unique to an individual of a population.
 
     Args:
-        seed: The population's.
-        group: The individual's, or another name that tells streams apart.
-        number: The individual's in it.
+        seed: Seed of the population.
+        group: Group of the individual, or another name that distinguishes streams.
+        number: Number of the individual in its group.
     """
     words = np.frombuffer(sha256(f"{seed}\n{group}\n{number}".encode()).digest(), dtype="<u4")
     return np.random.Generator(np.random.PCG64([int(word) for word in words]))
@@ -118,13 +118,13 @@ def _distribution(
 
 
 def rulebook_beside(file: YamlFile, name: str) -> str:
-    """A shipped rulebook's name as it is; a path starts from the file's folder."""
+    """A shipped rulebook's name unchanged; a path relative to the file's folder."""
     path = file.path.parent / name
     return str(path.absolute()) if path.is_file() else name
 
 
 def _comfort(written: DrawnComfort, middle_m: float) -> ComfortSpec:
-    """An interval of the stated width; where the draw is out of what is possible, the nearest that is."""
+    """An interval of the given width around the drawn middle, shifted into the possible range."""
     half_m = written.half_width_m
     middle_m = min(max(middle_m, NEAREST_M[0] + half_m), min(NEAREST_M[1], FARTHEST_M - 2 * half_m) + half_m)
     near_m = round(middle_m - half_m, 3)

@@ -1,4 +1,4 @@
-"""One row a visit: what was measured at one person in one episode."""
+"""Table rows of an episode: the measurements of each visit."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from comity.sharing.extra import Extra
 
 StudyRow = dict[str, Any]
-"""By column; what has no value is left out."""
+"""Values by column; columns without a value are omitted."""
 ERROR, NO_PLAN = "error", "no_plan"
-"""Outcomes of visits of episodes that raised, and of those without a plan."""
+"""Outcomes of visits in episodes that raised an exception, and in those without a plan."""
 
 
 def episode_rows(
@@ -34,9 +34,9 @@ def episode_rows(
 
     Args:
         episode: What happened.
-        individual: The person that is an individual of the population; None where there is none.
-        filtered: Of an individual that may be a real person, what is told besides age bands and closed
-            words; None for invented ones, of whom all facts are told that the rulebook used.
+        individual: The person replaced by an individual of the population; None without one.
+        filtered: For an individual who may be a real person, facts disclosed besides age bands and closed
+            vocabularies; None for an invented one, for whom all facts used by the rulebook are disclosed.
     """
     whole = {f"episode_{name}": value for name, value in of_episode(episode.metrics).items()}
     people = episode.prepared.file.scenario.people
@@ -57,7 +57,7 @@ def episode_rows(
 
 
 def failed_rows(persons: Collection[str], outcome: str, reason: str) -> Iterator[StudyRow]:
-    """A row for each person who was to be visited in an episode that came to nothing.
+    """A row for each person who was to be visited in a failed episode.
 
     Args:
         persons: Their names.
@@ -70,7 +70,7 @@ def failed_rows(persons: Collection[str], outcome: str, reason: str) -> Iterator
 
 
 def facts_used(prepared: PlannedEpisode, person: str, filtered: Collection[Extra] | None) -> dict[str, Any]:
-    """What the rulebook used of a person's facts and wishes, as columns."""
+    """The person's facts and wishes that the rulebook used, as columns."""
     used = used_of(Declared(prepared.profiles[person], None), prepared.rulebook, prepared.day).profile
     words = plain_words(prepared.rulebook)
     told: Mapping[str, Any]
@@ -88,7 +88,7 @@ def facts_used(prepared: PlannedEpisode, person: str, filtered: Collection[Extra
 
 
 def _shares(cultures: Mapping[str, float]) -> str:
-    """`SWE`, or `EGY 0.33 + SWE 0.67`."""
+    """Cultures as text: `SWE`, or `EGY 0.33 + SWE 0.67`."""
     if len(cultures) == 1:
         return next(iter(cultures))
     return " + ".join(f"{name} {weight:.2f}" for name, weight in cultures.items())
@@ -126,7 +126,7 @@ def _visit(answer: VisitAnswer) -> StudyRow:
 
 
 def _comfort(comfort: ComfortSpec | None, distance_m: float | None) -> StudyRow:
-    """The person's comfort interval, and how far outside it the robot stopped."""
+    """The person's comfort interval, and the distance of the robot's stop from it [m]."""
     if comfort is None:
         return {}
     near_m, far_m = comfort.wants_m
@@ -138,7 +138,7 @@ def _comfort(comfort: ComfortSpec | None, distance_m: float | None) -> StudyRow:
 
 
 def comfort_gap_m(distance_m: float, near_m: float, far_m: float) -> float:
-    """How far outside an interval a distance lies [m]: negative too near, positive too far, 0 inside."""
+    """Distance from an interval [m]: negative if too near, positive if too far, 0 inside."""
     return min(distance_m - near_m, 0.0) + max(distance_m - far_m, 0.0)
 
 

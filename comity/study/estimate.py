@@ -1,4 +1,4 @@
-"""How long a study takes and how large it gets, and whether its seeds matter: from a few episodes."""
+"""Estimate of a study's duration and size, and whether its seeds have an effect, from a few episodes."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ if TYPE_CHECKING:
     from comity.study.episode_rows import StudyRow
 
 MOST_TRIED = 8
-"""Scenarios under a condition of which episodes are tried, evenly spread over all."""
+"""Maximum number of combinations of scenario and condition that are tried, evenly spread over all."""
 OF_THE_SEED = ("trace_sha256",)
-"""Columns that may differ where no number does."""
+"""Columns that may differ although no number does."""
 
 
 @dataclass(frozen=True, slots=True)
 class StudyEstimate:
-    """What a few episodes say of all."""
+    """Extrapolation from a few episodes to all."""
 
     cpu_s_per_episode: float
     bytes_per_episode: float
     tried: int
     without_effect: tuple[str, ...]
-    """Scenarios and conditions in which the second seed gave the same rows as the first."""
+    """Combinations of scenario and condition whose rows are the same for the first two seeds."""
 
 
 def estimated(plan: StudyPlan) -> StudyEstimate:
-    """Try the first individual in a few conditions, with the first two seeds."""
+    """Run the first individual in a few conditions, with the first two seeds."""
     installed = installation()
     tried: list[tuple[StudyCell, TaskDone]] = []
     without_effect = []
@@ -45,7 +45,7 @@ def estimated(plan: StudyPlan) -> StudyEstimate:
         tried += done
         if len(done) > 1 and _numbers(done[0][1].rows) == _numbers(done[1][1].rows):
             without_effect.append(_called(pair[0]))
-    took = [done.took_s for _, done in tried[1:]] or [tried[0][1].took_s]  # the first one also imports
+    took = [done.took_s for _, done in tried[1:]] or [tried[0][1].took_s]  # the first includes imports
     found = ((cell, done.key, done.rows) for cell, done in tried)
     table = study_table(factors_of(plan), found, installed, version("comity"))
     size = len(table.csv().encode()) + sum(len(line_of(done)) for _, done in tried)
@@ -58,12 +58,12 @@ def estimated(plan: StudyPlan) -> StudyEstimate:
 
 
 def factors_of(plan: StudyPlan) -> Sequence[str]:
-    """The paths that some condition has a value for, in the order of the file."""
+    """Paths of factors with a value in some condition, in the order of the file."""
     return tuple(dict.fromkeys(path for condition in plan.conditions for path in condition.values))
 
 
 def _spread(plan: StudyPlan) -> Iterator[Sequence[StudyCell]]:
-    """A few scenarios under a condition, each with one cell for each of the first two seeds."""
+    """A few combinations of scenario and condition, each with one cell for each of the first two seeds."""
     places = [(name, i) for name, bases in plan.bases.items() for i in range(len(bases))]
     step = max(1, len(places) // MOST_TRIED)
     for name, i in places[::step][:MOST_TRIED]:

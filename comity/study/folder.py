@@ -1,4 +1,4 @@
-"""The folder of a study: its files, whose it is, and that one command at a time writes to it."""
+"""The folder of a study: its files, its owner, and a lock for one writing command at a time."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ JOURNAL, ACCOUNT, WRITTEN = "journal.jsonl", "study.json", "study.yaml"
 
 @contextmanager
 def study_folder(path: Path, study: str) -> Iterator[Path]:
-    """The folder, made if it is not there, and kept from every other command.
+    """The folder, created if missing, and locked against other commands.
 
     Args:
-        path: Of the folder.
-        study: The name of the study: a folder of another one is left as it is.
+        path: Path of the folder.
+        study: Name of the study: the folder of another study is refused.
 
     Raises:
-        InputError: if it holds something else, or another command writes to it.
+        InputError: if it contains something else, or another command writes to it.
     """
     from filelock import Timeout
 
@@ -39,10 +39,10 @@ def study_folder(path: Path, study: str) -> Iterator[Path]:
 
 
 def require_study_folder(path: Path, study: str) -> None:
-    """Refuse a folder that holds something else than this study, before anything is computed.
+    """Refuse a folder with other content than this study, before any computation.
 
     Raises:
-        InputError: if it does.
+        InputError: if the folder contains something else.
     """
     with writing(path):
         if not path.exists():

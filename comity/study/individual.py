@@ -9,31 +9,31 @@ from typing import Any
 from comity.scenario import ComfortSpec
 
 WHOLE = frozenset({"birth_year", "education"})
-"""Facts that a profile has as whole numbers."""
+"""Facts that are whole numbers in a profile."""
 
 
 @dataclass(frozen=True, slots=True)
 class Individual:
-    """What an individual declares, and the comfort that the robot is not told."""
+    """An individual's declared facts, and comfort distances unknown to the robot."""
 
     name: str
-    """A pseudonym, which no other individual of the population has."""
+    """A pseudonym, unique in the population."""
     group: str
-    """Empty where it belongs to none."""
+    """Name of the group; empty without one."""
     profile: Mapping[str, Any]
-    """As in a profile's file."""
+    """Content of a profile file."""
     comfort: ComfortSpec | None
     line: int | None = None
-    """Of its row in a table; None where it was drawn."""
+    """Line in the table; None if drawn."""
 
     def as_plain(self) -> dict[str, Any]:
-        """The same as plain values, for a digest or another process."""
+        """Plain values, for a digest or another process."""
         comfort = self.comfort and self.comfort.model_dump(mode="json")
         return {"name": self.name, "group": self.group, "profile": dict(self.profile), "comfort": comfort}
 
 
 def plain_fact(key: str, fact: float | str) -> float | int | str:
-    """A fact as a profile takes it: whole where its key asks for that and it is."""
+    """A fact in a profile's type: an integer if its key requires one and the value is whole."""
     if key in WHOLE and isinstance(fact, float) and fact.is_integer():
         return int(fact)
     return fact

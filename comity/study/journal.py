@@ -1,9 +1,9 @@
-"""The journal of a study: a line for each episode that has ended, on disk before the next one is asked for.
+"""The journal of a study: a line for each ended episode, on disk before the next is requested.
 
-Only the command writes it. A last line that was cut off, by SIGKILL or a full disk, is taken off when the
-study goes on. A damaged line before it stays where it is and is skipped. The episodes of both run again.
-Each line ends with the CRC-32 of what stands before it, so that a changed digit is found as well. Lines
-without one, of older versions, are read as they are.
+Only the command writes it. An incomplete last line, after SIGKILL or on a full disk, is removed when the
+study continues. An earlier damaged line stays and is skipped. The episodes of both run again. Each line ends
+with the CRC-32 of the text before it, so that a changed digit is detected too. Lines of older versions
+without a checksum are accepted.
 """
 
 from __future__ import annotations
@@ -24,32 +24,32 @@ from comity.system.own_files import PRIVATE
 
 LINE_END = b"\n"
 KEYS = {"key", "took_s", "rows"}
-"""Of a line, besides its checksum."""
+"""Keys of a line, besides its checksum."""
 CHECKED = re.compile(rb'(.*), "crc32": "([0-9a-f]{8})"}\n', re.DOTALL)
-"""A line with a checksum: what it is taken of, and the checksum."""
+"""Pattern of a line with a checksum: the covered text, and the checksum."""
 
 
 @dataclass(frozen=True, slots=True)
 class JournalContent:
-    """What a journal holds."""
+    """The content of a journal."""
 
     rows: Mapping[str, tuple[StudyRow, ...]]
-    """Of each episode that ended, by key."""
+    """Rows of each ended episode, by key."""
     damaged: tuple[int, ...]
-    """Numbers of the lines that cannot be read or were changed; an incomplete last one does not count."""
+    """Numbers of unreadable or altered lines, not counting an incomplete last line."""
 
 
 @dataclass(frozen=True, slots=True)
 class StudyJournal:
-    """The journal while it is open."""
+    """The open journal."""
 
     file: BinaryIO
 
     def keep(self, ended: Iterable[TaskDone]) -> None:
-        """Write episodes down; they are on the disk when this returns.
+        """Append episodes; they are on disk when this returns.
 
         Raises:
-            OSError: there is no room; what was written before stays.
+            OSError: if the disk is full; earlier lines remain.
         """
         self.file.write(b"".join(map(line_of, ended)))
         self.file.flush()
@@ -58,10 +58,10 @@ class StudyJournal:
 
 @contextmanager
 def opened_journal(path: Path) -> Iterator[StudyJournal]:
-    """The journal, to be added to; an incomplete last line is taken off.
+    """Open the journal for appending; an incomplete last line is removed.
 
     Raises:
-        OSError: the system does not let us.
+        OSError: if the system refuses.
     """
     handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0), PRIVATE)
     with os.fdopen(handle, "r+b") as file:
@@ -78,7 +78,7 @@ def line_of(done: TaskDone) -> bytes:
 
 
 def read_journal(path: Path) -> JournalContent:
-    """The rows of all episodes that ended; nothing where there is no journal."""
+    """Read the rows of all ended episodes; empty if there is no journal."""
     found: dict[str, tuple[StudyRow, ...]] = {}
     damaged = []
     if path.is_file():
@@ -86,13 +86,13 @@ def read_journal(path: Path) -> JournalContent:
             for number, line in enumerate(lines, 1):
                 if (ended := _read(line)) is not None:
                     found[ended[0]] = ended[1]
-                elif line.endswith(LINE_END):  # else the last one, cut off as it was written
+                elif line.endswith(LINE_END):  # otherwise an incomplete last line
                     damaged.append(number)
     return JournalContent(found, tuple(damaged))
 
 
 def _read(line: bytes) -> tuple[str, tuple[StudyRow, ...]] | None:
-    """An episode's key and rows; None where the line is cut off or damaged."""
+    """An episode's key and rows; None if the line is incomplete or damaged."""
     if not line.endswith(LINE_END):
         return None
     checked = CHECKED.fullmatch(line)

@@ -1,4 +1,4 @@
-"""Orders of conditions in which each stands at each place, and after each other one, equally often."""
+"""Balanced Latin squares: each condition is equally often at each position and after each other one."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from __future__ import annotations
 def balanced_orders(count: int) -> tuple[tuple[int, ...], ...]:
     """A balanced Latin square (Williams 1949): orders of the numbers from 0 to `count` - 1.
 
-    Each number is once at each place, and directly after each other number once; of an odd number of
-    conditions these are two squares, the second one mirrored, and everything happens twice.
+    Each number occurs once at each position, and once directly after each other number. For an odd number of
+    conditions there are two squares, the second one mirrored, so that each count is two.
 
     Args:
-        count: Conditions, at least 1.
+        count: Number of conditions, at least 1.
     """
     # 0, 1, n-1, 2, n-2, ...: neighbours have every difference once, so that shifts of it are balanced.
     first = [0, *(step // 2 + 1 if step % 2 == 0 else count - step // 2 - 1 for step in range(count - 1))]

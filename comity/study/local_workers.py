@@ -1,4 +1,4 @@
-"""Processes on this machine: each has a pipe of its own, so that a lost one is known with its episode."""
+"""Worker processes on this machine, each with its own pipe, so that a lost one and its episode are known."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     from multiprocessing.context import SpawnProcess
 
 MOST_PROCESSES = 60
-"""Windows waits for no more at once."""
+"""Maximum number of processes: Windows can wait for no more at once."""
 
 
 def local_carrier(jobs: int) -> EpisodeRunner:
-    """So many processes here, which start clean."""
+    """A runner with this number of newly started processes."""
     return EpisodeRunner(installation(), lambda tasks: _carried(tasks, min(jobs, MOST_PROCESSES)))
 
 
 @dataclass(slots=True)
 class _Attempt:
-    """An episode that a process has, or had when it was lost."""
+    """An episode that is run by a process, or was when the process was lost."""
 
     task: StudyTask
     losses: int = 0
@@ -36,7 +36,7 @@ class _Attempt:
 
 @dataclass(slots=True, eq=False)
 class _Process:
-    """A process and its end of the pipe."""
+    """A process and our end of the pipe."""
 
     connection: Any
     process: SpawnProcess
@@ -48,12 +48,12 @@ class _Process:
         here, there = context.Pipe()
         process = context.Process(target=_serve, args=(there,), daemon=True)
         process.start()
-        there.close()  # so that the end of the process is the end of the pipe
+        there.close()  # so that the pipe closes when the process ends
         return cls(here, process)
 
     def begin(self, attempt: _Attempt) -> None:
         self.attempt = attempt
-        with suppress(OSError):  # of one that is gone: its pipe says so when it is waited for
+        with suppress(OSError):  # a lost process is detected when its pipe is waited for
             self.connection.send(attempt.task)
 
     def end(self) -> None:
@@ -64,7 +64,7 @@ class _Process:
 
 @dataclass(slots=True)
 class _Queue:
-    """Episodes that no process has: first those that lost theirs."""
+    """Queue of episodes; those of lost processes come first."""
 
     tasks: Iterator[StudyTask]
     again: deque[_Attempt] = field(default_factory=deque)
@@ -93,7 +93,7 @@ def _carried(tasks: Iterator[StudyTask], jobs: int) -> Generator[Ended]:
 
 
 def _received(process: _Process, processes: list[_Process], queue: _Queue) -> tuple[TaskDone | None, bool]:
-    """What a process sent, and whether it was lost instead; it, or a new one, has the next episode then."""
+    """The result of a process, and whether it was lost; it, or its replacement, gets the next episode."""
     attempt, done, is_lost = process.attempt, None, False
     assert attempt is not None
     try:
@@ -117,11 +117,11 @@ def _received(process: _Process, processes: list[_Process], queue: _Queue) -> tu
 
 
 def _serve(connection: Connection) -> None:
-    """Carry episodes out until the command closes the pipe, or is gone."""
+    """Run episodes until the command closes the pipe, or has ended."""
     import comity.system.garbage
     import comity.system.threads  # noqa: F401
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole terminal: the command ends them
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes: the command ends them
     try:
         while True:
             connection.send(carried_out(connection.recv()))

@@ -1,4 +1,4 @@
-"""A standard deviation between people, measured: from a column of any table."""
+"""A measured standard deviation between people, from a column of any table."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from comity_fis import closest
 from comity_fis.validation.csv_table import read_csv
 
 CM = {"_m": 100.0, "_cm": 1.0, "_mm": 0.1}
-"""By the end of a column's name."""
+"""Factors to centimetres by the suffix of a column's name."""
 
 
 @dataclass(frozen=True, slots=True)
 class MeasuredSpread:
-    """What a column says."""
+    """The spread of a column."""
 
     sd_cm: float
-    """Within groups, pooled over them."""
+    """Standard deviation within groups [cm], pooled over them."""
     people: int
 
 
@@ -26,8 +26,8 @@ def measured_spread(path: Path, column: str, by: str | None = None) -> MeasuredS
     """The standard deviation of a column of distances.
 
     Args:
-        path: A CSV file, one row a person; such as one of `comity study run`, reduced to a row a person.
-        column: Whose name ends with its unit: `_m`, `_cm` or `_mm`.
+        path: A CSV file with one row per person, such as a table of `comity study run` reduced to that.
+        column: Name of the column, ending with its unit: `_m`, `_cm` or `_mm`.
         by: A column of groups whose means may differ; their spread is taken within them.
 
     Raises:

@@ -1,4 +1,4 @@
-"""A value of a factor, laid over a scenario as it is written."""
+"""Overlay of a factor's value over a scenario."""
 
 from __future__ import annotations
 
@@ -9,16 +9,15 @@ from comity_fis import InputError
 
 
 def laid_over(data: Any, keys: Sequence[str], value: Any) -> Any:
-    """The same data with another value at one place; nothing given is changed.
+    """Copy of the data with another value at one place; the input is unchanged.
 
     Args:
         data: Mappings, lists and scalars.
-        keys: The way to the place; a number counts the items of a list from 0. A mapping that is not
-            there is made.
-        value: What is to stand there.
+        keys: Path to the place; a number is the index of an item, from 0. A missing mapping is created.
+        value: The new value.
 
     Raises:
-        InputError: where the way leads through something that holds nothing else.
+        InputError: if the path leads through a value that has no children.
     """
     key, *rest = keys
     if isinstance(data, Mapping):

@@ -1,4 +1,4 @@
-"""The table of a study as Parquet, where pyarrow is installed."""
+"""The table of a study as Parquet, if pyarrow is installed."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 
 def has_pyarrow() -> bool:
-    """Whether Parquet can be written here; `comity[study]` brings what does it."""
+    """Whether Parquet can be written; `comity[study]` installs pyarrow."""
     return find_spec("pyarrow") is not None
 
 
 def write_parquet(table: StudyTable, path: Path) -> None:
-    """Write the rows with a type for each column: whole number, number, truth or text."""
+    """Write the rows with typed columns: integer, float, boolean or text."""
     import pyarrow
     from pyarrow import parquet
 
@@ -37,7 +37,7 @@ def write_parquet(table: StudyTable, path: Path) -> None:
 
 
 def _kind(values: list[Any], unit: str) -> str:
-    """The type of a column: that of its values, and of one without any what its unit says."""
+    """The type of a column: from its values, or from its unit if it has none."""
     kinds = {type(value) for value in values if value is not None}
     if not kinds:
         return "float64" if unit else "string"

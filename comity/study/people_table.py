@@ -1,4 +1,4 @@
-"""Individuals from a table: one a row, with their facts, comfort and wish."""
+"""Individuals from a table: one per row, with facts, comfort distances and wish."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ INDIVIDUAL, GROUP = "individual", "group"
 NEAR_M, FAR_M, WISH_M = "comfort_near_m", "comfort_far_m", "wish_m"
 OWN = (INDIVIDUAL, GROUP, NEAR_M, FAR_M, WISH_M)
 NUMBERS = frozenset({"age", "birth_year", "education", "latitude"})
-"""Facts that a profile has as numbers; all others are words."""
+"""Facts that are numbers in a profile; all others are text."""
 FACTS = tuple(
     sorted(
         Profile.model_fields.keys() - {"schema_version", "name", "about", "other", "settings", "languages"}
@@ -30,7 +30,7 @@ FACTS = tuple(
 
 
 def individuals_of_table(file: YamlFile, written: PopulationFile) -> Iterator[Individual]:
-    """The individuals of the table that a population names, in the order of its rows, under pseudonyms.
+    """The individuals of a population's table, in the order of its rows, under pseudonyms.
 
     Raises:
         InputError: with the table's line, for a heading or a cell that cannot be used.

@@ -1,4 +1,4 @@
-"""The individuals of a study in their order, from a file."""
+"""The individuals of a study, read from a file."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from comity.scenario import ComfortSpec
 
 WISH_RANGE_M = (0.45, 3.0)
-"""What a person may ask for [m]: a wish outside it would be refused."""
+"""Range of distances that a person may ask for [m]; other wishes are refused."""
 
 
 @dataclass(frozen=True, slots=True)
 class StudyPopulation:
-    """The individuals, and how they came to be."""
+    """The individuals, and their origin."""
 
     file: YamlFile
     written: PopulationFile
@@ -34,37 +34,37 @@ class StudyPopulation:
 
     @property
     def is_drawn(self) -> bool:
-        """Whether they are invented; else they were taken from a table, and may be real people."""
+        """Whether they are invented; otherwise they come from a table, and may be real people."""
         return self.written.table is None
 
     @property
     def wishing(self) -> int:
-        """How many of them state a wish."""
+        """Number of individuals with a wish."""
         return sum("settings" in one.profile for one in self.individuals)
 
     def where(self, one: Individual) -> Where:
-        """The place of an individual: its row in the table, or its group."""
+        """Position of an individual's source: its row in the table, or its group."""
         if one.line is None:
             return self.file.where(("groups", one.group))
         return Where(str(self.file.path.parent / str(self.written.table)), one.line)
 
     @property
     def rulebooks(self) -> dict[str, str]:
-        """The rulebooks that comfort was drawn from, by group."""
+        """By group, the rulebook that comfort distances were drawn from."""
         drawn = ((name, group.comfort) for name, group in self.written.groups.items())
         return {name: comfort.rulebook for name, comfort in drawn if comfort and comfort.rulebook}
 
 
 def load_population(path: Path, called: str, day: date | None) -> StudyPopulation:
-    """The population that a file describes.
+    """Load a population from a file.
 
     Args:
-        path: Of the file.
-        called: What messages call it.
-        day: On which dated facts are taken; needed only where comfort follows from them.
+        path: Path of the file.
+        called: Name of the file in messages.
+        day: Date for dated facts; needed only if comfort distances depend on them.
 
     Raises:
-        InputError: with file and line, for whatever cannot be used.
+        InputError: with file and line, for anything that cannot be used.
     """
     file = read_yaml(path, called)
     written = file.check(PopulationFile)
@@ -78,7 +78,7 @@ def load_population(path: Path, called: str, day: date | None) -> StudyPopulatio
 
 
 def _with_wishes(individuals: Iterator[Individual], seed: int, share: float) -> Iterator[Individual]:
-    """Let each individual with a comfort wish its middle, with a probability that is the share."""
+    """Give each individual with a comfort interval a wish for its middle, with probability `share`."""
     for number, one in enumerate(individuals, 1):
         rng = random_numbers(seed, f"wish of {one.name}", 0 if one.line is None else number)
         if one.comfort is None or float(rng.uniform()) >= share:
@@ -88,6 +88,6 @@ def _with_wishes(individuals: Iterator[Individual], seed: int, share: float) -> 
 
 
 def wished_m(comfort: ComfortSpec) -> float:
-    """The distance that an individual asks for [m]: the middle of the interval, if that may be asked for."""
+    """The distance that an individual asks for [m]: the middle of the interval, clipped to `WISH_RANGE_M`."""
     low_m, high_m = WISH_RANGE_M
     return round(min(max(sum(comfort.wants_m) / 2, low_m), high_m), 2)

@@ -1,4 +1,4 @@
-"""A population as a file: individuals who are drawn by a seed, or taken from a table."""
+"""The population file: individuals drawn with a seed, or taken from a table."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from comity_sim2d.maps.file import Name
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True)
 MOST = 100_000
-"""Individuals of one population."""
+"""Maximum number of individuals of one population."""
 
 
 class UniformFact(BaseModel):

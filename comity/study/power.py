@@ -1,9 +1,8 @@
-"""How many people a study with people needs, before any of them comes.
+"""Power analysis: the number of people that a study with people needs.
 
-Two-sided t-tests with equal groups: the power is that of the noncentral t distribution (Cohen 1988,
-Statistical Power Analysis for the Behavioral Sciences, chapter 2), no normal approximation. People who come
-in clusters, such as wards, count for less by the design effect 1 + (m - 1) * ICC (Kish 1965,
-Survey Sampling).
+Two-sided t-tests with equal groups, using the exact power of the noncentral t distribution (Cohen 1988,
+Statistical Power Analysis for the Behavioral Sciences, chapter 2), not a normal approximation. The design
+effect 1 + (m - 1) * ICC accounts for people in clusters, such as wards (Kish 1965, Survey Sampling).
 """
 
 from __future__ import annotations
@@ -16,25 +15,25 @@ import numpy as np
 from comity_fis.errors import WrongValueError
 
 MOST = 10_000_000
-"""People that are looked for; a smaller difference needs another question."""
+"""Maximum number of people; a smaller difference is not worth a search."""
 NODES = 10_000
-"""Of the midpoint rule: within 1e-5 of scipy's noncentral t wherever that has a value."""
+"""Nodes of the midpoint rule: within 1e-5 of scipy's noncentral t wherever scipy has a value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PowerQuestion:
-    """A difference between two conditions that is to be found."""
+    """A difference between two conditions that a study is to detect."""
 
     difference_cm: float
-    """Between the means, above 0."""
+    """Difference between the means [cm], above 0."""
     sd_cm: float
-    """Standard deviation between people, above 0."""
+    """Standard deviation between people [cm], above 0."""
     correlation: float | None = None
-    """Of one person's two values where each meets both conditions, in [-1, 1); None for two groups."""
+    """Correlation of a person's two values if each meets both conditions, in [-1, 1); None for two groups."""
     cluster: int = 1
-    """People in each cluster."""
+    """Number of people in each cluster."""
     icc: float = 0.0
-    """Intraclass correlation: how alike people of one cluster are, in [0, 1]."""
+    """Intraclass correlation: similarity of people in one cluster, in [0, 1]."""
     alpha: float = 0.05
     power: float = 0.80
 
@@ -66,34 +65,34 @@ class PowerQuestion:
 
     @property
     def effect(self) -> float:
-        """The difference in standard deviations of people, or of one person's own difference."""
+        """Effect size: the difference in standard deviations of people, or of within-person differences."""
         if self.correlation is None:
             return self.difference_cm / self.sd_cm
         return self.difference_cm / (self.sd_cm * sqrt(2 - 2 * self.correlation))
 
     @property
     def design_effect(self) -> float:
-        """By which factor more people are needed than without clusters."""
+        """Factor by which clusters increase the number of people needed."""
         return 1.0 + (self.cluster - 1) * self.icc
 
 
 @dataclass(frozen=True, slots=True)
 class PeopleNeeded:
-    """How many people answer a question about power."""
+    """The number of people that a power question requires."""
 
     per_group: int
-    """In each of two groups; where each person meets both conditions, all people."""
+    """People in each of two groups; all people if each meets both conditions."""
     clusters_per_group: int | None
-    """None without clusters."""
+    """Clusters in each group; None without clusters."""
     power_reached: float
-    """With that many people."""
+    """Power reached with that many people."""
 
 
 def people_needed(question: PowerQuestion) -> PeopleNeeded:
-    """The fewest people with whom the difference is found with the power that is asked for.
+    """The smallest number of people that reaches the required power.
 
     Raises:
-        WrongValueError: if it takes more than 10 million.
+        WrongValueError: if it takes more than `MOST` people.
     """
     low, high = 1, 2
     while power_of(question, high) < question.power:
@@ -104,7 +103,7 @@ def people_needed(question: PowerQuestion) -> PeopleNeeded:
                 got=f"{question.difference_cm:g} cm at a spread of {question.sd_cm:g} cm",
                 remedy="Ask for a larger difference, or for less power.",
             )
-    while high - low > 1:  # power grows with the number of people
+    while high - low > 1:  # power increases with the number of people
         middle = (low + high) // 2
         low, high = (low, middle) if power_of(question, middle) >= question.power else (middle, high)
     people = ceil(round(high * question.design_effect, 9))
@@ -119,11 +118,11 @@ def people_needed(question: PowerQuestion) -> PeopleNeeded:
 
 
 def power_of(question: PowerQuestion, people: float) -> float:
-    """The probability to find the difference with so many independent people in each group.
+    """The probability of detecting the difference with this number of independent people in each group.
 
     Args:
         question: The difference.
-        people: Each of two groups, or all who meet both conditions; at least 2.
+        people: Number of people in each of two groups, or of all who meet both conditions; at least 2.
     """
     from scipy.stats import chi2, norm, t
 
@@ -133,8 +132,9 @@ def power_of(question: PowerQuestion, people: float) -> float:
         return 0.0
     shift = question.effect * sqrt(people if is_paired else people / 2)
     limit = float(t.ppf(1 - question.alpha / 2, freedom))
-    # The noncentral t is a normal over the root of an independent chi-square: the normal's tails beyond the
-    # limit, averaged over the quantiles of the latter. scipy's `nct` has no value far out in the tail.
+    # A noncentral t variable is a normal one over the root of a scaled independent chi-square: average the
+    # normal's tails beyond the critical value over quantiles of the chi-square. scipy's `nct` has no value
+    # far out in the tail.
     levels = (np.arange(NODES) + 0.5) / NODES
     edge = limit * np.sqrt(chi2.ppf(levels, freedom) / freedom)
     return float(np.mean(norm.cdf(shift - edge) + norm.cdf(-shift - edge)))

@@ -1,4 +1,4 @@
-"""How far a study is: derived from its journal and its lock, so also right after SIGKILL."""
+"""Progress of a study, derived from its journal and its lock, so it is correct even after SIGKILL."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ from comity.system.own_files import read_regular
 
 @dataclass(frozen=True, slots=True)
 class StudyProgress:
-    """A study that is not done."""
+    """The progress of an unfinished study."""
 
     folder: Path
     file: str
-    """The study's file, as its account has it."""
+    """Path of the study's file, from its account."""
     ended: int
-    """Different episodes that the journal holds."""
+    """Number of different episodes in the journal."""
     episodes: int
-    """Different episodes of the study."""
+    """Number of different episodes of the study."""
     is_running: bool
-    """Whether a command on this machine writes to the folder now; else it was stopped or killed."""
+    """Whether a command on this machine writes to the folder now; otherwise it was stopped or killed."""
 
     @property
     def state(self) -> str:
-        """`interrupted at 3 of 8 episodes`."""
+        """State as text: `interrupted at 3 of 8 episodes`."""
         count = f"{self.ended} of {self.episodes} episodes"
         return f"running now, with {count}" if self.is_running else f"interrupted at {count}"
 
     @property
     def remedy(self) -> str:
-        """How the rest is carried out."""
+        """How to run the rest."""
         if self.is_running:
             return "Wait until `comity study run` has ended."
         command = shlex.join(["comity", "study", "run", self.file, "--out", str(self.folder)])
@@ -43,9 +43,9 @@ class StudyProgress:
 
 
 def progress_of(folder: Path) -> StudyProgress | None:
-    """How far the study in a folder is; None where it is done, or none is there.
+    """Progress of the study in a folder; None if it is done, or there is none.
 
-    The journal counts: a command that was killed leaves its account as it was at the start.
+    The journal is authoritative: a killed command leaves its account as it was at the start.
     """
     try:
         account = json.loads(read_regular(folder / ACCOUNT))

@@ -1,4 +1,4 @@
-"""A study that was run: its table and data dictionary, read back from its folder."""
+"""A finished study: its table and data dictionary, read from its folder."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
 DESCRIBED = ("column", "unit", "definition", "source")
-"""What the dictionary says of each column."""
+"""Columns of the dictionary, for each column of the table."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,14 +29,14 @@ class Study:
     columns: Mapping[str, Mapping[str, str]]
     """By column of the table: its unit, definition and source, and why a cell may be empty."""
     rows: tuple[Mapping[str, str], ...]
-    """One a visit; cells as the CSV file has them, empty where there is no value."""
+    """One row per visit; cells as in the CSV file, empty if there is no value."""
 
     @classmethod
     def load(cls, path: str | Path) -> Study:
-        """The study in a folder that `comity study run` wrote.
+        """Load the study from a folder written by `comity study run`.
 
         Raises:
-            InputError: if there is none, its tables are not written yet, or they were damaged.
+            InputError: if there is no study, its tables are not written yet, or they are damaged.
         """
         folder = Path(path)
         for name in (RESULTS, DICTIONARY):
@@ -54,11 +54,11 @@ class Study:
 
     @property
     def progress(self) -> StudyProgress | None:
-        """How far the study is; None where it is done. Else the table may lack episodes."""
+        """Progress of the study; None if it is done. If not, the table may lack episodes."""
         return progress_of(self.path)
 
     def to_frame(self) -> DataFrame:
-        """The table as a pandas DataFrame, numbers as numbers and NaN where there is no value.
+        """The table as a pandas DataFrame with numeric columns, NaN for missing numbers.
 
         Raises:
             ImportError: if pandas is not installed.
@@ -93,10 +93,10 @@ def _without_table(folder: Path, name: str) -> InputError:
 
 
 def _read(path: Path, columns: Collection[str]) -> list[tuple[int, dict[str, str]]]:
-    """The rows of a table, each with its line.
+    """The rows of a table with their line numbers.
 
     Raises:
-        InputError: with the line, where cells or columns are missing, or the file is no text.
+        InputError: with the line, if cells or columns are missing, or the file is no text.
     """
     found = []
     try:
@@ -124,7 +124,7 @@ def _refusal(path: Path, expected: str, got: str, line: int | None) -> InputErro
 
 
 def _holds_numbers(name: str, column: Mapping[str, str]) -> bool:
-    """Whether a column with a unit has numbers alone: factors have words, too, and ages may be bands."""
+    """Whether a column with a unit holds numbers only: factors may hold text, and ages may be bands."""
     return not column["definition"].startswith("Factor: ") and not name.startswith("fact_")
 
 

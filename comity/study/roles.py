@@ -1,4 +1,4 @@
-"""People of several scenarios by names that all share."""
+"""Roles: names that people of several scenarios share."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ def roles_of(file: YamlFile, written: StudyFile, name: str, scenario: ScenarioFi
 
     Args:
         file: The study's file, for complaints.
-        written: What it says.
-        name: The scenario as the study names it.
+        written: Its content.
+        name: Name of the scenario in the study.
         scenario: The scenario.
 
     Raises:
-        InputError: with the line, for a role without a person there.
+        InputError: with the line, for a role without a person in the scenario.
     """
     people = scenario.scenario.people
     roles = {VISITED: (scenario.scenario.visited() or tuple(people))[0]}
@@ -45,11 +45,11 @@ def roles_of(file: YamlFile, written: StudyFile, name: str, scenario: ScenarioFi
 
 
 def located(path: str, roles: Mapping[str, str]) -> Sequence[str]:
-    """The keys that a factor's path leads through, with the person in the place of a role.
+    """Keys of a factor's path, with roles replaced by people.
 
     Args:
-        path: As a study has it: `people.visited.posture`.
-        roles: Of the scenario.
+        path: Path in a study: `people.visited.posture`.
+        roles: Roles of the scenario.
     """
     keys = path.split(".")
     if keys[0] == "people" and len(keys) > 1 and keys[1] in roles:

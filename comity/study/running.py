@@ -1,7 +1,7 @@
-"""A study carried out: what is not in its journal yet, and at the end its tables.
+"""Execution of a study: runs the episodes missing in its journal, then writes its tables.
 
-The command alone writes. The journal has every episode that ended, synced to the disk; so a study that was
-stopped or killed, whose disk was full or whose cluster was lost, goes on where it was.
+Only the command writes. The journal has every ended episode, synced to disk, so a study continues after a
+stop, a kill, a full disk or a lost cluster.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from comity.study.study_plan import StudyCell, StudyPlan
 
 Watch = Callable[[int], None]
-"""Is told how many episodes have ended just now."""
+"""Called with the number of episodes that have just ended."""
 
 
 def run_study(
@@ -40,17 +40,17 @@ def run_study(
     connect: Callable[[], EpisodeRunner],
     start: Callable[[int, int], Watch],
 ) -> StudyRunAnswer:
-    """Carry out what is missing, and write the tables.
+    """Run the missing episodes, and write the tables.
 
     Args:
         plan: The study.
-        out: Its folder.
-        connect: Gives what carries episodes out; called once the folder is known to be usable.
-        start: Receives how many episodes are missing and how many there are, and gives the watch.
+        out: Folder of the study.
+        connect: Returns the runner; called once the folder is known to be usable.
+        start: Called with the number of missing and of all episodes; returns the callback for ended ones.
 
     Raises:
         InputError: if the folder or the cluster cannot be used.
-        OSError: if there is no room.
+        OSError: if the disk is full.
     """
     with study_folder(out, plan.written.name):
         carrier = connect()
@@ -66,20 +66,20 @@ def run_study(
             rows = read_journal(out / JOURNAL).rows
             return _tell(out, _finished(plan, out, carrier, _as_it_is(account, missing, lost, rows), rows))
         except BaseException:
-            with suppress(InputError):  # where there is no room, what it says of before stands
+            with suppress(InputError):  # if the disk is full, the older account stays
                 rows = read_journal(out / JOURNAL).rows
                 _tell(out, replace(_as_it_is(account, missing, lost, rows), status="stopped"))
             raise
 
 
 _Missing = Mapping[str, Sequence["StudyCell"]]
-"""By key, all that is the same episode."""
+"""By key, all cells with the same episode."""
 _Rows = Mapping[str, Sequence[StudyRow]]
-"""By key, the rows of an episode that ended."""
+"""By key, the rows of an ended episode."""
 
 
 def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[_Missing, StudyRunAnswer]:
-    """What the journal does not hold, and an account that says so."""
+    """Episodes missing in the journal, and an account of the start."""
     journal = read_journal(out / JOURNAL)
     missing: dict[str, list[StudyCell]] = {}
     there: set[str] = set()
@@ -115,7 +115,7 @@ def _begun(plan: StudyPlan, out: Path, carrier: EpisodeRunner) -> tuple[_Missing
 
 
 def _as_it_is(account: StudyRunAnswer, missing: _Missing, lost: int, rows: _Rows) -> StudyRunAnswer:
-    """The account with what the journal holds by now."""
+    """The account updated from the journal."""
     ended = missing.keys() & rows.keys()
     done = account.done + sum(len(missing[key]) for key in ended)
     return replace(account, done=done, run_now=len(ended), lost_workers=lost)
@@ -124,7 +124,7 @@ def _as_it_is(account: StudyRunAnswer, missing: _Missing, lost: int, rows: _Rows
 def _finished(
     plan: StudyPlan, out: Path, carrier: EpisodeRunner, account: StudyRunAnswer, rows: _Rows
 ) -> StudyRunAnswer:
-    """The tables of the study's episodes that the journal holds, and an account of them."""
+    """Write the tables from the journal, and return the final account."""
     installed = carrier.installed
     keyed = [(cell, cell.key(installed.code, installed.fingerprint)) for cell in plan.cells()]
     found = [(cell, key, rows[key]) for cell, key in keyed if key in rows]
@@ -140,7 +140,7 @@ def _finished(
 
 
 def _written(out: Path, table: StudyTable) -> Iterator[str]:
-    """Write the tables; their names."""
+    """Write the tables, and yield their names."""
     write_whole(out / DICTIONARY, table.dictionary().encode(), private=True)
     write_whole(out / RESULTS, table.csv().encode(), private=True)
     yield from (RESULTS, DICTIONARY)
@@ -149,7 +149,7 @@ def _written(out: Path, table: StudyTable) -> Iterator[str]:
             write_parquet(table, part)
         yield PARQUET
     else:
-        (out / PARQUET).unlink(missing_ok=True)  # one of fewer episodes
+        (out / PARQUET).unlink(missing_ok=True)  # remove an outdated table
     yield from (JOURNAL, ACCOUNT, WRITTEN)
 
 

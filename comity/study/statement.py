@@ -1,4 +1,4 @@
-"""What every table and page of a study says about its differences between people."""
+"""The caveat that every table and page of a study states about its differences between people."""
 
 STATEMENT = (
     "Simulated people: differences between profiles are assumptions of the population and the rulebook, "

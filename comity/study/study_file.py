@@ -1,4 +1,4 @@
-"""A study as a file: scenarios, factors, individuals, seeds and the design that combines them."""
+"""The study file: scenarios, factors, individuals, seeds and the design that combines them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from comity_sim2d.maps.file import Name
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 VISITED = "visited"
-"""The role of the person whom the first goal of a scenario names, unless `roles` says otherwise."""
+"""Default role of the person whom the first goal of a scenario names, unless `roles` overrides it."""
 
 StudyDesign = Literal["full", "list", "in step", "latin hypercube"]
 
@@ -100,5 +100,5 @@ class StudyFile(BaseModel):
 
     @property
     def every_seed(self) -> tuple[int, ...]:
-        """The seeds in their order."""
+        """All seeds in order."""
         return tuple(range(self.seeds)) if isinstance(self.seeds, int) else self.seeds

@@ -36,20 +36,20 @@ class StudyCell:
     """One episode of a study: a scenario, a condition, an individual and a seed."""
 
     scenario: str
-    """As the study names it."""
+    """Name of the scenario in the study."""
     condition: StudyCondition
     base: EpisodeBase
     person: str | None
-    """The one that the individual is; None in a study without individuals."""
+    """Person replaced by the individual; None without individuals."""
     individual: Individual | None
     seed: int
 
     def key(self, code: str, fingerprint: str) -> str:
-        """The digest of all that the episode depends on.
+        """Digest of everything the episode depends on.
 
         Args:
             code: The digest of the installed code.
-            fingerprint: What else the bytes of a trace depend on.
+            fingerprint: Fingerprint of everything else that affects the bytes of a trace.
         """
         one = self.individual
         who = None if one is None else {**one.as_plain(), "name": "", "group": ""}
@@ -60,18 +60,18 @@ class StudyCell:
 
 @dataclass(frozen=True, slots=True)
 class StudyPlan:
-    """A study with all its questions answered."""
+    """A study with everything resolved."""
 
     file: YamlFile
     written: StudyFile
     conditions: tuple[StudyCondition, ...]
     population: StudyPopulation | None
     bases: Mapping[str, tuple[EpisodeBase, ...]]
-    """By scenario, one a condition."""
+    """By scenario, one base per condition."""
     persons: Mapping[str, str]
-    """By scenario, the one that the individuals are."""
+    """By scenario, the person replaced by individuals."""
     notes: tuple[str, ...] = ()
-    """What a user may not have meant, such as a culture without a score."""
+    """Warnings about possible mistakes, such as a culture without a score."""
 
     @property
     def individuals(self) -> tuple[Individual | None, ...]:
@@ -80,7 +80,7 @@ class StudyPlan:
 
     @property
     def episodes(self) -> int:
-        """How many there are."""
+        """Number of episodes."""
         parts = (self.bases, self.conditions, self.individuals, self.written.every_seed)
         count = 1
         for part in parts:
@@ -88,7 +88,7 @@ class StudyPlan:
         return count
 
     def cells(self) -> Iterator[StudyCell]:
-        """All episodes, seeds fastest, then individuals, conditions and scenarios."""
+        """All episodes; seeds vary fastest, then individuals, conditions and scenarios."""
         for scenario, bases in self.bases.items():
             person = self.persons[scenario] if self.population else None
             for condition, base in zip(self.conditions, bases, strict=True):
@@ -98,19 +98,19 @@ class StudyPlan:
 
 
 def load_study(path: Path) -> StudyPlan:
-    """The study that a file describes, with everything checked that no episode has to show.
+    """Load a study from a file; everything is checked that needs no episode.
 
     Raises:
-        InputError: with file and line, for whatever cannot be used.
+        InputError: with file and line, for anything that cannot be used.
     """
     return study_of(read_yaml(path))
 
 
 def study_of(file: YamlFile) -> StudyPlan:
-    """The same of a study that is read already.
+    """The plan of a parsed study file.
 
     Raises:
-        InputError: with file and line, for whatever cannot be used.
+        InputError: with file and line, for anything that cannot be used.
     """
     written = file.check(StudyFile)
     conditions = conditions_of(file, written)
@@ -151,7 +151,7 @@ def study_of(file: YamlFile) -> StudyPlan:
 def _others(
     base: EpisodeBase, scenario: ScenarioFile, individual: str | None
 ) -> Iterator[tuple[str, Mapping[str, Any], date | None]]:
-    """The people of a scenario whose place no individual takes: name, profile, and day."""
+    """The people of a scenario who are not replaced by an individual: name, profile, and date."""
     for name, person in base.scenario["people"].items():
         if name != individual:
             yield name, person["profile"], scenario.scenario.at
@@ -187,7 +187,7 @@ def _person(file: YamlFile, written: StudyFile, roles: Mapping[str, str]) -> str
 def _refuse_profiles_of_individuals(
     file: YamlFile, written: StudyFile, conditions: Sequence[StudyCondition], *, has_individuals: bool
 ) -> None:
-    """Individuals bring their profile and comfort along: a factor would be without effect."""
+    """Refuse factors for an individual's profile or comfort, which individuals bring along."""
     taken = {f"people.{written.individuals_are}.{key}" for key in ("profile", "comfort")}
     for condition in conditions if has_individuals else ():
         for path in condition.values:
@@ -207,7 +207,7 @@ def _based(
     condition: StudyCondition,
     roles: Mapping[str, str],
 ) -> tuple[EpisodeBase, ScenarioFile]:
-    """A scenario under a condition, as it could be played; a value that breaks it is named by its line."""
+    """A scenario under a condition, checked; an invalid value is reported with its line."""
 
     def made(one: StudyCondition) -> tuple[EpisodeBase, ScenarioFile]:
         base, changed = base_of(scenario, one, roles, folder=file.path.parent, at=written.at)
@@ -234,7 +234,7 @@ def _placed(error: InputError, file: YamlFile, place: tuple[str | int, ...], pat
 def _refuse_compared(
     file: YamlFile, written: StudyFile, population: StudyPopulation, books: Collection[Rulebook]
 ) -> None:
-    """Refuse comfort that is drawn from a rulebook that decides in the study: it would judge itself."""
+    """Refuse comfort drawn from a rulebook that the study compares: it would be judged by itself."""
     if written.assume == "rulebook":
         return
     names = {book.name for book in books}
@@ -249,7 +249,7 @@ def _refuse_compared(
 
 
 def _check_individuals(population: StudyPopulation, books: Collection[Rulebook], at: date | None) -> None:
-    """Refuse facts and wishes that a rulebook of the study cannot use, and facts that need a day."""
+    """Refuse facts and wishes that a rulebook of the study cannot use, and facts that need a date."""
     for one in population.individuals:
         declared = declared_by(one.profile, called=one.name)
         where = population.where(one)

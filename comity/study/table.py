@@ -1,4 +1,4 @@
-"""The tidy table of a study: rows in the order of the plan, and a reason for every empty cell."""
+"""The tidy table of a study: rows in the plan's order, with a reason for every empty cell."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ DICTIONARY = ("column", "unit", "definition", "source", "empty_because")
 
 @dataclass(frozen=True, slots=True)
 class StudyTable:
-    """Rows with what their columns mean."""
+    """Rows, and definitions of their columns."""
 
     columns: Mapping[str, ColumnDefinition]
     rows: Sequence[StudyRow]
 
     def csv(self) -> str:
-        """The rows, an empty cell where there is no value; the same bytes for the same rows."""
+        """The rows as CSV, with empty cells for missing values; deterministic."""
         return csv_text(self.columns, ([_cell(row.get(name)) for name in self.columns] for row in self.rows))
 
     def dictionary(self) -> str:
@@ -45,13 +45,13 @@ def study_table(
     installed: Installation,
     version: str,
 ) -> StudyTable:
-    """The table of the episodes that have ended.
+    """Build the table of the ended episodes.
 
     Args:
         factors: The paths of the study's factors.
         found: The episodes in the order of the plan, each with its key and its rows.
-        installed: What decided them besides their input.
-        version: Of Comity.
+        installed: Code and libraries that ran them.
+        version: Version of Comity.
     """
     rows: list[StudyRow] = []
     for cell, key, measured in found:
@@ -76,7 +76,7 @@ def study_table(
 
 
 def _design(cell: StudyCell, person: str) -> StudyRow:
-    """The columns that say which episode a row is of."""
+    """Columns that identify the episode of a row."""
     one = cell.individual if person == cell.person else None
     return {
         "scenario": cell.scenario,
@@ -90,12 +90,12 @@ def _design(cell: StudyCell, person: str) -> StudyRow:
 
 
 def plain_value(value: Any) -> Any:
-    """A factor's value as a cell holds it; of one that has parts, its text."""
+    """A factor's value as a cell; a structured value as text."""
     return value if isinstance(value, bool | int | float | str) or value is None else str(value)
 
 
 def why_missing(row: StudyRow, columns: Mapping[str, ColumnDefinition]) -> str:
-    """Why cells of a row are empty: `never docked: distance_actual_m, docked_s; not greeted: greeting`."""
+    """Reasons for empty cells: `never docked: distance_actual_m, docked_s; not greeted: greeting`."""
     failed = {ERROR: "error", NO_PLAN: "no plan"}.get(row["outcome"])
     reasons: dict[str, list[str]] = {}
     for name, one in columns.items():

@@ -1,4 +1,4 @@
-"""From the episodes of a study to what workers get."""
+"""Conversion of a study's episodes to tasks for workers."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 
 def task_of(plan: StudyPlan, cell: StudyCell, installed: Installation) -> StudyTask:
-    """What a worker needs for one episode.
+    """The task of a worker for one episode.
 
     Args:
         plan: The study.
         cell: The episode.
-        installed: What the workers have installed.
+        installed: Code and libraries of the workers.
     """
     one, population = cell.individual, plan.population
     is_real = population is not None and not population.is_drawn

@@ -1,4 +1,4 @@
-"""What is said of a study before it runs and when it has."""
+"""Text and JSON output about a study, before and after it runs."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from comity.study.study_plan import StudyCell, StudyPlan
 
 FIRST = 5
-"""Episodes that are shown."""
+"""Number of episodes shown."""
 SEEDS_MATTER = (
     "There, every seed gives the same numbers: one seed is enough, or let seeds matter by the noise of the "
     "sensor (`robot.sensor.noise_m: [0.02]`), places drawn at random (`at: random`) or people who walk."
@@ -37,13 +37,13 @@ SEEDS_MATTER = (
 def plan_answer(
     plan: StudyPlan, estimate: StudyEstimate, jobs: int, out: Path | None = None
 ) -> StudyPlanAnswer:
-    """What a study has, and what it will take.
+    """Contents of a study, and its estimated cost.
 
     Args:
         plan: The study.
-        estimate: What a few of its episodes took.
-        jobs: Processes that are to carry it out.
-        out: The folder that it is carried out in; what that holds is not run again.
+        estimate: Estimate from a few episodes.
+        jobs: Number of processes.
+        out: Output folder; episodes already in it are not run again.
     """
     done = None if out is None else _done_in(plan, out)
     individuals = plan.population.individuals if plan.population else ()
@@ -71,7 +71,7 @@ def plan_answer(
 
 
 def _done_in(plan: StudyPlan, out: Path) -> int:
-    """Episodes of the study that its journal holds, for the code and the platform here."""
+    """Number of the study's episodes in its journal, for the installed code and platform."""
     rows, here = read_journal(out / JOURNAL).rows, installation()
     return sum(cell.key(here.code, here.fingerprint) in rows for cell in plan.cells())
 
@@ -97,7 +97,7 @@ def _shown(cell: StudyCell) -> dict[str, Any]:
 
 
 def plan_text(answer: StudyPlanAnswer) -> Iterator[RenderableType]:
-    """The same for a reader."""
+    """The answer as text."""
     parts = {
         "scenario": answer.scenarios,
         "condition": answer.conditions,
@@ -133,7 +133,7 @@ def _words(row: Mapping[str, Any], heading: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def size_text(count: float) -> str:
-    """`40 kB`, `12 MB`, `3.5 GB`."""
+    """Size as text: `40 kB`, `12 MB`, `3.5 GB`."""
     for unit, step in (("kB", 1e3), ("MB", 1e6)):
         if count < 1000 * step:
             return f"{max(count / step, 1):.0f} {unit}"
@@ -141,7 +141,7 @@ def size_text(count: float) -> str:
 
 
 def run_text(answer: StudyRunAnswer) -> Iterator[RenderableType]:
-    """What a study came to."""
+    """Results of a study, as text."""
     yield (
         f"Study {answer.study}: {answer.done} of {answer.episodes} episodes, {answer.run_now} of them now, "
         f"{answer.failed} failed"

@@ -1,4 +1,4 @@
-"""Cultures in a study of which a rulebook's table has no score: often a slip of the pen, never an error."""
+"""Cultures in a study without a score in a rulebook's table: often a typo, but never an error."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def unscored_notes(
     """A note for each culture and table, with the first of the people who has it.
 
     Args:
-        people: What each is called, the profile as plain values, and the day on which it is taken.
+        people: Name, profile as plain values, and date for dated facts of each person.
         books: The rulebooks of the study.
     """
     found: dict[str, str] = {}

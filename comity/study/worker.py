@@ -1,4 +1,4 @@
-"""One episode of a study, carried out wherever a worker is: in a process here, or on a cluster."""
+"""Execution of one episode of a study, by a process on this machine or on a cluster."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
     from comity.sharing.extra import Extra
 
 KEPT = 64
-"""Scenarios under one condition that a worker need not read again."""
+"""Maximum number of cached combinations of scenario and condition in a worker."""
 _ONE_AT_A_TIME = Lock()
-"""A worker with several threads carries out one episode after the other: py_trees' blackboard is shared."""
+"""Lock for workers with several threads, which run episodes one at a time: py_trees' blackboard is shared."""
 
 
 @dataclass(frozen=True, slots=True)
 class Installation:
-    """What besides its input decides an episode."""
+    """Code, libraries and platform, which affect an episode besides its input."""
 
     code: str
     fingerprint: str
@@ -42,37 +42,37 @@ class Installation:
 
 @dataclass(frozen=True, slots=True)
 class StudyTask:
-    """All that a worker needs for one episode."""
+    """Input of a worker for one episode."""
 
     key: str
     base: EpisodeBase
     person: str | None
-    """The one that the individual is; None where nobody is."""
+    """Person replaced by the individual; None without one."""
     profile: Mapping[str, Any] | None
     comfort: Mapping[str, Any] | None
     filtered: Collection[Extra] | None
     seed: int
     installed: Installation
-    """What the key counts on."""
+    """Code and libraries that the key assumes."""
 
 
 @dataclass(frozen=True, slots=True)
 class TaskDone:
-    """What came of a task."""
+    """The result of a task."""
 
     key: str
     rows: tuple[StudyRow, ...]
     took_s: float
-    """CPU time of the worker."""
+    """CPU time of the worker [s]."""
 
 
 def installation() -> Installation:
-    """That of this process."""
+    """The installation of this process."""
     return Installation(installed_code(), fingerprint())
 
 
 def carried_out(task: StudyTask) -> TaskDone:
-    """Plan and execute an episode; whatever it raises becomes its rows."""
+    """Plan and execute an episode; an exception becomes its rows."""
     with _ONE_AT_A_TIME:
         start = time.process_time()
         try:
@@ -85,7 +85,7 @@ def carried_out(task: StudyTask) -> TaskDone:
 
 
 def lost_rows(task: StudyTask, losses: int) -> tuple[StudyRow, ...]:
-    """The rows of an episode that no worker survived."""
+    """Rows of an episode whose workers were all lost."""
     return tuple(failed_rows(_visited(task), ERROR, f"{losses} workers were lost with this episode"))
 
 
@@ -95,7 +95,7 @@ def _rows(task: StudyTask) -> tuple[StudyRow, ...]:
 
 
 def prepared_of(task: StudyTask) -> PlannedEpisode:
-    """An episode of a study, planned."""
+    """The planned episode of a task."""
     file = _scenario(task.base)
     profiles = {}
     if task.person is not None and task.profile is not None:
@@ -111,7 +111,7 @@ def _visited(task: StudyTask) -> tuple[str, ...]:
 
 
 _SCENARIOS: dict[str, ScenarioFile] = {}
-"""By the digest of their base, the latest few."""
+"""Cache of scenarios by the digest of their base."""
 
 
 def _scenario(base: EpisodeBase) -> ScenarioFile:
@@ -129,7 +129,7 @@ def _comfort(task: StudyTask) -> ComfortSpec | None:
 
 @lru_cache(maxsize=KEPT)
 def _rulebook(name_or_text: str) -> str:
-    """A shipped name as it is; of a text, the path of a file with it, which lasts as long as the worker."""
+    """A shipped name unchanged; for a text, the path of a temporary file, kept for the worker's lifetime."""
     if name_or_text in shipped_rulebooks():
         return name_or_text
     path = Path(_folder().name) / f"rulebook-{_rulebook.cache_info().misses}.yaml"
@@ -139,5 +139,5 @@ def _rulebook(name_or_text: str) -> str:
 
 @lru_cache(maxsize=1)
 def _folder() -> tempfile.TemporaryDirectory[str]:
-    """Removed when the process ends."""
+    """A temporary folder, removed when the process ends."""
     return tempfile.TemporaryDirectory(prefix="comity-study-")

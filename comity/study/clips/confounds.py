@@ -1,4 +1,4 @@
-"""What besides the parameter differs between clips: whatever participants answer may be due to it as well."""
+"""Confounds: other differences between clips, which may also explain participants' answers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from comity_sim2d import Frames
 
 GAZE_DEG = 15.0
-"""The robot looks at the person where its front points no farther past them (our choice)."""
+"""Maximum angle between the robot's front and the person at which it looks at them [deg] (our choice)."""
 FIRST = (
     "episode_duration_s",
     "episode_path_length_m",
@@ -25,7 +25,7 @@ FIRST = (
     "episode_max_speed_m_s",
     "gaze_share",
 )
-"""Listed before all others."""
+"""Confounds listed first."""
 LEFT_OUT = frozenset({"person", *PROVENANCE} - {"episode_outcome"})
 OF_CLIPS: Mapping[str, ColumnDefinition] = {
     "gaze_share": ColumnDefinition(
@@ -33,14 +33,14 @@ OF_CLIPS: Mapping[str, ColumnDefinition] = {
     ),
     "said": ColumnDefinition("", "All that the robot said to the person.", OWN),
 }
-"""Beside the columns of a study."""
+"""Confounds besides the columns of a study."""
 
 ClipFacts = Mapping[tuple[str, str], float | str]
-"""What was measured in a clip, by person and column."""
+"""Measurements of a clip, by person and column."""
 
 
 def clip_facts(episode: Episode, frames: Frames) -> ClipFacts:
-    """What a study would measure of an episode, where the robot looked, and what it said."""
+    """A study's measurements of an episode, where the robot looked, and what it said."""
     found: dict[tuple[str, str], float | str] = {}
     for row in episode_rows(episode, None, filtered=None):
         person = str(row["person"])
@@ -54,7 +54,7 @@ def clip_facts(episode: Episode, frames: Frames) -> ClipFacts:
 
 
 def gaze_share(frames: Frames, robot: str, person: str) -> float:
-    """The share of frames in which the robot's front points at the person, to 15 deg."""
+    """Share of frames, in [0, 1], in which the robot's front points at the person within `GAZE_DEG`."""
     here, there = frames.of(robot), frames.of(person)
     towards = np.arctan2(there[:, 1] - here[:, 1], there[:, 0] - here[:, 0])
     past = np.abs((here[:, 2] - towards + np.pi) % (2 * np.pi) - np.pi)
@@ -62,10 +62,10 @@ def gaze_share(frames: Frames, robot: str, person: str) -> float:
 
 
 def confounds_of(facts: Sequence[ClipFacts]) -> tuple[ConfoundAnswer, ...]:
-    """All that differs between clips: duration, path, speed and gaze first, then in the order of a study.
+    """All differences between clips: duration, path, speed and gaze first, then in the order of a study.
 
     Args:
-        facts: Of each clip.
+        facts: Measurements of each clip.
     """
     places = dict.fromkeys(place for one in facts for place in one)
     columns = {**columns_of((), (column for _, column in places)), **OF_CLIPS}
@@ -93,5 +93,5 @@ def _confound(
 
 
 def _rounded(value: float | str | None) -> float | str | None:
-    """Differences below a thousandth of the unit cannot be seen."""
+    """Rounded to a thousandth of the unit; smaller differences are invisible."""
     return round(value, 3) if isinstance(value, float) else value

@@ -1,4 +1,4 @@
-"""MP4 from a GIF, where ffmpeg is installed: as a program, or by the package imageio-ffmpeg."""
+"""Conversion of GIF to MP4, if ffmpeg is installed: as a program, or through the package imageio-ffmpeg."""
 
 from __future__ import annotations
 
@@ -10,35 +10,35 @@ from pathlib import Path
 from comity_fis.errors import ComityError
 
 EVEN = "scale=trunc(iw/2)*2:trunc(ih/2)*2"
-"""H.264 with 4:2:0 colours takes even sizes only."""
+"""H.264 with 4:2:0 chroma subsampling requires even sizes."""
 EXACT = ("-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact")
-"""No date and no version in the file."""
+"""Options that keep date and version out of the file."""
 
 
 INSTALL = "Debian: apt-get install ffmpeg; anywhere: pip install imageio-ffmpeg"
-"""What brings ffmpeg."""
+"""How to install ffmpeg."""
 
 
 def ffmpeg_program() -> str | None:
-    """The program: that on the path, else that of imageio-ffmpeg; None where there is neither."""
+    """Path of ffmpeg: from PATH, else from imageio-ffmpeg; None if there is neither."""
     if (found := shutil.which("ffmpeg")) is not None:
         return found
     try:
         return str(import_module("imageio_ffmpeg").get_ffmpeg_exe())
-    except (ImportError, RuntimeError):  # it is not installed, or has no program for this platform
+    except (ImportError, RuntimeError):  # not installed, or without a program for this platform
         return None
 
 
 def write_mp4(program: str, gif: Path, path: Path) -> None:
-    """Convert a GIF for players and survey programs that take none.
+    """Convert a GIF for players and survey programs that do not accept GIFs.
 
     Args:
-        program: That of ffmpeg.
-        gif: The film as it is.
-        path: Of the MP4: the same frames at the same rate. The last frame is not held, as the GIF's is.
+        program: Path of ffmpeg.
+        gif: The input GIF.
+        path: Output path; the MP4 has the same frames and rate, but the last frame is not held as in the GIF.
 
     Raises:
-        ComityError: ffmpeg could not.
+        ComityError: if ffmpeg failed.
     """
     plays_anywhere = ("-pix_fmt", "yuv420p", "-movflags", "+faststart")
     words = [

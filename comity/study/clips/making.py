@@ -1,4 +1,4 @@
-"""Clips made: each value's episode is played, filmed without a word on its values, and compared."""
+"""Production of clips: each value's episode is run, filmed without showing the value, and compared."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ KEY_COLUMNS = (
     "clip", "parameter", "value", "scenario", "seed", "rulebook", "outcome", "length_s", "trace_sha256",
 )  # fmt: skip
 LONGEST_S = 60.0
-"""A film takes no longer; all of a set play at one speed, the longest decides (our choice)."""
+"""Maximum length of a film [s]; all films of a set have the same speed, set by the longest (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,26 +42,26 @@ class Clip:
 
     name: str
     value: Any
-    """Of the parameter."""
+    """Value of the parameter."""
     seed: int
     rulebook: str
     outcome: str
     trace_sha256: str
     length_s: float
-    """Of the episode, simulated."""
+    """Duration of the episode [simulated s]."""
     facts: ClipFacts
 
 
 def make_clips(plan: StudyPlan, out: Path) -> StudyClipsAnswer:
-    """Play, film and compare the conditions of a study with one factor.
+    """Run, film and compare the conditions of a study with one factor.
 
     Args:
-        plan: One scenario, one factor, one seed, no individuals.
+        plan: A study with one scenario, one factor, one seed and no individuals.
         out: A new or an empty folder.
 
     Raises:
-        InputError: the folder holds something, or cannot be written.
-        PlanningFailed: no plan is found under some value.
+        InputError: if the folder is not empty, or cannot be written.
+        PlanningFailed: if there is no plan under some value.
     """
     _require_empty(out)
     with TemporaryDirectory(prefix="comity-clips-") as runs:
@@ -124,7 +124,7 @@ def _played(plan: StudyPlan, cell: StudyCell, runs: Path) -> Clip:
 
 
 def _filmed(run: Path, out: Path, speed: float) -> Sequence[str]:
-    """The names of a clip's files in the folder."""
+    """Names of a clip's files in the folder."""
     folder = open_run(run)
     gif, mp4, page = f"{run.name}.gif", f"{run.name}.mp4", f"{PAGES}/{run.name}.html"
     with writing(out / gif), written_whole(out / gif) as part:
@@ -139,7 +139,7 @@ def _filmed(run: Path, out: Path, speed: float) -> Sequence[str]:
 
 
 def key_csv(scenario: str, parameter: str, clips: Sequence[Clip]) -> str:
-    """Which clip shows which value."""
+    """The key: which clip shows which value."""
     rows = []
     for one in clips:
         told = (scenario, one.seed, one.rulebook, one.outcome, f"{one.length_s:g}", one.trace_sha256)
@@ -148,12 +148,12 @@ def key_csv(scenario: str, parameter: str, clips: Sequence[Clip]) -> str:
 
 
 def plain(value: Any) -> str:
-    """A value of the parameter as people read it."""
+    """A value of the parameter as readable text."""
     return value if isinstance(value, str) else json.dumps(value)
 
 
 def confounds_csv(clips: Sequence[Clip], confounds: Sequence[ConfoundAnswer]) -> str:
-    """What differs, a row for each quantity, a column for each clip."""
+    """The confounds: a row for each quantity, a column for each clip."""
     rows = []
     for one in confounds:
         values = ["" if value is None else value for value in one.values]

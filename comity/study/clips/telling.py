@@ -1,4 +1,4 @@
-"""What is said of clips."""
+"""Text output about clips."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
 SHOWN = 12
-"""Confounds on the terminal; the file has all."""
+"""Maximum number of confounds on the terminal; the file has all."""
 
 
 def clips_text(answer: StudyClipsAnswer) -> Iterator[RenderableType]:
-    """What was made, for a reader; the values stay in the key."""
+    """What was made, as text; the values are only in the key."""
     fast = "" if answer.speed == 1 else f", played {answer.speed:g} times as fast"
     yield f"{answer.scenario} with {answer.parameter} changed: {len(answer.clips)} clips{fast}"
     yield table([(one.clip, one.outcome, f"{one.length_s:.1f} s") for one in answer.clips])

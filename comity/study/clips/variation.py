@@ -1,4 +1,4 @@
-"""The same visit under several values of one parameter, as a study of its own."""
+"""The same visit under several values of one parameter, as a study with one factor."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ def varied(scenario: str, words: str, seed: int) -> StudyPlan:
 
     Args:
         scenario: A shipped name or a file.
-        words: `KEY=V1,V2`; the key as a factor of a study, the values as YAML writes them.
-        seed: Of every episode.
+        words: `KEY=V1,V2`; the key as a factor of a study, the values as in YAML.
+        seed: Seed of every episode.
 
     Raises:
         InputError: for an unknown key or a value that the scenario cannot have.
@@ -47,5 +47,5 @@ def varied(scenario: str, words: str, seed: int) -> StudyPlan:
 
 
 def opaque_name(scenario: str, key: str, value: object, seed: int) -> str:
-    """A clip's name, which tells nothing of its value or their order; the same for the same clip."""
+    """A clip's name, which reveals neither its value nor the order; deterministic."""
     return f"clip-{sha256(dumps([scenario, key, value, seed]).encode()).hexdigest()[:8]}"

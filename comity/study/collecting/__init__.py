@@ -1,1 +1,1 @@
-"""Sessions with people: what is asked in which order, and answers on disk one by one."""
+"""Sessions with people: questions in order, and answers written to disk one by one."""

@@ -1,4 +1,4 @@
-"""An allocation read back: the session of a participant."""
+"""Reading of a stored allocation: the session of a participant."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def read_allocation(folder: Path) -> dict[str, Session]:
     """All sessions by participant, from a folder that `comity study sessions` wrote.
 
     Raises:
-        InputError: with file and line, for whatever cannot be used.
+        InputError: with file and line, for anything that cannot be used.
     """
     with read_csv(folder / ALLOCATION, OWN) as table:
         places = [i for i, name in enumerate(table.heading) if name.startswith("condition_")]
@@ -55,7 +55,7 @@ def session_of(folder: Path, participant: str) -> Session:
     """The session of one participant.
 
     Raises:
-        InputError: if the allocation has none.
+        InputError: if the allocation has no such participant.
     """
     sessions = read_allocation(folder)
     if participant not in sessions:

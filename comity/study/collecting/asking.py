@@ -1,4 +1,4 @@
-"""Questions to the experimenter, one line each; what cannot be used is asked again with the remedy."""
+"""Questions to the experimenter, one line each; an invalid answer is asked again with the remedy."""
 
 from __future__ import annotations
 
@@ -11,38 +11,38 @@ from comity_fis.errors import WrongValueError
 
 T = TypeVar("T")
 OPEN = "-"
-"""Typed where a question is left open."""
+"""Input that leaves a question open."""
 
 
 class AnswersEndedError(Exception):
-    """The lines ended: the session goes on another time."""
+    """The input ended; the session can be continued later."""
 
 
 @dataclass(frozen=True, slots=True)
 class Asker:
-    """Where questions go and answers come from: a terminal, or a script."""
+    """Source of answers and target of questions: a terminal, or a script."""
 
     lines: TextIO
     shown: TextIO
 
     def say(self, text: str) -> None:
-        """Show something that is not answered."""
+        """Show text that needs no answer."""
         print(text, file=self.shown, flush=True)
 
     def ask(self, question: str, read: Callable[[str], T]) -> T:
-        """The first answer that can be used.
+        """The first valid answer.
 
         Args:
             question: Shown before each answer.
-            read: Makes a value of a line, or raises `InputError` or `WrongValueError`.
+            read: Converts a line to a value, or raises `InputError` or `WrongValueError`.
 
         Raises:
-            AnswersEndedError: at the end of the lines.
+            AnswersEndedError: at the end of the input.
         """
         while True:
             print(f"{question}: ", end="", file=self.shown, flush=True)
             line = self.lines.readline()
-            if not line.endswith("\n"):  # what was not ended by Enter was not answered
+            if not line.endswith("\n"):  # a line not ended by Enter is no answer
                 self.say("")
                 raise AnswersEndedError
             try:
@@ -52,10 +52,10 @@ class Asker:
 
 
 def agreed(words: str) -> bool:
-    """Yes or no.
+    """Parse yes or no.
 
     Raises:
-        WrongValueError: it is neither.
+        WrongValueError: if it is neither.
     """
     if words.lower() in ("yes", "no"):
         return words.lower() == "yes"

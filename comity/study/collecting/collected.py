@@ -1,4 +1,4 @@
-"""The answers that sessions left: which tables, which columns, and which questions are answered."""
+"""Stored answers of sessions: tables, their columns, and the questions already answered."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ AFTER_FACTS = ("parameter", "value", "unit", "measured", "partner", "signal", "d
 
 
 def distance_columns(written: CollectionFile) -> tuple[str, ...]:
-    """Of the table of stop distances."""
+    """Columns of the table of stop distances."""
     return (*BEFORE_FACTS, *written.facts, *AFTER_FACTS)
 
 
 def text_digest(written: CollectionFile) -> str:
-    """Of the text that is agreed to."""
+    """Digest of the consent text."""
     return sha256(written.consent.encode()).hexdigest()[:12]
 
 
@@ -37,10 +37,10 @@ class Collected:
 
     @classmethod
     def read(cls, folder: Path, written: CollectionFile) -> Collected:
-        """What a folder holds; nothing where there is none.
+        """Read a folder; empty if it does not exist.
 
         Raises:
-            InputError: the tables are those of another collection.
+            InputError: if the tables belong to another collection.
         """
         return cls(
             tuple(rows_of(folder / ANSWERS, ANSWER_COLUMNS)),
@@ -49,7 +49,7 @@ class Collected:
 
     @property
     def answered(self) -> dict[str, set[Step]]:
-        """The questions to which an answer stands, by participant."""
+        """Answered questions, by participant."""
         found: dict[str, set[Step]] = defaultdict(set)
         for row in self.answers:
             found[row["participant"]].add(Step(row["condition"], row["questionnaire"], row["item"]))
@@ -58,5 +58,5 @@ class Collected:
         return found
 
     def to(self, questionnaire: str) -> list[Mapping[str, str]]:
-        """The answers to a questionnaire, or to `consent` or `facts`."""
+        """Answers to a questionnaire, or to `consent` or `facts`."""
         return [row for row in self.answers if row["questionnaire"] == questionnaire]

@@ -1,4 +1,4 @@
-"""What a session asks, as a file: consent, facts, stop distances and questionnaires."""
+"""The file that defines a session: consent, facts, stop distances and questionnaires."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from comity_fis.validation.yaml_file import YamlFile, read_yaml
 from comity_sim2d.maps.file import Name
 
 CONSENT, FACT, DISTANCE = "consent", "facts", "stop distance"
-"""What stands as `questionnaire` in the answers beside the names of questionnaires."""
+"""Values of the column `questionnaire` besides the names of questionnaires."""
 Radius = Annotated[Number, Field(gt=0, le=2)]
 
 
@@ -80,7 +80,7 @@ class CollectionFile(BaseModel):
 
     @property
     def radii_m(self) -> float:
-        """By how much a distance between centres is longer than one between surfaces."""
+        """Difference between a distance of centres and one of surfaces [m]."""
         return self.robot_radius_m + self.person_radius_m
 
 
@@ -91,10 +91,10 @@ class Collection:
     file: YamlFile
     written: CollectionFile
     questionnaires: Mapping[str, QuestionnaireFile]
-    """By the names that they call themselves."""
+    """Questionnaires by the names in their files."""
 
     def require_conditions(self, allocated: tuple[str, ...]) -> None:
-        """Refuse what is to be shown under a condition that the allocation does not have.
+        """Refuse a condition that the allocation does not have.
 
         Raises:
             InputError: with the line.

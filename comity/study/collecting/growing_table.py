@@ -1,7 +1,7 @@
-"""A CSV file that grows by a row at a time, each on the disk before the next question is asked.
+"""An append-only CSV file: each row is on disk before the next question is asked.
 
-A last row that was cut off, by SIGKILL or a full disk, is taken off when the file is opened again. A damaged
-row before it is refused by its line, as it may hold what a participant answered.
+An incomplete last row, after SIGKILL or on a full disk, is removed when the file is opened again. An earlier
+damaged row is an error with its line, as it may hold a participant's answer.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from comity_fis import InputError, Where
 
 @dataclass(frozen=True, slots=True)
 class GrowingTable:
-    """The file while it is open."""
+    """The open file."""
 
     file: BinaryIO
     columns: tuple[str, ...]
 
     def add(self, cells: Mapping[str, object]) -> None:
-        """Add a row; it is on the disk when this returns.
+        """Add a row; it is on disk when this returns.
 
         Args:
-            cells: By column; what is left out is empty. None of them has a line break.
+            cells: Cells by column, without line breaks; missing ones are empty.
 
         Raises:
-            OSError: there is no room; what was written before stays.
+            OSError: if the disk is full; earlier rows remain.
         """
         self.file.write(csv_text([str(cells.get(name, "")) for name in self.columns]).encode())
         self.file.flush()
@@ -42,10 +42,10 @@ class GrowingTable:
 
 @contextmanager
 def opened_table(path: Path, columns: Sequence[str]) -> Iterator[GrowingTable]:
-    """The table, to be added to; one that is not there begins with its headings.
+    """Open the table for appending; a new one gets its headings.
 
     Raises:
-        InputError: the file has other headings, or the system does not let us.
+        InputError: if the file has other headings, or the system refuses.
     """
     rows_of(path, columns)
     with writing(path):
@@ -61,10 +61,10 @@ def opened_table(path: Path, columns: Sequence[str]) -> Iterator[GrowingTable]:
 
 
 def rows_of(path: Path, columns: Sequence[str]) -> list[dict[str, str]]:
-    """The whole rows of a table; none where there is no file.
+    """The complete rows of a table; none if there is no file.
 
     Raises:
-        InputError: the file has other headings, and is another table; or a row before the last is damaged.
+        InputError: if the headings are those of another table, or a row before the last is damaged.
     """
     if not path.exists():
         return []
@@ -89,7 +89,7 @@ def rows_of(path: Path, columns: Sequence[str]) -> list[dict[str, str]]:
 
 
 def _cells(line: str) -> list[str]:
-    """The cells of a line, none of which has a line break; none of a line that is no CSV."""
+    """The cells of a line without line breaks; empty if the line is no CSV."""
     try:
         return next(csv.reader([line]), [])
     except csv.Error:
@@ -97,10 +97,10 @@ def _cells(line: str) -> list[str]:
 
 
 def without_participant(path: Path, columns: Sequence[str], participant: str) -> int:
-    """Remove the rows of a participant who withdrew; how many these were.
+    """Remove the rows of a participant who withdrew, and return their number.
 
     Raises:
-        InputError: the file is another table, or the system does not let us.
+        InputError: if the file is another table, or the system refuses.
     """
     rows = rows_of(path, columns)
     kept = [row for row in rows if row["participant"] != participant]
@@ -110,7 +110,7 @@ def without_participant(path: Path, columns: Sequence[str], participant: str) ->
 
 
 def _whole(path: Path) -> bytes:
-    """Up to the end of the last whole row."""
+    """Content up to the end of the last complete row."""
     with writing(path):
         content = path.read_bytes()
     return content[: content.rfind(b"\n") + 1]

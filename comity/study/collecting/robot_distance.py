@@ -1,4 +1,4 @@
-"""How far a robot stands from the person nearest to it, by its own localisation and tracker."""
+"""Distance between a robot and the person nearest to it, by its own localisation and tracker."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ if TYPE_CHECKING:
     from comity_executor import MapRobot
 
 FRESH_S = 0.5
-"""What was measured longer ago is not taken."""
+"""Maximum age of a measurement [s]."""
 BRAKES_S, PERIOD_S = 3.0, 0.05
-"""So long the robot has to come to rest, looked at so often."""
+"""Time limit for the robot to come to rest, and polling period [s]."""
 
 
 def stopped_at(robot: MapRobot) -> float:
-    """Stop the robot, and say how far it then stands from the nearest person, between the centres [m].
+    """Stop the robot, then measure its distance to the nearest person, between the centres [m].
 
     Raises:
-        WrongValueError: it does not come to rest, or does not know where it or the person is.
+        WrongValueError: if it does not come to rest, or its own or the person's position is unknown.
     """
     robot.stop()
     ends_s = robot.now_s() + BRAKES_S

@@ -1,4 +1,4 @@
-"""One session: what is not answered yet is asked, and each answer is on disk before the next question."""
+"""One session: asks unanswered questions and stores each answer before the next question."""
 
 from __future__ import annotations
 
@@ -39,16 +39,16 @@ Status = Literal["done", "stopped", "refused"]
 
 @dataclass(frozen=True, slots=True)
 class Collector:
-    """A session that is carried out.
+    """A running session.
 
     Args:
-        collection: What is asked.
-        session: The participant, with the conditions in their order.
-        folder: Of the answers.
+        collection: The collection that defines the questions.
+        session: The participant, with their order of conditions.
+        folder: Folder of the answers.
         by: The experimenter.
-        day: On which it is.
-        asker: Where questions go and answers come from.
-        robot_m: Stops a robot and gives its distance between the centres; None where distances are typed.
+        day: Date of the session.
+        asker: Source of answers and target of questions.
+        robot_m: Stops a robot and returns its distance between the centres [m]; None if distances are typed.
     """
 
     collection: Collection
@@ -60,19 +60,19 @@ class Collector:
     robot_m: Callable[[], float] | None = None
 
     def left(self) -> tuple[Step, ...]:
-        """The questions that no answer stands to, in their order."""
+        """Unanswered questions, in order."""
         done = self._collected().answered[self.session.participant]
         steps = steps_of(self.collection, self.session, text_digest(self.collection.written))
         return tuple(step for step in steps if step not in done)
 
     def carry_out(self) -> tuple[Status, int]:
-        """Ask what is left; how it ended, and how many answers came.
+        """Ask the remaining questions; returns how it ended, and the number of new answers.
 
-        Without consent nothing is stored. At the end of the lines, by Ctrl-C or SIGKILL, what was answered
-        stays, and the same command goes on.
+        Nothing is stored without consent. If the input ends, or after Ctrl-C or SIGKILL, the answers are
+        kept, and the same command continues.
 
         Raises:
-            InputError: the folder holds the answers of another collection, or is written to now.
+            InputError: if the folder holds the answers of another collection, or is being written to.
         """
         left = self.left()
         count = 0
@@ -90,7 +90,7 @@ class Collector:
         return ("stopped" if self.left() else "done"), count
 
     def withdraw(self) -> int:
-        """Delete all answers of the participant; how many these were.
+        """Delete all answers of the participant, and return their number.
 
         Raises:
             InputError: as for `carry_out`.
@@ -126,7 +126,7 @@ class Collector:
             yield answers, distances
 
     def _take(self, step: Step, tables: tuple[GrowingTable, GrowingTable]) -> int:
-        """Ask one question and write its answer down; 0 where that is left open and asked again next time."""
+        """Ask one question and store its answer; 0 if it is left open, to be asked again next time."""
         answers, distances = tables
         if step.of == DISTANCE:
             row = self._stop_distance(step)
@@ -198,7 +198,7 @@ class Collector:
         }
 
     def _distance(self, words: str) -> tuple[float, str] | None:
-        """A distance as the collection measures it [m], and who read it; None where it is left open."""
+        """A distance [m] in the collection's convention, and who read it; None if left open."""
         if words == OPEN:
             return None
         if words or self.robot_m is None:

@@ -14,20 +14,20 @@ class Step:
     """One question; no two of a session are the same."""
 
     condition: str
-    """Empty for what is asked once."""
+    """Condition; empty for a question asked once."""
     of: str
-    """A questionnaire's name, or `consent`, `facts`, `stop distance`."""
+    """Name of a questionnaire, or `consent`, `facts`, `stop distance`."""
     item: str
-    """Of the questionnaire; a fact; the number of the trial; of the consent its text's digest."""
+    """Item of the questionnaire, fact, trial number, or digest of the consent text."""
 
 
 def steps_of(collection: Collection, session: Session, text_digest: str) -> Iterator[Step]:
     """Consent, facts, then under each condition the stop distances and the questionnaires.
 
     Args:
-        collection: What is asked.
-        session: Whose conditions stand in their order.
-        text_digest: Of the consent's text.
+        collection: The collection that defines the questions.
+        session: The session, with the order of its conditions.
+        text_digest: Digest of the consent text.
     """
     yield Step("", CONSENT, text_digest)
     yield from (Step("", FACT, fact) for fact in collection.written.facts)

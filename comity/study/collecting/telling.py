@@ -1,4 +1,4 @@
-"""What is said of a session."""
+"""Text and JSON output about a session."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def collect_answer(
 
     Args:
         collector: The session.
-        status: What became of it.
-        written: Answers that were written or, of a participant who withdrew, deleted.
+        status: How it ended.
+        written: Number of answers written or, if the participant withdrew, deleted.
     """
     paths = [collector.folder / name for name in (ANSWERS, DISTANCES)]
     return StudyCollectAnswer(
@@ -39,7 +39,7 @@ def collect_answer(
 
 
 def collect_text(answer: StudyCollectAnswer) -> Iterator[RenderableType]:
-    """The same for a reader."""
+    """The answer as text."""
     who, answers = answer.participant, counted(answer.written, "answer")
     yield {
         "done": f"{who}: done, {answers} written",

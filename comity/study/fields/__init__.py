@@ -1,1 +1,1 @@
-"""The fields to report of a study, with people or simulated: what is known filled in, the rest left blank."""
+"""Reporting fields of a study, with people or simulated: known ones filled in, the rest left blank."""

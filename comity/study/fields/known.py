@@ -1,4 +1,4 @@
-"""The fields that a collection, its allocation and its answers fill."""
+"""Reporting fields filled from a collection, its allocation and its answers."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ STOP_SAYS = {
 
 @dataclass(frozen=True, slots=True)
 class KnownStudy:
-    """What is on disk of a study with people."""
+    """The files of a study with people."""
 
     collection: Collection
     sessions: Mapping[str, Session]
-    """The allocation, by participant."""
+    """Sessions of the allocation, by participant."""
     folder: Path
-    """Of the answers."""
+    """Folder of the answers."""
     collected: Collected
     clips: Path | None
-    """What `comity study clips` wrote; None where no clips were shown."""
+    """Folder written by `comity study clips`; None if no clips were shown."""
 
     @property
     def came(self) -> tuple[str, ...]:
-        """Participants who agreed and have not withdrawn."""
+        """Participants who consented and have not withdrawn."""
         return tuple(dict.fromkeys(row["participant"] for row in self.collected.to(CONSENT)))
 
 
@@ -92,7 +92,7 @@ def _participants(study: KnownStudy) -> Iterator[ReportedField]:
 
 
 def _groups(study: KnownStudy, participants: SizedCollection[str]) -> str:
-    """`12 (x 6, y 6)`."""
+    """Number of participants by group: `12 (x 6, y 6)`."""
     known = [study.sessions[one].group for one in participants if one in study.sessions]
     groups = Counter(group for group in known if group)
     told = ", ".join(f"{group} {count}" for group, count in sorted(groups.items()))
@@ -100,7 +100,7 @@ def _groups(study: KnownStudy, participants: SizedCollection[str]) -> str:
 
 
 def _spread(fact: str, cells: Sequence[str]) -> str:
-    """How the answers to a fact are distributed; `undisclosed` counts those who left it open."""
+    """Distribution of the answers to a fact; `undisclosed` counts open answers."""
     numbers = [float(cell) for cell in cells if fact in NUMBERS and NUMBER.fullmatch(cell)]
     if numbers:
         told = f"{len(numbers)} from {min(numbers):g} to {max(numbers):g}, mean {mean(numbers):.1f}"

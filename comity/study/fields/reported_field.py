@@ -1,4 +1,4 @@
-"""A field of a report, and the fields that only the lab can fill.
+"""A reporting field, and the fields that only the lab can fill.
 
 No text of IEEE P3108 was published as this was written. The fields follow the topics that its working group
 lists in public (participants, study design, metrics and measures, data reporting), and what Cordero, Groechel
@@ -24,11 +24,11 @@ class ReportedField:
     section: Section
     name: str
     value: str | None
-    """What is known; None where the lab has to fill it in. Lines are kept."""
+    """Known content, lines kept; None if the lab has to fill it in."""
     asks: str = ""
-    """What the lab is to write."""
+    """Instruction for the lab."""
     applies: bool = True
-    """Whether the study can have it; else `value` says why not."""
+    """Whether the field applies to the study; if not, `value` says why."""
 
 
 def blank(section: Section, name: str, asks: str) -> ReportedField:
@@ -37,7 +37,7 @@ def blank(section: Section, name: str, asks: str) -> ReportedField:
 
 
 def inapplicable(section: Section, name: str, why: str) -> ReportedField:
-    """A field that a study of this kind does not have."""
+    """A field that does not apply to a study of this kind."""
     return ReportedField(section, name, f"does not apply: {why}", applies=False)
 
 

@@ -1,4 +1,4 @@
-"""The fields to report of a study of simulated visits, from its file, its population and its table."""
+"""Reporting fields of a simulation study, from its file, its population and its table."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from comity.study.study_plan import StudyPlan
 
 TOLD = ("episodes", "different", "failed", "version", "code", "fingerprint")
-"""What is used of a study's account."""
+"""Entries used of a study's account."""
 NO_PEOPLE = "no people took part"
 OF_PEOPLE: Mapping[str, str] = {
     "Ethics": NO_PEOPLE,
@@ -45,26 +45,26 @@ OF_PEOPLE: Mapping[str, str] = {
     "Familiarisation": NO_PEOPLE,
     "Wording": "no questionnaires were asked",
 }
-"""Fields about participants, and why they do not apply."""
+"""Fields about participants, with the reason why they do not apply."""
 OF_A_TABLE = ("Ethics", "Recruitment", "Inclusion and exclusion", "Compensation", "Withdrawals")
-"""Those of them that are the lab's where individuals come from a table: it may hold real people."""
+"""Those of these fields that apply if individuals come from a table: it may contain real people."""
 
 
 @dataclass(frozen=True, slots=True)
 class SimulatedStudy:
-    """What is on disk of a study of simulated visits."""
+    """The files of a simulation study."""
 
     plan: StudyPlan
     visits: StudyVisits
     account: Mapping[str, Any]
-    """Its `study.json`."""
+    """Content of its `study.json`."""
 
     @classmethod
     def read(cls, study: Study, file: Path) -> SimulatedStudy:
-        """What the folder of a study holds, with the file that it was run from.
+        """Read a study's folder, with the file that it was run from.
 
         Raises:
-            InputError: if the file is not there, was changed since, or the folder lacks its account or rows.
+            InputError: if the file is missing or was changed, or the folder lacks its account or rows.
         """
         plan = plan_of(study, file)
         try:
@@ -89,7 +89,7 @@ class SimulatedStudy:
 
 
 def simulated_fields(study: SimulatedStudy) -> tuple[ReportedField, ...]:
-    """All fields, section by section: known ones, those that do not apply, and those of the lab."""
+    """All fields, section by section: known ones, inapplicable ones, and the lab's."""
     found = [*_study(study), *_participants(study), *_robot(study), *_design(study), *_procedure(study)]
     found += [*_measures(study), *_data(study), *_inapplicable(study.plan.population)]
     known = {(one.section, one.name) for one in found}
@@ -130,7 +130,7 @@ def _participants(study: SimulatedStudy) -> Iterator[ReportedField]:
 
 
 def _groups(population: StudyPopulation) -> Iterator[str]:
-    """A line each: how many, their facts, and the source of their comfort."""
+    """One line per group: number of individuals, their facts, and the source of their comfort distances."""
     for name, group in population.written.groups.items():
         written = group.model_dump(mode="json", by_alias=True, exclude_unset=True)
         facts = ", ".join(f"{key} {plain_value(value)}" for key, value in written.get("facts", {}).items())

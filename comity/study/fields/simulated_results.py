@@ -1,4 +1,4 @@
-"""What a study of simulated visits measured and found, as lines of a report."""
+"""Results of a simulation study, as lines of a report."""
 
 from __future__ import annotations
 

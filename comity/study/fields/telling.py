@@ -1,4 +1,4 @@
-"""The fields as Markdown to be completed, and as an answer for programs."""
+"""Reporting fields as Markdown to be completed, and as JSON output."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ def fields_answer(study: str, fields: Sequence[ReportedField], file: str | None)
 
     Args:
         study: Its name.
-        fields: Filled and blank.
-        file: That was written.
+        fields: Filled and blank fields.
+        file: The written file; None without one.
     """
     return StudyFieldsAnswer(
         study=study,
@@ -43,7 +43,7 @@ def fields_answer(study: str, fields: Sequence[ReportedField], file: str | None)
 
 
 def fields_markdown(study: str, fields: Sequence[ReportedField]) -> str:
-    """The fields as a text that the lab completes."""
+    """The fields as Markdown, for the lab to complete."""
     return "\n".join([f"# Reporting {study}", "", HEAD, "", *_sections(fields)])
 
 

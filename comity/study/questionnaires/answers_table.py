@@ -1,4 +1,4 @@
-"""Answers to a questionnaire in a CSV file: a row for each answer, or for each sheet."""
+"""Answers to a questionnaire in a CSV file: a row per answer, or per answer sheet."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from comity_fis import closest
 from comity_fis.validation.csv_table import CsvTable, Row, read_csv, short
 
 MISSING = ("", "NA")
-"""Cells of an item that was not answered. R writes NA."""
+"""Cells of unanswered items; R writes NA."""
 MOST_ROWS, MOST_SHEETS = 1_000_000, 10_000
 
 
@@ -21,9 +21,9 @@ class AnswerSheet:
 
     participant: str
     condition: str
-    """Empty where the table has none."""
+    """Condition; empty if the table has none."""
     answers: dict[str, float] = field(default_factory=dict)
-    """By item, as they were given; those that were not answered are not here."""
+    """Raw answers by item; unanswered items are missing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,27 +33,27 @@ class AnswersTable:
     file: str
     sheets: tuple[AnswerSheet, ...]
     unused: tuple[str, ...]
-    """Headings that are neither items nor known otherwise."""
+    """Headings that are neither items nor otherwise known."""
 
     @property
     def conditions(self) -> tuple[str, ...]:
-        """In the order in which they appear; empty where the table names none."""
+        """Conditions in order of appearance; empty if the table has none."""
         return tuple(dict.fromkeys(one.condition for one in self.sheets if one.condition))
 
     @property
     def participants(self) -> tuple[str, ...]:
-        """In the order in which they appear."""
+        """Participants in order of appearance."""
         return tuple(dict.fromkeys(one.participant for one in self.sheets))
 
 
 def read_answers(path: Path, questionnaire: QuestionnaireFile) -> AnswersTable:
     """The answers of a file, each checked against the scale of its item.
 
-    With the columns `item` and `answer` a row is one answer, as `comity study collect` writes them, and rows
-    of another `questionnaire` are passed over. Without these two a row is a sheet, with a column an item.
+    With the columns `item` and `answer`, each row is one answer, as `comity study collect` writes them, and
+    rows of other questionnaires are skipped. Otherwise each row is an answer sheet, with a column per item.
 
     Raises:
-        InputError: with file and line, for whatever cannot be used.
+        InputError: with file and line, for anything that cannot be used.
     """
     with read_csv(path, (*OWN_COLUMNS, *questionnaire.items)) as table:
         reader = _AnswerReader(table, questionnaire)
@@ -116,7 +116,7 @@ class _AnswerReader:
                 sheet.answers[item] = self._answer(row, item, cell)
 
     def _cells(self, row: Row) -> Iterator[tuple[str, str]]:
-        """The items of a row with what stands there."""
+        """Items and cells of a row."""
         if not self._is_long:
             yield from ((item, self._cell(row, item)) for item in self._asked.items)
             return

@@ -1,4 +1,4 @@
-"""A questionnaire as a file: items, the subscales that they belong to, and the numbers of an answer."""
+"""The questionnaire file: items, their subscales, and the scale of answers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 _SUFFIX = ".questionnaire.yaml"
 Point = Annotated[int, Field(strict=True, ge=-1000, le=1000)]
 OWN_COLUMNS = ("participant", "condition", "questionnaire", "item", "answer")
-"""Headings of a table of answers, which are no items."""
+"""Headings of a table of answers that are not items."""
 
 
 class AnswerScale(BaseModel):
@@ -103,7 +103,7 @@ class QuestionnaireFile(BaseModel):
 
     @property
     def subscales(self) -> dict[str, tuple[str, ...]]:
-        """The items of each subscale, both in the order of the file."""
+        """Items of each subscale, both in the order of the file."""
         found: dict[str, list[str]] = {}
         for item, one in self.items.items():
             for subscale in dict.fromkeys(one.subscales):
@@ -111,17 +111,17 @@ class QuestionnaireFile(BaseModel):
         return {subscale: tuple(items) for subscale, items in found.items()}
 
     def scale_of(self, item: str) -> AnswerScale:
-        """The numbers of an answer to an item."""
+        """The answer scale of an item."""
         return self.items[item].scale or self.scale
 
     def keyed(self, item: str, answer: float) -> float:
-        """An answer with more of what is measured counting higher: reversed items are turned round."""
+        """An answer coded so that higher means more of the construct: reversed items are inverted."""
         scale = self.scale_of(item)
         return scale.from_ + scale.to - answer if self.items[item].reversed else answer
 
 
 def shipped_questionnaires() -> dict[str, Path]:
-    """The structures that ship with Comity, without the texts of their items."""
+    """The questionnaires that ship with Comity, without the texts of their items."""
     return {one.name.removesuffix(_SUFFIX): one for one in sorted(Path(__file__).parent.glob(f"*{_SUFFIX}"))}
 
 
@@ -140,7 +140,7 @@ def questionnaire_path(name: str) -> Path:
 
 
 def load_questionnaire(name: str) -> QuestionnaireFile:
-    """The questionnaire of a shipped name or a path.
+    """Load a questionnaire by its shipped name or path.
 
     Raises:
         InputError: with file and line, for whatever cannot be used.

@@ -1,4 +1,4 @@
-"""Cronbach's alpha of a subscale, with an interval that resamples participants."""
+"""Cronbach's alpha of a subscale, with a bootstrap interval over participants."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from comity.study.report.resampling import AT_ONCE, LEVEL, RESAMPLES, SEED, Floa
 
 @dataclass(frozen=True, slots=True)
 class Reliability:
-    """How alike the items of a subscale are answered."""
+    """Internal consistency of a subscale."""
 
     alpha: float | None
-    """None for one item, or where all complete sheets have the same sum."""
+    """Cronbach's alpha; None for a single item, or if all complete sheets have the same sum."""
     low: float | None
-    """End of the interval; None for fewer than two participants."""
+    """Lower end of the interval; None for fewer than two participants."""
     high: float | None
     sheets: int
-    """Without a missing answer; only these count."""
+    """Number of complete sheets; only these count."""
     participants: int
-    """Whose sheets these are."""
+    """Number of participants with such sheets."""
 
 
 def reliability_of(answers: Floats, participants: Labels) -> Reliability:
     """Alpha = k / (k - 1) * (1 - sum of the items' variances / variance of their sum).
 
-    Cronbach, "Coefficient alpha and the internal structure of tests", Psychometrika 16(3), 1951. Participants
-    are drawn again with replacement, each with all sheets, since one person's sheets resemble each other; the
-    interval holds the middle 95 % of 2,000 resamples.
+    Cronbach, "Coefficient alpha and the internal structure of tests", Psychometrika 16(3), 1951. The
+    bootstrap resamples participants with all their sheets, since one person's sheets are correlated; the
+    interval is the middle 95 % of 2,000 resamples.
 
     Args:
-        answers: Sheets x items, NaN where there is none.
+        answers: Array (sheets, items), NaN for missing answers.
         participants: The participant of each sheet.
     """
     complete = ~np.isnan(answers).any(axis=1)
@@ -51,17 +51,17 @@ def reliability_of(answers: Floats, participants: Labels) -> Reliability:
 
 
 def _alphas(block: Floats, times: Floats) -> Floats:
-    """Alpha of several resamples; NaN where it has no value.
+    """Alpha of several resamples, shape (resamples,); NaN if undefined.
 
     Args:
-        block: Sheets x items, without NaN.
-        times: Resamples x sheets: how often each sheet counts.
+        block: Array (sheets, items), without NaN.
+        times: Array (resamples, sheets): weight of each sheet.
     """
     sheets, items = block.shape
     if items < 2 or sheets < 2:
         return np.full(len(times), np.nan)
     shares = times / times.sum(axis=1, keepdims=True)
-    off = block - block.mean(axis=0)  # around the mean, so that squares lose no digits
+    off = block - block.mean(axis=0)  # centred, so that squares lose no digits
     with_sum = np.column_stack([off, off.sum(axis=1)])
     variances = shares @ with_sum**2 - (shares @ with_sum) ** 2
     total = np.where(variances[:, -1] > 1e-12, variances[:, -1], np.nan)  # NaN: all sums are the same

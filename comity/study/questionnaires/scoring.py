@@ -1,4 +1,4 @@
-"""Scores of subscales: the mean of the answers, reversed items turned round."""
+"""Subscale scores: the mean of the answers, with reversed items inverted."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from comity.study.questionnaires.reliability import Reliability, reliability_of
 from comity.study.report.resampling import Floats
 
 SCORES_MARK = b"questionnaire,participant,condition,"
-"""How a table of scores begins."""
+"""Beginning of a table of scores."""
 
 
 @dataclass(frozen=True, slots=True)
 class SubscaleScores:
-    """One subscale of all sheets."""
+    """Scores of one subscale for all sheets."""
 
     name: str
     items: tuple[str, ...]
     needed: int
-    """Answers that a sheet must have for a score."""
+    """Minimum number of answers on a sheet for a score."""
     answered: tuple[int, ...]
-    """Answers of each sheet."""
+    """Number of answers on each sheet."""
     scores: tuple[float | None, ...]
-    """Of each sheet; None where too few items were answered."""
+    """Score of each sheet; None if too few items were answered."""
     reliability: Reliability
 
     @property
     def mean(self) -> float | None:
-        """Of all scores; None without any."""
+        """Mean of all scores; None without any."""
         there = [one for one in self.scores if one is not None]
         return sum(there) / len(there) if there else None
 
@@ -41,10 +41,10 @@ class SubscaleScores:
 def scored(questionnaire: QuestionnaireFile, table: AnswersTable) -> tuple[SubscaleScores, ...]:
     """The scores of each subscale.
 
-    A score is the mean of the items that were answered, where these are at least the stated share of the
-    subscale's items: a missing answer counts as the mean of that person's others (the half rule of Fairclough
-    and Cella, "Functional Assessment of Cancer Therapy (FACT-G): non-response to individual questions",
-    Quality of Life Research 5(3), 1996). There is no score over subscales.
+    A score is the mean of the answered items if these are at least the required share of the subscale's
+    items: a missing answer counts as the mean of that person's other answers (the half rule of Fairclough and
+    Cella, "Functional Assessment of Cancer Therapy (FACT-G): non-response to individual questions", Quality
+    of Life Research 5(3), 1996). There is no total score over subscales.
     """
     matrix = keyed_answers(questionnaire, table)
     places = {item: i for i, item in enumerate(questionnaire.items)}
@@ -64,7 +64,7 @@ def scored(questionnaire: QuestionnaireFile, table: AnswersTable) -> tuple[Subsc
 
 
 def keyed_answers(questionnaire: QuestionnaireFile, table: AnswersTable) -> Floats:
-    """Sheets x items, reversed items turned round; NaN where there is no answer."""
+    """Array (sheets, items) with reversed items inverted; NaN for missing answers."""
     return np.array(
         [
             [
@@ -79,7 +79,7 @@ def keyed_answers(questionnaire: QuestionnaireFile, table: AnswersTable) -> Floa
 def scores_csv(
     questionnaire: QuestionnaireFile, table: AnswersTable, found: tuple[SubscaleScores, ...]
 ) -> str:
-    """A row for each participant and condition: each subscale's score and how many items were answered."""
+    """CSV with a row for each participant and condition: subscale scores and numbers of answered items."""
     columns = [name for one in found for name in (one.name, f"{one.name}_answered")]
     rows = []
     for i, sheet in enumerate(table.sheets):

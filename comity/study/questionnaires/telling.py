@@ -1,4 +1,4 @@
-"""What is said of scores."""
+"""Text and JSON output about scores."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def score_answer(
     """All scores of a table of answers.
 
     Args:
-        questionnaire: By which they were scored.
-        answers: What was scored.
-        found: Its subscales.
-        files: That were written.
+        questionnaire: The questionnaire.
+        answers: The scored answers.
+        found: Scores of its subscales.
+        files: Written files.
     """
     return StudyScoreAnswer(
         questionnaire=questionnaire.name,
@@ -72,7 +72,7 @@ HEAD = ("subscale", "items", "scored", "mean", "alpha", "95 % interval", "comple
 
 
 def score_text(answer: StudyScoreAnswer) -> Iterator[RenderableType]:
-    """The same for a reader."""
+    """The answer as text."""
     under = f", {counted(len(answer.conditions), 'condition')}" if answer.conditions else ""
     sheets = counted(len(answer.sheets), "sheet")
     yield (

@@ -1,1 +1,1 @@
-"""What a study that was run shows: intervals, differences, who is served worse, failures, and its page."""
+"""Report of a study: intervals, differences, who is served worse, failures, and its page."""

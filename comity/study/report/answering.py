@@ -1,4 +1,4 @@
-"""What a study shows, as an answer: levels, differences, who is served worse, failures and outliers."""
+"""Results of a study as JSON output: levels, differences, who is served worse, failures and outliers."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def study_name(study: Study) -> str:
-    """What the study is called; its folder's name where its account is damaged."""
+    """Name of the study; its folder's name if its account is damaged."""
     try:
         return str(json.loads(read_regular(study.path / ACCOUNT))["study"])
     except (OSError, ValueError, TypeError, KeyError):
@@ -36,7 +36,7 @@ def study_name(study: Study) -> str:
 
 @dataclass(frozen=True, slots=True)
 class LevelComparison:
-    """Two levels of a factor, and the visits that they share."""
+    """Two levels of a factor, and the visits that they share, as pairs."""
 
     factor: StudyFactor
     first: int
@@ -45,12 +45,12 @@ class LevelComparison:
 
     @property
     def names(self) -> tuple[str, str]:
-        """Of the levels."""
+        """Names of the levels."""
         return self.factor.levels[self.first], self.factor.levels[self.second]
 
 
 def comparisons_of(visits: StudyVisits, factors: Sequence[StudyFactor]) -> Iterator[LevelComparison]:
-    """Each further level of a factor against its first, where the same individuals meet both."""
+    """Each other level of a factor compared with its first, if the same individuals meet both."""
     for factor in factors:
         for second in range(1, len(factor.levels)) if factor.is_paired else ():
             pairs = pairs_of(visits, factor, 0, second)
@@ -64,14 +64,14 @@ def comparison_named(
     """Two levels of a factor by their names.
 
     Args:
-        visits: The study's.
-        factors: Those of the study.
-        factor: As a column or as a path of the study's file.
-        first: The level that is taken away.
-        second: The other one.
+        visits: The study's visits.
+        factors: The study's factors.
+        factor: The factor, by its column or its path in the study's file.
+        first: The level to subtract.
+        second: The level to subtract from.
 
     Raises:
-        InputError: for a factor or a level that the study has not, or levels that share no visits.
+        InputError: for an unknown factor or level, or levels that share no visits.
     """
     paired = {one.name: one for one in factors if one.is_paired}
     names = (factor, column_of(factor))
@@ -101,7 +101,7 @@ def comparison_named(
 def comparison_answer(
     visits: StudyVisits, compared: LevelComparison, outcomes: Sequence[StudyOutcome], study: str
 ) -> StudyCompareAnswer:
-    """How outcomes differ between two levels: for all, then group by group."""
+    """Differences of outcomes between two levels: overall, then by group."""
     groups = visits.words("group")[compared.pairs.first]
     names = [name for name in dict.fromkeys(groups.tolist()) if name]
     return StudyCompareAnswer(
@@ -138,7 +138,7 @@ def level_answers(
 def level_estimates(
     visits: StudyVisits, outcome: StudyOutcome, factors: Sequence[StudyFactor]
 ) -> list[tuple[StudyFactor, list[EstimateAnswer | None]]]:
-    """By factor, the estimate of an outcome at each level."""
+    """By factor, the estimates of an outcome at each level."""
     return [
         (one, [visits.estimated(outcome.values, one.level_of == i) for i in range(len(one.levels))])
         for one in factors

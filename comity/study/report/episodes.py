@@ -1,4 +1,4 @@
-"""The visits of a study as columns: to individuals, and what was measured of each."""
+"""The visits of a study as columns: visits to individuals, and their measurements."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ NO_INDIVIDUAL = ""
 
 @dataclass(frozen=True)
 class StudyVisits:
-    """The rows of a study whose people are compared.
+    """The rows of a study that are compared.
 
-    With a population these are the visits to its individuals; other people of a scenario are the same in
-    every episode. Without one, all visits.
+    With a population, these are the visits to its individuals; other people of a scenario are the same in
+    every episode. Without a population, all visits.
     """
 
     study: Study
     rows: tuple[Mapping[str, str], ...]
     left_out: int
-    """Rows of other people."""
+    """Number of rows of other people."""
 
     @classmethod
     def of(cls, study: Study) -> StudyVisits:
-        """Those of a study.
+        """The visits of a study.
 
         Raises:
             InputError: for a table without rows.
@@ -50,55 +50,55 @@ class StudyVisits:
         return cls(study, rows, len(study.rows) - len(rows))
 
     def words(self, column: str) -> NDArray[Any]:
-        """A column as text; empty where a cell is, or where there is no such column."""
+        """A column as text, shape (visits,); empty for empty cells or a missing column."""
         return np.array([row.get(column, "") for row in self.rows], dtype=str)
 
     def numbers(self, column: str) -> Floats:
-        """A column as numbers; NaN where a cell is empty or holds words."""
+        """A column as numbers, shape (visits,); NaN for empty cells or text."""
         return np.array([_number(row.get(column, "")) for row in self.rows], dtype=float)
 
     @cached_property
     def individuals(self) -> NDArray[Any]:
-        """By row, the individual."""
+        """Individual of each row."""
         return self.words("individual")
 
     @cached_property
     def rooms(self) -> NDArray[Any]:
-        """By row, the scenario."""
+        """Scenario of each row."""
         return self.words("scenario")
 
     @cached_property
     def conditions(self) -> NDArray[Any]:
-        """By row, what its repeats by other seeds share besides individual and room."""
+        """Condition of each row: common to repetitions with other seeds of the same individual and room."""
         return np.char.add(np.char.add(self.words("condition"), "/"), self.words("person"))
 
     @cached_property
     def seeds(self) -> NDArray[Any]:
-        """By row, the seed."""
+        """Seed of each row."""
         return self.words("seed")
 
     def estimated(self, values: Floats, chosen: NDArray[Any] | None = None) -> EstimateAnswer | None:
         """The mean of an outcome over some visits, with its uncertainty.
 
         Args:
-            values: One a visit, NaN where it has none.
-            chosen: Whether each visit counts; all of them without it.
+            values: One value per visit, NaN if missing.
+            chosen: Mask of the visits that count; all by default.
         """
         counted = values if chosen is None else np.where(chosen, values, np.nan)
         return estimate(counted, self.individuals, self.rooms, self.conditions, self.seeds)
 
     @cached_property
     def measured(self) -> tuple[str, ...]:
-        """Columns that are results of episodes."""
+        """Columns that hold results of episodes."""
         inputs = (FILE, PEOPLE)
         return tuple(name for name, one in self.study.columns.items() if one["source"] not in inputs)
 
 
 def require_rows(study: Study) -> None:
-    """Refuse a table that has its headings alone.
+    """Refuse a table without rows.
 
     Raises:
-        InputError: if it does.
+        InputError: if the table has only headings.
     """
     if not study.rows:
         raise InputError(

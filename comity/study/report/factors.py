@@ -1,4 +1,4 @@
-"""What visits of a study differ by: factors with their levels, groups and rooms."""
+"""Factors by which the visits of a study differ, with their levels, and groups and rooms."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ if TYPE_CHECKING:
     from comity.study.report.resampling import Whole
 
 MOST_LEVELS = 8
-"""A factor of numbers with more of them, as a Latin hypercube has, is shown in fourths."""
+"""Maximum number of levels; a numeric factor with more, as in a Latin hypercube, is shown in quartiles."""
 
 
 @dataclass(frozen=True, slots=True)
 class StudyFactor:
-    """Something that sorts visits into levels."""
+    """A partition of the visits into levels."""
 
     name: str
-    """Its column; of factors that always change together all of them: `rulebook + seeds`."""
+    """Name of its column, or of all columns that always change together: `rulebook + seeds`."""
     columns: tuple[str, ...]
     levels: tuple[str, ...]
     level_of: Whole
-    """By visit, the number of its level; -1 where it has none."""
+    """Index of each visit's level; -1 without one."""
     is_paired: bool
-    """Whether the same individual meets every level, so that differences are taken within one."""
+    """Whether the same individual meets every level, so that differences are within individuals."""
 
 
 def factors_of_visits(visits: StudyVisits) -> tuple[StudyFactor, ...]:
-    """The study's factors with more than one level, then groups and rooms; one level of all where none is."""
+    """The study's factors with several levels, then groups and rooms; a single level if there are none."""
     found = [_factor(visits, group, is_paired=True) for group in _in_step(visits)]
     found += [_factor(visits, (column,), is_paired=False) for column in ("group", "scenario")]
     some = tuple(one for one in found if len(one.levels) > 1)
@@ -43,7 +43,7 @@ def factors_of_visits(visits: StudyVisits) -> tuple[StudyFactor, ...]:
 
 
 def _in_step(visits: StudyVisits) -> Iterator[tuple[str, ...]]:
-    """The factors' columns; those that sort the visits in the same way stand together."""
+    """Columns of the factors; those with the same partition of the visits are grouped."""
     told = visits.study.columns
     columns = [
         name
@@ -57,7 +57,7 @@ def _in_step(visits: StudyVisits) -> Iterator[tuple[str, ...]]:
 
 
 def _sorted_into(words: NDArray[Any]) -> Whole:
-    """By visit, the number of its value, counted as values come up: the same for the same partition."""
+    """Index of each visit's value in order of appearance: equal for equal partitions."""
     numbers: dict[str, int] = {}
     return np.array([numbers.setdefault(str(word), len(numbers)) for word in words], dtype=np.intp)
 
@@ -74,7 +74,7 @@ def _factor(visits: StudyVisits, columns: Sequence[str], *, is_paired: bool) -> 
 
 
 def _fourths(words: NDArray[Any]) -> tuple[tuple[str, ...], Whole] | None:
-    """Many numbers as four ranges with as many visits each; None for few of them, or for words."""
+    """Names and indices of quartiles for a column with many numbers; None for few numbers, or for text."""
     if len(set(words.tolist()) - {""}) <= MOST_LEVELS:
         return None
     try:

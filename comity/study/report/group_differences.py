@@ -1,4 +1,4 @@
-"""The figure of a factor by group: within each group, the difference between two levels of the factor."""
+"""Figure of a factor by group: the difference between two levels of the factor within each group."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 ACROSS = 3
 ROW_IN, HEAD_IN, FOOT_IN = 0.26, 0.45, 0.35
-"""Height of a group, of the words above a panel, and of the axis below it."""
+"""Height of a group, of the text above a panel, and of the axis below it [in]."""
 NAMES_IN, GAP_IN = 1.25, 0.2
-"""Width of the groups' names, and between panels."""
+"""Width of the group names, and gap between panels [in]."""
 
 
 def groups_figure(compared: StudyCompareAnswer) -> Figure:

@@ -1,4 +1,4 @@
-"""The outcomes that a study is looked at by: numbers of a visit, each with unit and meaning."""
+"""Outcomes of a study: numbers measured at a visit, with unit and meaning."""
 
 from __future__ import annotations
 
@@ -22,40 +22,40 @@ SERVED, OUTSIDE, EXCESS = "served_share", "outside_comfort_share", "outside_comf
 
 @dataclass(frozen=True, slots=True)
 class StudyOutcome:
-    """One number of each visit."""
+    """One number per visit."""
 
     name: str
     unit: str
-    """`1` for a share or a count."""
+    """Unit; `1` for a share or a count."""
     means: str
     values: Floats = field(repr=False)
-    """By visit; NaN where it has none."""
+    """One value per visit; NaN if missing."""
 
     @property
     def varies(self) -> bool:
-        """Whether visits differ in it."""
+        """Whether its values differ between visits."""
         return not np.isnan(self.values).all() and bool(np.nanmax(self.values) > np.nanmin(self.values))
 
     @property
     def label(self) -> str:
-        """As an axis calls it: `distance actual [m]`."""
+        """Axis label: `distance actual [m]`."""
         return label_of(self.name, self.unit)
 
 
 def label_of(name: str, unit: str) -> str:
-    """A column as an axis calls it: `distance actual [m]` of `distance_actual_m`."""
+    """Axis label of a column: `distance actual [m]` of `distance_actual_m`."""
     plain = re.sub(r"(?<=\d) (?=\d)", ".", without_unit(name, unit).replace("_", " "))  # `1_5` is 1.5
     return plain if unit in ("1", "") else f"{plain} [{unit}]"
 
 
 def served(visits: StudyVisits) -> Floats:
-    """1 where the person was greeted, 0 where not; NaN where they declined, or the episode raised."""
+    """1 if the person was greeted, 0 if not; NaN if they declined, or the episode raised an exception."""
     said = {"greeted": 1.0, "declined": np.nan, "error": np.nan}
     return np.array([said.get(one, 0.0) for one in visits.words("outcome")])
 
 
 def excess_m(visits: StudyVisits) -> Floats:
-    """How far outside the person's comfort interval the robot stopped [m], at least 0."""
+    """Distance of the robot's stop from the person's comfort interval [m], at least 0."""
     return np.abs(visits.numbers("comfort_gap_m"))
 
 
@@ -77,9 +77,9 @@ DERIVED: Mapping[str, tuple[str, str, _Derive]] = MappingProxyType(
     }
 )
 CHOSEN = ("chosen_distance_m", "chosen_bearing_deg")
-"""Where a person moves before the robot, these are where the robot was left, and no choice."""
+"""Columns that, if the person moves, show where the robot ended up rather than a choice."""
 MOVED = ("step_back", "lean_in", "turn_away")
-"""What was noticed of such a person."""
+"""Reactions that show that a person moved."""
 MAIN = (
     *DERIVED,
     "comfort_gap_m",
@@ -91,11 +91,11 @@ MAIN = (
     "late_s",
     "episode_path_length_m",
 )
-"""Those that have a picture unless others are named."""
+"""Outcomes with a figure by default."""
 
 
 def outcomes_of(visits: StudyVisits) -> dict[str, StudyOutcome]:
-    """All outcomes in which visits differ, and whether people were served, by name: the main ones first."""
+    """By name, all outcomes that vary between visits, and whether people were served: main ones first."""
     found = {}
     names = (*MAIN, *(name for name in visits.measured if name not in MAIN and name != "row"))
     for name in names:
@@ -125,10 +125,10 @@ def pictured(outcomes: Mapping[str, StudyOutcome], asked: Sequence[str]) -> tupl
 
     Args:
         outcomes: All of the study.
-        asked: Names; the main ones where there are none.
+        asked: Names; the main ones if empty.
 
     Raises:
-        InputError: for a name that is no outcome of the study, or in which no visits differ.
+        InputError: for a name that is no outcome of the study, or that does not vary.
     """
     for name in asked:
         if name not in outcomes:

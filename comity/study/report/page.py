@@ -1,4 +1,4 @@
-"""The page of a study: one file with its pictures in it, that asks the network for nothing."""
+"""The page of a study: one HTML file with embedded pictures and no network requests."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
     from comity.study.results import Study
 
 MARK = b'<meta name="generator" content="Comity study report">'
-"""Near the start of every page: such a file may be replaced by another page."""
+"""Marker near the start of every page: such a file may be replaced by another page."""
 MOST_LISTED = 50
-"""Failures, and outliers, that a page lists; `--json` has all of them."""
+"""Maximum number of failures, and of outliers, on a page; `--json` has all."""
 
 THEMED = {
     colour.lower(): f"var(--{name})"
@@ -50,16 +50,16 @@ THEMED = {
         *((one, f"c{i}") for i, one in enumerate(COLOURS)),
     )
 }
-"""The colours of a figure by what stands for them on the page, which has a light and a dark form."""
+"""CSS variables of the page by a figure's colours; the page has a light and a dark theme."""
 
 
 def page_of_study(answer: StudyReportAnswer, study: Study, figures: Mapping[str, Path]) -> str:
     """The HTML of a study; the same study gives the same bytes.
 
     Args:
-        answer: What it shows.
-        study: For the data dictionary.
-        figures: By name, the SVG files.
+        answer: The results.
+        study: The study, for the data dictionary.
+        figures: SVG files by name.
     """
     body = "\n".join(
         (
@@ -298,7 +298,7 @@ def _dictionary(study: Study) -> Iterator[str]:
 
 
 def _figure(name: str, path: Path, says: str) -> Iterator[str]:
-    """An SVG in the page, in the colours of the page, with its files to take along."""
+    """An SVG in the page, in the page's colours, with links to its files."""
     svg = themed(path.read_text(encoding="utf-8"), name)
     svg = svg.replace("<svg ", f'<svg role="img" aria-label="{escape(says)}" ', 1)
     yield f'<figure><div class="picture">{svg}</div>'
@@ -307,11 +307,11 @@ def _figure(name: str, path: Path, says: str) -> Iterator[str]:
 
 
 def themed(svg: str, name: str) -> str:
-    """The element of an SVG file with names of its own and the colours of the page.
+    """The element of an SVG file with unique ids and the colours of the page.
 
     Args:
-        svg: The file.
-        name: Of the figure: names inside a page must not come up twice.
+        svg: Content of the file.
+        name: Name of the figure, which makes ids unique in the page.
     """
     svg = svg[svg.index("<svg ") :]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)

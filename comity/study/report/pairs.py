@@ -1,4 +1,4 @@
-"""Differences between two levels of a factor, taken within the same individual, room, seed and setting."""
+"""Paired differences between two levels of a factor, for the same individual, room, seed and setting."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class VisitPairs:
-    """Visits that differ in nothing but the level of one factor."""
+    """Pairs of visits that differ only in the level of one factor."""
 
     first: Whole
-    """Rows of the visits at the first level, by number."""
+    """Row indices of the visits at the first level."""
     second: Whole
-    """Their partners at the second level, in the same order."""
+    """Row indices of their partners at the second level, in the same order."""
 
 
 def pairs_of(visits: StudyVisits, factor: StudyFactor, first: int, second: int) -> VisitPairs:
@@ -43,7 +43,7 @@ def pairs_of(visits: StudyVisits, factor: StudyFactor, first: int, second: int) 
 
 
 def _keys(visits: StudyVisits, factor: StudyFactor) -> NDArray[Any]:
-    """By visit, all that stays the same within a pair."""
+    """By visit, a key that is the same within a pair."""
     return np.stack([visits.words(column) for column in (*_same(visits, factor), "seed")], axis=1)
 
 
@@ -57,7 +57,7 @@ def _same(visits: StudyVisits, factor: StudyFactor) -> Iterator[str]:
 def paired_difference(
     visits: StudyVisits, factor: StudyFactor, pairs: VisitPairs, outcome: StudyOutcome, group: str | None
 ) -> StudyDifferenceAnswer | None:
-    """How an outcome differs within pairs, of a group or of all; None where no pair has it at both levels."""
+    """The paired difference of an outcome, for a group or for all; None if no pair has both values."""
     if group is not None:
         chosen = visits.words("group")[pairs.first] == group
         pairs = VisitPairs(pairs.first[chosen], pairs.second[chosen])

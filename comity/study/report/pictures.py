@@ -23,14 +23,14 @@ if TYPE_CHECKING:
     from comity.study.report.resampling import Floats
 
 ROW_IN, GAP_IN, FOOT_IN = 0.42, 0.5, 0.62
-"""Height of a level, of what is above a panel, and of the axis below the last."""
+"""Height of a level, of the space above a panel, and of the axis below the last one [in]."""
 LEFT_IN, RIGHT_IN = 2.1, 0.25
 SQUARE_IN = 2.05
 GOLDEN = (math.sqrt(5) - 1) / 2
 SHAPES = "os^Dv<>p"
-"""Groups differ by shape as well as by colour."""
+"""Marker shapes of groups, in addition to colours."""
 FEW = 3000
-"""More points than these are drawn as pixels: a vector for each makes a page slow."""
+"""Above this number, points are rasterised: a vector shape for each makes a page slow."""
 
 Estimates = Sequence["EstimateAnswer | None"]
 
@@ -46,7 +46,7 @@ def outcome_figure(
 
     Args:
         visits: The study's.
-        outcome: What is shown.
+        outcome: The outcome.
         by_factor: Each factor with the estimate of each of its levels.
     """
     from matplotlib.figure import Figure
@@ -80,7 +80,7 @@ def _draw_levels(
         chosen = np.where(factor.level_of == i, outcome.values, np.nan)
         points = averaged(chosen, visits.individuals, visits.rooms).ravel()
         points = np.sort(points[~np.isnan(points)])
-        heights = i - 0.3 * ((np.arange(len(points)) * GOLDEN) % 1)  # spread evenly, and the same each time
+        heights = i - 0.3 * ((np.arange(len(points)) * GOLDEN) % 1)  # even, deterministic jitter
         ax.plot(
             points, heights, "o", ms=4, mfc="none", mec=GREY, mew=0.8, alpha=0.6, ls="", zorder=2,
             rasterized=len(points) > FEW,
@@ -107,9 +107,9 @@ def sides_figure(
     levels: tuple[str, str],
     outcomes: Sequence[StudyOutcome],
 ) -> Figure:
-    """Two levels side by side: a point an individual, across its mean at the first, up at the second.
+    """Two levels against each other: one point per individual, x its mean at the first, y at the second.
 
-    Above the line the second is larger, below it the first.
+    Above the diagonal the second level is larger, below it the first.
     """
     from matplotlib.figure import Figure
 

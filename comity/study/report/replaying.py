@@ -1,4 +1,4 @@
-"""The episode of a row, played again from the study's file, with its page."""
+"""Replay of a row's episode from the study's file, with its page."""
 
 from __future__ import annotations
 
@@ -26,35 +26,35 @@ if TYPE_CHECKING:
 
 PAGE_ALONE: tuple[Literal["page"], ...] = ("page",)
 EPISODES = "episodes"
-"""Folder of the episodes that were played again, inside the study's."""
+"""Folder of replayed episodes, inside the study's."""
 
 
 @dataclass(frozen=True, slots=True)
 class RowReplayer:
-    """A study whose rows can be played again."""
+    """A study whose rows can be replayed."""
 
     study: Study
     plan: StudyPlan
 
     @classmethod
     def of(cls, study: Study, file: Path) -> RowReplayer:
-        """With the file that it was run from, and what stands beside it.
+        """Create with the file that the study was run from, and the files next to it.
 
         Raises:
-            InputError: if the file is not there any more, or cannot be read.
+            InputError: if the file is missing, or cannot be read.
         """
         return cls(study, plan_of(study, file))
 
     def play(self, number: int, out: Path) -> StudyShowAnswer:
-        """Play a row's episode again, into a run folder with its page.
+        """Run a row's episode again, into a run folder with its page.
 
         Args:
-            number: Of the row, from 1.
+            number: Number of the row, from 1.
             out: The run folder.
 
         Raises:
-            InputError: for a row that the table has not, or that the study's file does not have any more.
-            PlanningFailed: where no plan was found, as when the study ran.
+            InputError: for a row that is not in the table, or whose episode is no longer in the study's file.
+            PlanningFailed: if no plan was found, as when the study ran.
         """
         from comity.recording import record
 
@@ -90,7 +90,7 @@ class RowReplayer:
         return rows[number - 1]
 
     def _cell(self, row: Mapping[str, str]) -> StudyCell:
-        """The episode of a row: its scenario, condition, seed, and the individual that it was run with."""
+        """The episode of a row: its scenario, condition, seed and individual."""
         same = {one["key"]: one for one in self.study.rows if one["individual"]}
         individual = row["individual"] or same.get(row["key"], row)["individual"]
         for cell in self.plan.cells():
@@ -115,10 +115,10 @@ def _differs(row: Mapping[str, str], code: str, fingerprint: str) -> str:
 
 
 def plan_of(study: Study, file: Path) -> StudyPlan:
-    """What the file describes that a study was run from.
+    """The plan of a study, from the file that it was run from.
 
     Raises:
-        InputError: if the file is not there any more, or cannot be read.
+        InputError: if the file is missing, or cannot be read.
     """
     if not file.is_file():
         raise InputError(
@@ -131,7 +131,7 @@ def plan_of(study: Study, file: Path) -> StudyPlan:
 
 
 def file_of(study: Study) -> Path:
-    """The file that a study was run from, as its account has it; the copy in its folder otherwise."""
+    """The file that a study was run from, according to its account; otherwise the copy in its folder."""
     try:
         return Path(json.loads(read_regular(study.path / ACCOUNT))["file"])
     except (OSError, ValueError, TypeError, KeyError):
@@ -139,17 +139,17 @@ def file_of(study: Study) -> Path:
 
 
 def played_first(study: Study, file: Path, rows: Sequence[int], most: int, out: Path) -> dict[int, str]:
-    """The pages of the first rows, played again, and those of others that are there already.
+    """Pages by row: the first rows are replayed; pages of other rows are used if they exist.
 
     Args:
-        study: As it was run.
-        file: Its file; read only where something is played.
-        rows: Rows of episodes that ended.
-        most: Rows to play.
-        out: The folder of the report, which the pages are named from.
+        study: The study.
+        file: Its file; read only if an episode is replayed.
+        rows: Rows of ended episodes.
+        most: Maximum number of rows to replay.
+        out: The folder of the report, which the returned paths are relative to.
 
     Raises:
-        InputError: if the file does not have these episodes any more.
+        InputError: if the file no longer has these episodes.
     """
     first = rows[:most]
     replayer = RowReplayer.of(study, file) if first else None

@@ -52,12 +52,12 @@ MOST_INDIVIDUALS = 10
 
 Draw = Callable[[], "Figure"]
 Replay = Callable[[Sequence[int]], Mapping[int, str]]
-"""Plays rows again, and gives the page of each from the report's folder."""
+"""Replays rows, and returns the page of each, relative to the report's folder."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Found:
-    """What is drawn and listed, before it is written."""
+    """Content of the report, before it is written."""
 
     meanings: Mapping[str, str]
     levels: tuple[StudyLevelAnswer, ...]
@@ -68,16 +68,16 @@ class _Found:
 
 
 def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) -> StudyReportAnswer:
-    """Write the page of a study with its figures; all of it, or nothing where that was stopped.
+    """Write the page of a study with its figures, atomically.
 
     Args:
-        study: As it was run.
-        out: The folder; one of an older report is written over.
-        asked: Outcomes to draw; the main ones where there are none.
-        replay: Is given the rows that the page lists.
+        study: The study.
+        out: The folder; an older report is replaced.
+        asked: Outcomes to draw; the main ones if empty.
+        replay: Called with the rows that the page lists.
 
     Raises:
-        InputError: for an outcome that is none, a study without visits, or a folder with other things in it.
+        InputError: for an unknown outcome, a study without visits, or a folder with other content.
     """
     visits = StudyVisits.of(study)
     every = outcomes_of(visits)
@@ -98,7 +98,7 @@ def write_report(study: Study, out: Path, asked: Sequence[str], replay: Replay) 
 
 
 def _refuse_other(out: Path) -> None:
-    """Refuse a folder that holds something else than a report."""
+    """Refuse a folder that contains something other than a report."""
     with writing(out):
         names = (
             {one.name for one in out.iterdir() if not one.name.startswith(ASIDE)} if out.is_dir() else set()
@@ -150,7 +150,7 @@ def _sides(visits: StudyVisits, one: LevelComparison, drawn: Sequence[StudyOutco
 
 
 def _draw(folder: Path, drawings: Mapping[str, Draw]) -> None:
-    """Write each as SVG and PDF."""
+    """Write each figure as SVG and PDF."""
     make_folder(folder, private=True)
     for name, draw in drawings.items():
         write_whole(folder / f"{name}.svg", picture(draw, "svg"), private=True)
@@ -158,7 +158,7 @@ def _draw(folder: Path, drawings: Mapping[str, Draw]) -> None:
 
 
 def _remove_older(folder: Path, drawings: Container[str]) -> None:
-    """Remove the figures of an older report that the new one does not have."""
+    """Remove figures of an older report that are not in the new one."""
     for old in (*folder.glob("*.svg"), *folder.glob("*.pdf")):
         if old.stem not in drawings:
             old.unlink()
@@ -203,5 +203,5 @@ def _answer(
 def _with_pages(
     found: Iterable[UnusualVisitAnswer], pages: Mapping[int, str]
 ) -> tuple[UnusualVisitAnswer, ...]:
-    """The same visits, each with the page of its episode, by row, where that was played again."""
+    """The visits, each with the page of its episode (by row) if it was replayed."""
     return tuple(replace(one, page=pages.get(one.row)) for one in found)

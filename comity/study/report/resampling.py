@@ -1,15 +1,16 @@
-"""Means of episodes with intervals that resample individuals, rooms and seeds, never episodes.
+"""Means over episodes with bootstrap intervals that resample individuals, rooms and seeds, not episodes.
 
-Episodes of one individual resemble each other, and so do those of one room, and those of one seed, whose
-noise all individuals share: a thousand episodes are no thousand people. Episodes are first averaged by
-individual and room. Individuals, rooms and seeds are then drawn again with replacement, each on its own, and
-an episode counts as often as all three were drawn. This is the pigeonhole bootstrap (Owen, "The pigeonhole
-bootstrap", Annals of Applied Statistics 1(2), 2007; of more than two factors: Owen and Eckles, "Bootstrapping
-data arrays of arbitrary order", Annals of Applied Statistics 6(3), 2012), which is conservative.
+Episodes of one individual are correlated, and so are those of one room, and those of one seed, whose noise
+all individuals share: a thousand episodes are not a thousand people. Episodes are first averaged by
+individual and room. Individuals, rooms and seeds are then resampled independently with replacement, and the
+weight of an episode is the product of the three counts. This is the pigeonhole bootstrap (Owen, "The
+pigeonhole bootstrap", Annals of Applied Statistics 1(2), 2007; for more than two factors: Owen and Eckles,
+"Bootstrapping data arrays of arbitrary order", Annals of Applied Statistics 6(3), 2012), which is
+conservative.
 
-Of each factor one fewer is drawn than there are, so that the variance is right for few of them, too (Rao and
-Wu, "Resampling inference with complex survey data", Journal of the American Statistical Association 83(401),
-1988). What seeds alone add is stated separately, as the Monte Carlo error of the mean.
+For n levels of a factor, n - 1 are drawn, so that the variance is right for small n too (Rao and Wu,
+"Resampling inference with complex survey data", Journal of the American Statistical Association 83(401),
+1988). The contribution of seeds alone is stated separately, as the Monte Carlo error of the mean.
 """
 
 from __future__ import annotations
@@ -28,26 +29,27 @@ Whole = NDArray[np.intp]
 Labels = NDArray[Any]
 
 LEVEL = 0.95
-"""Of the intervals: the middle share of the resampled means."""
+"""Confidence level: the middle share of the resampled means."""
 RESAMPLES = 2000
-"""The ends of an interval move by about a thirtieth of its width between seeds of the bootstrap."""
+"""Number of resamples: the ends of an interval move by about a thirtieth of its width between seeds of the
+bootstrap."""
 SEED = 20261
-"""Of the bootstrap; fixed, so that a page is the same each time."""
+"""Seed of the bootstrap; fixed, so that a page is reproducible."""
 AT_ONCE = 2_000_000
-"""Weights that are held at a time, which bounds memory to 16 MB a table."""
+"""Maximum number of weights held at a time, which bounds memory to 16 MB per table."""
 
 
 def estimate(
     values: Floats, individuals: Labels, rooms: Labels, repeated: Labels, seeds: Labels
 ) -> EstimateAnswer | None:
-    """The mean of some episodes, with its uncertainty; None without a value.
+    """The mean over episodes, with its uncertainty; None without a value.
 
     Args:
-        values: One an episode; NaN where it has none.
+        values: One value per episode; NaN if missing.
         individuals: The individual of each episode.
         rooms: The scenario of each episode.
         repeated: The condition of each episode: episodes of one individual in one room under one condition
-            differ by their seed alone.
+            differ only in their seed.
         seeds: The seed of each episode.
     """
     there = ~np.isnan(values)
@@ -71,10 +73,10 @@ def estimate(
 
 
 def averaged(values: Floats, individuals: Labels, rooms: Labels) -> Floats:
-    """Means of episodes, individuals x rooms in the order of their names; NaN where there is none.
+    """Means of episodes, shape (individuals, rooms), each in the order of names; NaN without episodes.
 
     Args:
-        values: One an episode; those that are NaN count not, nor does an individual or a room of them alone.
+        values: One value per episode; NaN values are ignored, as are individuals or rooms with NaN only.
         individuals: The individual of each episode.
         rooms: The scenario of each episode.
     """
@@ -90,10 +92,10 @@ def averaged(values: Floats, individuals: Labels, rooms: Labels) -> Floats:
 
 
 def interval(values: Floats, individuals: Labels, rooms: Labels, seeds: Labels) -> tuple[float, float] | None:
-    """Ends of the interval for the mean of some episodes; None where there is nothing to resample.
+    """Ends of the interval of the mean over episodes; None if there is nothing to resample.
 
     Args:
-        values: One an episode; NaN where it has none.
+        values: One value per episode; NaN if missing.
         individuals: The individual of each episode.
         rooms: The scenario of each episode.
         seeds: The seed of each episode.
@@ -105,10 +107,10 @@ def interval(values: Floats, individuals: Labels, rooms: Labels, seeds: Labels) 
     if persons * room_count * seed_count < 2:
         return None
     cell = person * room_count + room
-    share = 1 / np.bincount(cell)[cell]  # of an episode in the mean of its individual and room
+    share = 1 / np.bincount(cell)[cell]  # weight of an episode in the mean of its individual and room
     middle = float((share * values[there]).sum() / share.sum())
     place, shape = cell * seed_count + seed, (persons, room_count * seed_count)
-    weight, off = (  # around the mean: constant values give it to the digit
+    weight, off = (  # centred: constant values stay exact
         np.bincount(place, weights=one, minlength=math.prod(shape)).reshape(shape)
         for one in (share, share * (values[there] - middle))
     )
@@ -116,16 +118,16 @@ def interval(values: Floats, individuals: Labels, rooms: Labels, seeds: Labels) 
     for by_person, by_room, by_seed in _drawn((persons, room_count, seed_count)):
         by_place = (by_room[:, :, None] * by_seed[:, None, :]).reshape(len(by_room), -1)
         total = ((by_person @ weight) * by_place).sum(axis=1)
-        some = total > 0  # a resample of empty cells alone says nothing
+        some = total > 0  # a resample with only empty cells has no mean
         means.append(((by_person @ off) * by_place).sum(axis=1)[some] / total[some])
     low, high = np.quantile(np.concatenate(means), [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
     return middle + float(low), middle + float(high)
 
 
 def _drawn(counts: Sequence[int]) -> Iterator[list[Floats]]:
-    """How often each individual, room and seed is drawn: resamples x how many of each there are.
+    """Weights of individuals, rooms and seeds, in chunks: arrays of shape (resamples in the chunk, levels).
 
-    Each has random numbers of its own: the number of seeds does not change which individuals are drawn.
+    Each factor has its own random stream: the number of seeds does not change which individuals are drawn.
     """
     randoms = [np.random.default_rng([SEED, i]) for i in range(len(counts))]
     at_once = max(AT_ONCE // max(counts[0], math.prod(counts[1:])), 1)
@@ -135,7 +137,7 @@ def _drawn(counts: Sequence[int]) -> Iterator[list[Floats]]:
 
 
 def _times(random: np.random.Generator, count: int, size: int) -> Floats:
-    """How often each of so many comes up where one fewer is drawn, a row for each resample."""
+    """Weights when one level fewer than `count` is drawn, shape (size, count)."""
     found = random.integers(count, size=(size, max(count - 1, 1)))
     places = found + count * np.arange(size)[:, None]
     return np.bincount(places.ravel(), minlength=size * count).reshape(size, count).astype(float)
@@ -146,9 +148,9 @@ def _monte_carlo_error(
 ) -> float | None:
     """Standard error of the mean from seeds alone; individuals and rooms are taken as given.
 
-    Every individual meets the same seeds, so episodes of one seed are not independent of each other: their
-    residuals, what is left of each value without the mean of its repeats, are added up seed by seed
-    (Liang and Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73(1), 1986).
+    Every individual meets the same seeds, so episodes of one seed are not independent. Their residuals (each
+    value minus the mean of its repetitions) are therefore summed by seed (Liang and Zeger, "Longitudinal data
+    analysis using generalized linear models", Biometrika 73(1), 1986).
     """
     seed, seed_count = numbered(seeds)
     if seed_count < 2:
@@ -168,6 +170,6 @@ def _monte_carlo_error(
 
 
 def numbered(labels: NDArray[Any]) -> tuple[Whole, int]:
-    """Labels as numbers from 0, and how many there are."""
+    """Labels as indices from 0, and the number of distinct labels."""
     found, numbers = np.unique(labels, return_inverse=True)
     return numbers.reshape(-1), len(found)

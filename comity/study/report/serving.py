@@ -1,4 +1,4 @@
-"""Who is served worse by a study's assumptions, and by which parameter."""
+"""Groups and individuals that are served worse under a study's assumptions, by parameter."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 
 RULEBOOK = "rulebook_used"
 SAME = 1e-6
-"""Means that differ by less, in any unit, are the same."""
+"""Means that differ by less than this, in any unit, count as equal."""
 
 
 def _target_excess_m(visits: StudyVisits) -> Floats:
-    """How far outside the comfort interval the distance lies that the rulebook aimed at [m]."""
+    """Distance of the rulebook's target distance from the comfort interval [m]."""
     columns = (visits.numbers(name) for name in ("distance_target_m", "comfort_near_m", "comfort_far_m"))
     return np.array([abs(comfort_gap_m(*row)) for row in zip(*columns, strict=True)])
 
@@ -76,7 +76,7 @@ SHORTFALLS: Mapping[str, tuple[str, str, Callable[[StudyVisits], Floats]]] = Map
         "by_s": ("s", "Later than the goal's time.", _late_s),
     }
 )
-"""By the parameter that each is a matter of, with its unit and meaning: 0 is best."""
+"""Shortfalls by parameter, with unit and meaning: 0 is best."""
 
 
 def shortfalls(visits: StudyVisits, group: StudyFactor) -> Iterator[ShortfallAnswer]:
@@ -97,10 +97,10 @@ def shortfalls(visits: StudyVisits, group: StudyFactor) -> Iterator[ShortfallAns
 
 
 def served_worse(found: Iterable[ShortfallAnswer]) -> Iterator[ServedWorseAnswer]:
-    """By parameter and rulebook, who misses most; nothing where all groups miss the same.
+    """By parameter and rulebook, the worst served group; nothing if all groups are served equally.
 
     Args:
-        found: As `shortfalls` gives them.
+        found: Shortfalls, as returned by `shortfalls`.
     """
     for (parameter, rulebook), some in groupby(found, key=lambda one: (one.parameter, one.rulebook)):
         ranked = list(some)
@@ -119,7 +119,7 @@ def served_worse(found: Iterable[ShortfallAnswer]) -> Iterator[ServedWorseAnswer
 
 
 def _are_apart(worst: EstimateAnswer, best: EstimateAnswer) -> bool:
-    """Whether two intervals lie apart, by more than twice what seeds alone make of it."""
+    """Whether two intervals are disjoint, by more than twice the Monte Carlo error."""
     if worst.low is None or best.high is None or worst.low <= best.high:
         return False
     seeds = math.hypot(worst.monte_carlo_error or 0, best.monte_carlo_error or 0)
@@ -127,11 +127,11 @@ def _are_apart(worst: EstimateAnswer, best: EstimateAnswer) -> bool:
 
 
 def worst_served(visits: StudyVisits, most: int) -> tuple[IndividualServedAnswer, ...]:
-    """The individuals that were met farthest outside their comfort on average; none that were within it.
+    """Individuals met farthest outside their comfort interval on average; none of those met inside it.
 
     Args:
         visits: The study's.
-        most: Individuals to name.
+        most: Maximum number of individuals.
     """
     values, books, groups = excess_m(visits), visits.words(RULEBOOK), visits.words("group")
     found = []

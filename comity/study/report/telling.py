@@ -1,4 +1,4 @@
-"""What a study shows, in words for a terminal."""
+"""Results of a study as text for a terminal."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ if TYPE_CHECKING:
     )
 
 DECIMALS = 4
-"""Of numbers in text: a tenth of a millimetre is finer than anything that the world measures."""
+"""Decimals of numbers in text: a tenth of a millimetre is finer than any simulated quantity."""
 SMALLEST = 10.0**-DECIMALS
 FEW = 10
-"""With fewer of them a percentile interval is noticeably too narrow."""
+"""Below this number of units, a percentile interval is noticeably too narrow."""
 HEAD = ("outcome", "group", "first", "second", "difference", "95 % interval", "Monte Carlo error", "pairs")
 
 
 def report_text(answer: StudyReportAnswer) -> Iterator[RenderableType]:
-    """What the report of a study has."""
+    """Summary of a study's report."""
     counts = f"{answer.visits} visits, {answer.failures} failures, {answer.outliers} outliers"
     yield f"Study {answer.study}: {counts}"
     for one in answer.served_worse:
@@ -45,9 +45,9 @@ def report_text(answer: StudyReportAnswer) -> Iterator[RenderableType]:
 
 
 def few_of(estimates: Iterable[EstimateAnswer]) -> dict[str, int]:
-    """What there are too few of for intervals, and how many: `{"individuals": 2, "seeds": 3}`.
+    """Units that are too few for intervals, with their number: `{"individuals": 2, "seeds": 3}`.
 
-    Of individuals the smallest level counts, such as a group; one room or one seed is taken as given.
+    For individuals, the smallest level counts, such as a group; a single room or seed is treated as fixed.
     """
     counts = [(one.individuals, one.rooms, one.seeds) for one in estimates] or [(1, 1, 1)]
     people, rooms, seeds = zip(*counts, strict=True)
@@ -101,7 +101,7 @@ def difference_cells(one: StudyDifferenceAnswer) -> tuple[str, ...]:
 
 
 def show_text(answer: StudyShowAnswer) -> Iterator[RenderableType]:
-    """What came of an episode that was played again."""
+    """Result of a replayed episode."""
     same = "the same digest" if answer.same else "another digest than in the table"
     yield f"Row {answer.row}: {answer.outcome}, {same}"
     if answer.differs:
@@ -111,19 +111,19 @@ def show_text(answer: StudyShowAnswer) -> Iterator[RenderableType]:
 
 
 def interval_text(found: EstimateAnswer) -> str:
-    """`0.12 to 0.49`, or a dash where there is nothing to resample."""
+    """Interval as text: `0.12 to 0.49`, or a dash if there is nothing to resample."""
     if found.low is None or found.high is None:
         return "-"
     return f"{number_text(found.low)} to {number_text(found.high)}"
 
 
 def value_text(value: float, unit: str) -> str:
-    """`0.309 m`; a share without a unit."""
+    """Value with its unit: `0.309 m`; a share has none."""
     return number_text(value) if unit in ("1", "") else f"{number_text(value)} {unit}"
 
 
 def number_text(value: float | None, *, signed: bool = False) -> str:
-    """Three digits that matter, of at most four decimals: `0.309`, `11.4`, `0.0001`, `0`; a dash for none."""
+    """Three significant digits, at most four decimals: `0.309`, `11.4`, `0.0001`, `0`; a dash for None."""
     if value is None:
         return "-"
     if abs(value) < SMALLEST / 2:

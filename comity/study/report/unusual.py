@@ -1,4 +1,4 @@
-"""Failures and outliers of a study, each by its row, so that its episode can be played again."""
+"""Failures and outliers of a study, each by its row, so that its episode can be replayed."""
 
 from __future__ import annotations
 
@@ -19,29 +19,31 @@ if TYPE_CHECKING:
     from comity.study.results import Study
 
 FENCE = 3.0
-"""Interquartile ranges beyond the quartiles: Tukey's outer fence ("Exploratory Data Analysis", 1977)."""
+"""Distance of the fence from the quartiles in interquartile ranges: Tukey's outer fence ("Exploratory Data
+Analysis", 1977)."""
 LEAST = 0.5
-"""Of the standard deviation over all visits: where most visits are alike a smaller width means nothing."""
+"""Minimum width of the interquartile range, as a share of the overall standard deviation: if most visits are
+equal, a smaller width is meaningless."""
 FEWEST = 8
-"""Visits of one room under one condition whose quartiles mean anything."""
+"""Minimum number of visits in one room under one condition for meaningful quartiles."""
 NO_FAILURES = ("greeted", "declined")
-"""A visit that a person declined is one that the robot ended as it was asked to."""
+"""Outcomes that are no failures: if a person declines, the robot ends the visit as asked."""
 
 
 def failures(study: Study) -> Iterator[UnusualVisitAnswer]:
-    """All visits that failed, in the order of the table; also those of people who are no individuals."""
+    """All failed visits, in the order of the table, including those of people who are no individuals."""
     for row in study.rows:
         if row["outcome"] not in NO_FAILURES:
             yield _unusual(row, row["outcome"], row.get("error") or row.get("reason") or "no reason given")
 
 
 def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[UnusualVisitAnswer, ...]:
-    """Visits unlike the other seeds of the same individual, the farthest beyond the fence first.
+    """Visits that differ from other seeds of the same individual, the farthest beyond the fence first.
 
     People differ from each other, which the figures show. So the fence is set around differences from the
-    median of the same individual in the same room under the same condition; where no visit was repeated by
-    another seed, around the values themselves. A visit with several such values stands once, by the farthest,
-    and visits to one person with the same trace stand once: one seed gives the same trace before many.
+    median of the same individual in the same room under the same condition, or around the values themselves
+    if no visit was repeated with another seed. A visit with several such values is listed once, by the
+    farthest one, and so are visits to one person with the same trace.
     """
     places, _ = numbered(np.char.add(np.char.add(visits.rooms, "\0"), visits.conditions))
     individuals, people = numbered(visits.individuals)
@@ -68,7 +70,7 @@ def outliers(visits: StudyVisits, outcomes: Sequence[StudyOutcome]) -> tuple[Unu
 
 
 def _traces(visits: StudyVisits) -> list[tuple[str, ...]]:
-    """By visit, what those share that are the same; a row without a digest is alone."""
+    """By visit, a key that equal traces share; a row without a digest is unique."""
     return [
         (row["trace_sha256"], row["person"]) if row.get("trace_sha256") else (row["row"],)
         for row in visits.rows
@@ -76,7 +78,7 @@ def _traces(visits: StudyVisits) -> list[tuple[str, ...]]:
 
 
 def _usual(values: Floats, repeats: Whole) -> Floats:
-    """By visit the median of its repeats; 0 where nothing was repeated, so that values stay themselves."""
+    """Median of each visit's repetitions; 0 without repetitions, so that values stay unchanged."""
     usual = np.zeros(len(values))
     there = np.flatnonzero(~np.isnan(values))
     rows = there[np.argsort(repeats[there], kind="stable")]
@@ -88,7 +90,7 @@ def _usual(values: Floats, repeats: Whole) -> Floats:
 
 
 def _beyond(rows: Whole, values: Floats, least: float) -> Iterator[tuple[int, float, float]]:
-    """Rows beyond a fence, how many widths beyond, and the fence."""
+    """Rows beyond a fence, their distance from it in widths, and the fence."""
     if len(rows) < FEWEST:
         return
     low, high = np.quantile(values[rows], [0.25, 0.75])
