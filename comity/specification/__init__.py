@@ -1,1 +1,1 @@
-"""What a user writes beside the people: goals, changes, faults, walks, tests, and what must agree."""
+"""What users specify besides people: goals, changes, faults, walks, tests, and consistency checks."""

@@ -1,4 +1,4 @@
-"""A binding file: which arguments and costs of a custom domain come from which person's parameters."""
+"""The binding file: arguments and costs of a custom domain that come from a person's parameters."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class BoundOption(BaseModel):
     )
 
     def record(self) -> Option:
-        """The same for the planner."""
+        """Convert to the planner's type."""
         return Option(parameter=self.parameter, weight=self.weight, objects=self.objects)
 
 
@@ -74,7 +74,7 @@ class BoundAction(BaseModel):
     )
 
     def record(self) -> ActionBinding:
-        """The same for the planner."""
+        """Convert to the planner's type."""
         options = {name: option.record() for name, option in self.options.items()}
         return ActionBinding(person=self.person, parameters=self.parameters, options=options, base=self.base)
 
@@ -93,7 +93,7 @@ class BoundFluent(BaseModel):
     )
 
     def record(self) -> FluentBinding:
-        """The same for the planner."""
+        """Convert to the planner's type."""
         return FluentBinding(parameter=self.parameter, scale=self.scale)
 
 
@@ -126,7 +126,7 @@ class BindingFile(BaseModel):
     )
 
     def record(self) -> Binding:
-        """The same for the planner."""
+        """Convert to the planner's type."""
         return Binding(
             actions={name: action.record() for name, action in self.actions.items()},
             fluents={name: fluent.record() for name, fluent in self.fluents.items()},

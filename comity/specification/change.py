@@ -1,4 +1,4 @@
-"""Something that happens while the robot is at it, at a time; one of several things, by its key."""
+"""Scheduled changes during an episode, each of one kind, by its key."""
 
 from __future__ import annotations
 
@@ -67,4 +67,4 @@ class Change(Timed):
 
 
 THINGS = ("moves_to_m", "says", "situation", "emergency_stop_s")
-"""What an entry can be about."""
+"""Keys that determine the kind of an entry."""

@@ -1,8 +1,8 @@
-"""Something that goes wrong while the robot is at it, at a time: one of several kinds, in plain words.
+"""Scheduled faults during an episode, each of one kind, described in plain terms.
 
-A change (`comity.specification.change`) is what people do and ask for, and the robot is to serve it. A fault
-gets in its way: parts of the robot that fail, doors that shut, people who walk off or stand there, software
-that raises.
+A change (`comity.specification.change`) is what people do or ask for, and the robot is to serve it. A fault
+obstructs the robot: its parts fail, doors shut, people walk off or stand in its path, software raises
+exceptions.
 """
 
 from __future__ import annotations
@@ -112,12 +112,12 @@ Fault = Annotated[
 
 
 def in_words(fault: Fault) -> str:
-    """When, what and for how long, as the trace names it."""
+    """The fault with its time and duration, as in the trace."""
     return f"fault at t={fault.at_s:g} s: {deed(fault)}"
 
 
 def deed(fault: Fault) -> str:
-    """What and for how long."""
+    """The fault with its duration."""
     match fault:
         case PersonWalksOff():
             what = f"{fault.person} walks off"

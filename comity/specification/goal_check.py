@@ -1,4 +1,4 @@
-"""What the goals of a scenario must agree on beyond names: who is greeted first, and where things are."""
+"""Consistency of a scenario's goals beyond names: the order of greetings, and places of things."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 MOST_IN_ORDER = 12
-"""People among whom the planner keeps an order: for more it proves nothing."""
+"""Maximum number of people whose order the planner can keep: for more it proves nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,10 +22,10 @@ class GoalCheck:
     """The goals of one scenario.
 
     Args:
-        goals: All of them.
-        people: Everybody in the scenario.
-        done: Who was greeted already.
-        where: Their places in the file.
+        goals: All goals.
+        people: All people in the scenario.
+        done: People already greeted.
+        where: Positions in the file.
     """
 
     goals: Sequence[Goal]
@@ -34,7 +34,7 @@ class GoalCheck:
     where: FilePlaces
 
     def order(self) -> None:
-        """Refuse what is to be done with nobody, before a greeting, or after leave was taken."""
+        """Refuse tasks for unknown people, before a greeting, or after leave was taken."""
         first = {name: i for i, name in reversed(greeted(self.goals))}
         left: set[str] = set()
         for i, goal in enumerate(self.goals):
@@ -58,7 +58,7 @@ class GoalCheck:
                 left.add(goal.person)
 
     def after(self) -> None:
-        """Refuse an order among those who are not all greeted, in a circle, or of too many people."""
+        """Refuse an order that includes people who are not greeted, is circular, or has too many people."""
         first = {goal.greet: goal.after for goal in self.goals if goal.greet and goal.after}
         greeted_ = {name: i for i, name in greeted(self.goals)}
         for name, before in first.items():
@@ -68,7 +68,7 @@ class GoalCheck:
             seen = [name]
             while (earlier := first.get(seen[-1])) is not None and earlier not in seen:
                 seen.append(earlier)
-            if earlier == name:  # of a circle that it only leads to, its members tell
+            if earlier == name:  # a circle that it only leads to is reported by its members
                 raise InputError(
                     expected="an order without a circle",
                     got=f"{name} after {before}" + (f", who comes after {name}" if before != name else ""),
@@ -84,10 +84,10 @@ class GoalCheck:
                 )
 
     def places(self, known: Collection[str]) -> None:
-        """Refuse what is fetched nowhere.
+        """Refuse things without a place to fetch them from.
 
         Args:
-            known: The names of the furniture and of the locations.
+            known: Names of the furniture and the locations.
         """
         for i, goal in enumerate(self.goals):
             if goal.from_ is not None and (goal.from_ not in known or goal.from_ in self.people):

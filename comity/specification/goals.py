@@ -1,4 +1,4 @@
-"""What the robot is asked to do, as a scenario writes it: one goal a line, each about one person."""
+"""Goals of a scenario: one per line, each about one person."""
 
 from __future__ import annotations
 
@@ -33,25 +33,26 @@ def _speakable(text: str) -> str:
 
 
 UNSPEAKABLE = ("Cc", "Cf", "Cs", "Zl", "Zp")
-"""General categories of Unicode: control and format characters, lone surrogates, line and paragraph ends."""
+"""Unicode categories refused in speech: control and format characters, lone surrogates, line and paragraph
+ends."""
 JOINERS = ("\u200c", "\u200d")
-"""Format characters that words are spelt with, and emoji."""
+"""Allowed format characters, which occur in the spelling of words and in emoji."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Kind:
-    """What belongs to a goal of one kind."""
+    """The keys of a goal of one kind."""
 
     person: str
     """The key that names the person."""
     task: Callable[[Goal], Task] | None = None
-    """What is to be done after the greeting; None: this is the greeting."""
+    """Task after the greeting; None for the greeting itself."""
     needed: tuple[str, ...] = ()
-    """Keys that must stand beside the kind's own."""
+    """Keys required besides the kind's own."""
     others: tuple[str, ...] = ()
-    """Keys that may."""
+    """Optional keys."""
     names: Literal["thing", "text"] | None = None
-    """What the key of the kind names besides people, so that it gets a pseudonym where a run is shared."""
+    """What the kind's key names besides people; it gets a pseudonym in shared runs."""
 
 
 KINDS: Mapping[str, _Kind] = {
@@ -61,9 +62,9 @@ KINDS: Mapping[str, _Kind] = {
     "wait_s": _Kind("with", lambda goal: Wait(goal.wait_s or 0.0, goal.until), ("with",), ("until",)),
     "take_leave": _Kind("take_leave", lambda _: TakeLeave()),
 }
-"""By the key that says what is to be done."""
+"""Kinds by their key."""
 FIELDS = {"from": "from_", "with": "with_"}
-"""Keys that Python keeps for itself, by what they are called there."""
+"""Attribute names of keys that are reserved words in Python."""
 WRITTEN = {field: key for key, field in FIELDS.items()}
 Text = Annotated[str, StringConstraints(max_length=500), AfterValidator(_speakable)]
 
@@ -170,7 +171,7 @@ class Goal(BaseModel):
 
     @property
     def task(self) -> Task | None:
-        """What is to be done after the greeting; None where this is the greeting."""
+        """The task after the greeting; None for the greeting itself."""
         task = KINDS[self.kind].task
         return None if task is None else task(self)
 
@@ -180,10 +181,10 @@ class Goal(BaseModel):
 
 
 def greeted(goals: Sequence[Goal]) -> list[tuple[int, str]]:
-    """People whom the goals greet, each with its place in the list."""
+    """People whom the goals greet, each with the goal's index."""
     return [(i, goal.greet) for i, goal in enumerate(goals) if goal.greet is not None]
 
 
 def agenda_of(goals: Sequence[Goal], person: str) -> Agenda:
-    """What is to be done at a person's visit once they are greeted, in the order of the list."""
+    """Tasks of a person's visit after the greeting, in the order of the list."""
     return tuple(task for goal in goals if goal.person == person and (task := goal.task) is not None)

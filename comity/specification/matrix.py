@@ -1,4 +1,4 @@
-"""For whom and where a scenario is tested, and how the test is marked."""
+"""Test matrix of a scenario, and markers of its tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""People who move, as a scenario writes them: walks, and passers-by."""
+"""Moving people in a scenario: walks, and passers-by."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the names of a scenario must agree on; every complaint names its line."""
+"""Consistency of the names in a scenario; every error names its line."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from comity_sim2d.scene_error import SceneError
 
 
 class FilePlaces(Protocol):
-    """Where in a file something is written."""
+    """Positions in a file."""
 
     def __call__(self, *location: str | int) -> Where:
-        """The place of a value."""
+        """Position of a value."""
         ...
 
 
@@ -24,18 +24,18 @@ class NameCheck:
     """The names of one scenario.
 
     Args:
-        people: Everybody in it.
-        where: Their places in the file.
+        people: All people in the scenario.
+        where: Positions in the file.
     """
 
     people: Collection[str]
     where: FilePlaces
 
     def goals(self, greeted: Iterable[tuple[int, str]]) -> None:
-        """Refuse greetings of nobody, and two of one person.
+        """Refuse greetings of unknown people, and duplicate greetings.
 
         Args:
-            greeted: People whom the goals greet, each with its place in the list.
+            greeted: People whom the goals greet, each with the goal's index.
         """
         seen: set[str] = set()
         for i, name in greeted:
@@ -50,23 +50,23 @@ class NameCheck:
             seen.add(name)
 
     def already(self, greeted: Iterable[str]) -> None:
-        """Refuse facts about nobody."""
+        """Refuse facts about unknown people."""
         for i, name in enumerate(greeted):
             self._require(name, "already", i, "greeted")
 
     def happening(self, key: str, people: Iterable[str | None]) -> None:
-        """Refuse changes or faults about nobody in the scenario.
+        """Refuse changes or faults about unknown people.
 
         Args:
-            key: The list in the file.
-            people: The person each of its entries is about; None where it is about nobody.
+            key: Key of the list in the file.
+            people: The person of each entry; None if it concerns no person.
         """
         for i, name in enumerate(people):
             if name is not None:
                 self._require(name, key, i, "person")
 
     def groups(self, groups: Mapping[str, Sequence[str]]) -> None:
-        """Refuse groups of nobody or of one person, and people in two groups."""
+        """Refuse groups with unknown people or a single member, and people in two groups."""
         for group, members in groups.items():
             for i, member in enumerate(members):
                 self._require(member, "groups", group, i)

@@ -1,1 +1,1 @@
-"""What Comity needs of the machine: shipped and own files, private files, streams, signals, memory."""
+"""Access to the operating system: shipped and own files, private files, streams, signals, memory."""

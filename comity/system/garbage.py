@@ -1,6 +1,6 @@
-"""When Python looks for objects in circles that nobody needs any more; importing this sets it.
+"""Configuration of Python's cyclic garbage collector, applied on import.
 
-For processes of Comity's own, and no part of `import comity`: in another person's program it is theirs.
+Only for Comity's own processes, not for `import comity`: another program chooses its own settings.
 """
 
 from __future__ import annotations
@@ -9,13 +9,15 @@ import atexit
 import gc
 
 MANY = 1_000_000
-"""So many objects are made before. Python's own number, 700, takes a tenth of the time in which `comity test`
-imports and gathers what ships, and a fifteenth of a test's (as measured): nearly all of it is needed to the
-end, or goes by itself when its episode does. At 20,000 it still took a twentieth of the time of 200 tests;
-at 500,000 it looked twice, for 0.2 and 0.4 s of 20, and without any looking these tests take 100 MB more."""
+"""Number of allocations before a collection. Python's default, 700, takes a tenth of the time in which
+`comity test` imports and collects the shipped tests, and a fifteenth of a test's time (as measured): nearly
+all objects are needed until the end, or are freed by reference counting with their episode. At 20,000 it
+still took a twentieth of the time of 200 tests; at 500,000 it ran twice, for 0.2 and 0.4 s of 20 s. Without
+any collection these tests take 100 MB more."""
 
 gc.set_threshold(MANY)
-"""Where it is imported, so that it holds while the others are: also in a server that can only import."""
+"""Set on import, so that it applies while other modules are imported, including in a server that can only
+import."""
 atexit.register(gc.freeze)
-"""Not at the end, either: memory goes back as a whole then, and looking through all of it took a seventh of
-the time of a process that does no more than import (as measured)."""
+"""No collection at exit either: all memory is released at once then, and a collection took a seventh of the
+time of a process that only imports (as measured)."""

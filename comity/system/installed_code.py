@@ -1,4 +1,4 @@
-"""The code that is installed, by a digest: what was computed by other code may be otherwise now."""
+"""Digest of the installed code: other code may compute other results."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 PACKAGES = ("comity", "comity_domain", "comity_executor", "comity_fis", "comity_sim2d")
 NO_CODE = ("profiles", "scenarios", "rulebooks")
-"""Folders whose files count where something depends on one of them, and only there."""
+"""Folders whose files count only where a result depends on one of them."""
 SUFFIXES = (".py", ".yaml", ".pddl", ".csv")
 
 

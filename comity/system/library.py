@@ -1,4 +1,4 @@
-"""What ships with Comity, found by name; anything else is a file."""
+"""Shipped files, found by name; any other name is a path."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _SUFFIX = ".profile.yaml"
 
 @cache
 def shipped(kind: Kind) -> Mapping[str, Path]:
-    """The shipped files of one kind, by the names that users type: profiles, or scenarios of all sets."""
+    """Shipped files of one kind by the names that users type: profiles, or scenarios of all sets."""
     if kind == "scenario":
         return every_shipped()
     files = sorted(_PROFILES.glob(f"*{_SUFFIX}"))
@@ -36,17 +36,17 @@ def find(
     where: Where | None = None,
     more: Iterable[str] = (),
 ) -> tuple[Path, str]:
-    """The file behind a shipped name or a path, and what messages call it.
+    """The file for a shipped name or a path, and its name in messages.
 
     Args:
-        kind: What to look for.
+        kind: Kind of file.
         name: A shipped name, or a path (it has a suffix or a separator, or exists).
-        beside: The folder that a relative path starts from; the current one when None.
-        where: Where the name was written, for the message.
-        more: Further names that a user may have meant.
+        beside: Base folder of relative paths; None for the current one.
+        where: Position of the name, for the message.
+        more: Further known names, for suggestions.
 
     Raises:
-        InputError: if it is neither.
+        InputError: if it is neither a shipped name nor a path.
     """
     known = shipped(kind)
     if name in known:
@@ -66,16 +66,16 @@ def find(
 
 
 def require_file(kind: str, path: Path, name: str, where: Where | None) -> None:
-    """Refuse a path that leads to no file where a person wrote it, before anything reads it.
+    """Refuse a user's path that is no file, before anything reads it.
 
     Args:
-        kind: What the file should hold.
-        path: Where the name leads.
-        name: As it is written.
-        where: The place of the name, for the message.
+        kind: Kind of file.
+        path: The resolved path.
+        name: The name as written.
+        where: Position of the name, for the message.
 
     Raises:
-        InputError: if there is no file, or the system does not let us look.
+        InputError: if there is no file, or the system denies access.
     """
     try:
         if path.is_file():

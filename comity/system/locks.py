@@ -1,4 +1,4 @@
-"""Locks on folders, on every platform: one process at a time, and free again however that process ends."""
+"""Cross-platform locks on folders for one process at a time, released however the process ends."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 LOCK = ".lock"
-"""The file that is in a folder while it is locked, and after a process was killed."""
+"""Lock file in a folder; it exists while the folder is locked, and after a process was killed."""
 
 
 @contextmanager
 def locked(folder: Path, *, waits: bool = True) -> Iterator[None]:
-    """Keep every other process, and every other thread that asks, out of a folder that exists.
+    """Lock an existing folder against other processes and threads that also lock it.
 
     Args:
-        folder: The folder; reading it needs no lock.
+        folder: The folder; reading needs no lock.
         waits: Whether to wait until it is free.
 
     Raises:
-        filelock.Timeout: It is not free, and this does not wait.
-        OSError: The system does not allow to write in the folder.
+        filelock.Timeout: if it is locked, and `waits` is False.
+        OSError: if the system denies writing in the folder.
     """
     from filelock import FileLock
 
@@ -30,12 +30,12 @@ def locked(folder: Path, *, waits: bool = True) -> Iterator[None]:
         try:
             yield
         finally:
-            with suppress(OSError):  # Windows removes no open file; there, filelock removes it
+            with suppress(OSError):  # Windows cannot remove an open file; filelock does so there
                 path.unlink()
 
 
 def is_locked(folder: Path) -> bool:
-    """Whether a process holds the lock of a folder now."""
+    """Whether a process holds the lock of a folder."""
     from filelock import Timeout
 
     if not (folder / LOCK).exists():
@@ -43,9 +43,9 @@ def is_locked(folder: Path) -> bool:
     try:
         with locked(folder, waits=False):
             return False
-    except (Timeout, PermissionError):  # no permission: the file is another user's, whose process may run
+    except (Timeout, PermissionError):  # no permission: another user's file, whose process may be running
         return True
     except OSError as error:
-        if error.errno == errno.EROFS:  # nothing on this machine writes there
+        if error.errno == errno.EROFS:  # read-only: nothing on this machine writes there
             return False
         raise

@@ -1,4 +1,4 @@
-"""Files that Comity writes where the user says so: none that another person wrote is ever replaced."""
+"""Output files at the user's paths: a file not written by Comity is never replaced."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from tempfile import TemporaryDirectory
 from comity_fis import InputError, Where
 
 HEAD, TAIL = 1024, 16
-"""Bytes at the start and at the end of a file among which its mark must stand."""
+"""Number of bytes at the start and the end of a file that are searched for its marker."""
 
 
 def refuse_foreign(marks: Mapping[Path, bytes]) -> None:
-    """Refuse to write before anything is computed.
+    """Refuse to overwrite foreign files, before anything is computed.
 
     Args:
-        marks: Every file that is to be written, with the bytes near an end of it that say it is ours.
+        marks: Marker bytes, near the start or the end, of every file to be written.
 
     Raises:
-        InputError: for a file that does not bear its mark, or a place that cannot hold one.
+        InputError: for a file without its marker, or a path that cannot hold a file.
     """
     for path, mark in marks.items():
         with writing(path):
@@ -55,31 +55,31 @@ def check_suffix(picture: Path) -> None:
 
 
 PRIVATE, PRIVATE_FOLDER = 0o600, 0o700
-"""Permissions of what tells of people: the user alone may read it."""
+"""Permissions of personal data: readable by the user only."""
 ASIDE = ".part."
-"""What the name of a folder begins with that is not whole yet."""
+"""Name prefix of an incomplete folder."""
 
 
 def write_whole(path: Path, content: bytes, *, private: bool = False) -> None:
-    """Write one file whole or not at all.
+    """Write a file atomically.
 
     Args:
-        path: Of the file.
-        content: All of it.
-        private: Whether it tells of people, so that only the user may read it.
+        path: Path of the file.
+        content: Content of the file.
+        private: Whether it holds personal data, so that only the user may read it.
 
     Raises:
-        InputError: if the system does not let us.
+        InputError: if the system refuses.
     """
     with writing(path), written_whole(path, private=private) as part:
         part.write_bytes(content)
 
 
 def create_private(path: Path) -> Path:
-    """Create an empty file that only the user may read, in the place of one of that name.
+    """Create an empty file that only the user may read, replacing an existing one.
 
     Raises:
-        OSError: if the system does not let us.
+        OSError: if the system refuses.
     """
     path.unlink(missing_ok=True)
     os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, PRIVATE))
@@ -88,16 +88,16 @@ def create_private(path: Path) -> Path:
 
 @contextmanager
 def written_whole(path: Path, *, private: bool = False) -> Iterator[Path]:
-    """Where to write a file that has its name once it is all there, and leaves nothing otherwise.
+    """Temporary path for writing a file atomically; on an error nothing remains.
 
     Args:
-        path: Of the file.
+        path: Path of the file.
         private: Whether only the user may read it.
 
     Raises:
-        OSError: if the system does not let us.
+        OSError: if the system refuses.
     """
-    part = path.with_name(f".part.{path.name}")  # pictures are written in the format of their ending
+    part = path.with_name(f".part.{path.name}")  # keeps the suffix, which determines a picture's format
     try:
         if private:
             create_private(part)
@@ -109,15 +109,15 @@ def written_whole(path: Path, *, private: bool = False) -> Iterator[Path]:
 
 @contextmanager
 def folder_written_whole(path: Path) -> Iterator[Path]:
-    """Where to write a private folder that has its name once it is all there, and leaves nothing otherwise.
+    """Temporary path for writing a private folder; on an error nothing remains.
 
-    A folder of that name stays where it is. At the end each new file takes the place of the one of its
-    name there, those on top first; other files stay.
+    An existing folder is kept. At the end each new file replaces the one with its name there, top-level files
+    first; other files stay.
 
     Raises:
-        InputError: if the system does not let us.
+        InputError: if the system refuses.
     """
-    base = path if path.exists() else path.parent  # a folder that is there may be a disk of its own
+    base = path if path.exists() else path.parent  # an existing folder may be on its own disk
     make_folder(base)
     with writing(path):
         aside = TemporaryDirectory(prefix=ASIDE, dir=base)
@@ -140,7 +140,7 @@ def _move(new: Path, path: Path) -> None:
 
 
 def read_regular(path: Path) -> bytes:
-    """The content of a file, never of a pipe, which would be waited for, or a device, which may have no end.
+    """The content of a regular file; a pipe might block, and a device might never end.
 
     Raises:
         OSError: if it cannot be read, or is no regular file.
@@ -152,14 +152,14 @@ def read_regular(path: Path) -> bytes:
 
 
 def make_folder(path: Path, *, private: bool = False) -> None:
-    """Create a folder, unless it is there.
+    """Create a folder, unless it exists.
 
     Args:
-        path: Of the folder.
-        private: Whether what goes there tells of people, so that only the user may look into a new one.
+        path: Path of the folder.
+        private: Whether it will hold personal data, so that only the user may look into a new folder.
 
     Raises:
-        InputError: if the system does not let us.
+        InputError: if the system refuses.
     """
     with writing(path):
         path.mkdir(parents=True, exist_ok=True, mode=PRIVATE_FOLDER if private else 0o777)
@@ -167,7 +167,7 @@ def make_folder(path: Path, *, private: bool = False) -> None:
 
 @contextmanager
 def writing(path: Path) -> Iterator[None]:
-    """Make the system's refusals errors that say what to do."""
+    """Convert the system's errors to `InputError` with a remedy."""
     try:
         yield
     except (OSError, ValueError) as error:
@@ -178,7 +178,7 @@ def writing(path: Path) -> Iterator[None]:
 
 
 def _ends(path: Path) -> bytes:
-    """What a file begins and ends with."""
+    """The first and last bytes of a file."""
     with path.open("rb") as file:
         head = file.read(HEAD)
         file.seek(max(file.seek(0, os.SEEK_END) - TAIL, 0))

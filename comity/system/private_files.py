@@ -1,4 +1,4 @@
-"""Files that only the user may read, each replaced whole, by one writer at a time."""
+"""Private files, readable by the user only, replaced atomically by one writer at a time."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from comity_fis import InputError, Where
 
 @contextmanager
 def alone_in(folder: Path) -> Iterator[None]:
-    """Keep all others from writing and deleting below a folder; reading does not wait.
+    """Lock a folder against other writers; readers do not wait.
 
-    Where there is no such folder, there is nothing to keep them from.
+    Without such a folder there is nothing to lock.
 
     Raises:
-        InputError: if the system does not let us.
+        InputError: if the system refuses.
     """
     with ExitStack() as held:
         with permitted(folder):
@@ -29,12 +29,12 @@ def alone_in(folder: Path) -> Iterator[None]:
 
 
 def replace_whole(path: Path, text: str) -> None:
-    """Write one file whole or not at all: a reader sees the old or the new one meanwhile.
+    """Write a file atomically: concurrent readers see the old or the new content.
 
-    Only the user may read it: `mkstemp` sees to that.
+    Only the user may read it, due to `mkstemp`.
 
     Raises:
-        OSError: if the system does not let us; what was there stays.
+        OSError: if the system refuses; the old file remains.
     """
     handle, part = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
@@ -50,7 +50,7 @@ def replace_whole(path: Path, text: str) -> None:
 
 @contextmanager
 def permitted(path: Path) -> Iterator[None]:
-    """Make the system's refusals errors that say what to do."""
+    """Convert the system's errors to `InputError` with a remedy."""
     try:
         yield
     except OSError as error:

@@ -1,4 +1,4 @@
-"""The scenarios that ship: those to learn from, by theme, and named sets for comparisons."""
+"""Shipped scenarios: tutorials by theme, and named sets for comparisons."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ THEMES = (
     "learning",
     "testing",
 )
-"""In the order of reading; a theme's folder has its name, with dashes."""
+"""Themes in reading order; a theme's folder has its name, with dashes."""
 SETS = ("comity-bench-1",)
-"""A set keeps its scenarios for good: other ones get another number."""
+"""Sets never change: a modified set gets a new number."""
 SUFFIX = ".scenario.yaml"
 
 _FOLDER = Path(__file__).parents[1] / "scenarios"
@@ -61,32 +61,32 @@ _RENAMED = {
     "whoever-waits-longest": "comity-bench-1/priority-first",
     "worth-the-way": "comity-bench-1/worth-the-detour",
 }
-"""Names until November 2026; a name that a set kept needs no line."""
+"""Present names by names used until November 2026; names kept by a set are not listed."""
 
 
 @cache
 def by_theme() -> Mapping[str, Mapping[str, Path]]:
-    """The files of the scenarios to learn from, by theme and name."""
+    """Files of the tutorial scenarios, by theme and name."""
     return MappingProxyType({theme: _files(_FOLDER / theme.replace(" ", "-")) for theme in THEMES})
 
 
 @cache
 def taught_scenarios() -> Mapping[str, Path]:
-    """The same by name, theme after theme."""
+    """Files of the tutorial scenarios by name, theme after theme."""
     return MappingProxyType({name: path for files in by_theme().values() for name, path in files.items()})
 
 
 @cache
 def set_named(name: str) -> Mapping[str, Path]:
-    """The files of a set of `SETS`, by their names `SET/SCENARIO`."""
+    """Files of a set in `SETS`, by their names `SET/SCENARIO`."""
     return MappingProxyType({f"{name}/{each}": path for each, path in _files(_FOLDER / name).items()})
 
 
 def set_asked(name: str) -> Mapping[str, Path]:
-    """The same of a set that a user names.
+    """Files of a set named by a user.
 
     Raises:
-        InputError: if there is none of that name.
+        InputError: if there is no set of that name.
     """
     if name not in SETS:
         raise unknown_word("a shipped set of scenarios", name, SETS, where=Where("--set"))
@@ -95,19 +95,19 @@ def set_asked(name: str) -> Mapping[str, Path]:
 
 @cache
 def every_shipped() -> Mapping[str, Path]:
-    """The files of all that ship, by the names that users type."""
+    """All shipped files, by the names that users type."""
     sets = {name: path for each in SETS for name, path in set_named(each).items()}
     return MappingProxyType({**taught_scenarios(), **sets})
 
 
 @cache
 def names_by_path() -> Mapping[Path, str]:
-    """The names that users type, by file."""
+    """The names that users type, by path."""
     return MappingProxyType({path: name for name, path in every_shipped().items()})
 
 
 def instead(name: str) -> str | None:
-    """What to type instead of a former name, or of a slip behind a set's; None for every other name."""
+    """The present name for a former name, or for a typo after a set's name; None for any other name."""
     if name in SETS:
         return f"It is a set: `comity scenarios --set {name}` lists what is in it; name one of these."
     for each in SETS:

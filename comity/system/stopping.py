@@ -1,6 +1,6 @@
-"""Ctrl-C and SIGTERM as an exception: whatever was begun is ended properly on its way out.
+"""Ctrl-C and SIGTERM as an exception, so that everything is cleaned up on the way out.
 
-It imports next to nothing, so that it is there before everything else is imported.
+It imports very little, so that it is active before other modules are imported.
 """
 
 from __future__ import annotations
@@ -14,30 +14,29 @@ STOPS = (signal.SIGINT, signal.SIGTERM)
 
 
 class Stopped(SystemExit):
-    """A person ends the program: it leaves with 128 and the signal's number, as shells have it.
+    """The user stopped the program; the exit code is 128 plus the signal's number, as in shells.
 
-    A `SystemExit`, because what makes of `KeyboardInterrupt` something else, such as the command line's
-    library, lets that through.
+    A `SystemExit`, because code that converts `KeyboardInterrupt`, such as the command line's library, lets
+    it through.
     """
 
 
 def is_stop(error: BaseException | None) -> bool:
-    """Whether it is `Stopped`, or what something on its way has made of it."""
+    """Whether an exception is `Stopped`, or was converted from it on the way."""
     return error is not None and (isinstance(error, Stopped) or is_stop(error.__cause__))
 
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """For a whole program: both signals raise `Stopped` inside, and nothing disturbs its last moments.
+    """Make both signals raise `Stopped`, for a whole program; further signals do not disturb the cleanup.
 
-    What leaves the program after that is `Stopped`, whatever became of it on its way: Python 3.11 makes a
-    `RuntimeError` of all that comes up while a class is told the names of its attributes. A signal that
-    the caller had it ignore stays ignored.
+    If a signal came, any exception that leaves the program becomes `Stopped`: Python 3.11 converts exceptions
+    in `__set_name__` to `RuntimeError`. A signal ignored by the caller stays ignored.
     """
     raised: list[Stopped] = []
 
     def stop(number: int, _: object) -> None:
-        """Only once for SIGTERM: `timeout` sends it to a process and to its group, one after the other."""
+        """Raise once only: `timeout` sends SIGTERM to a process and then to its group."""
         if number == signal.SIGTERM:
             signal.signal(number, signal.SIG_IGN)
         raised.append(Stopped(128 + number))

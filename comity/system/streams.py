@@ -1,6 +1,6 @@
-"""Standard output and standard error of every kind: of few characters, closed, full.
+"""Robust standard output and standard error: limited encodings, closed streams, full disks.
 
-A terminal or a log may know fewer characters than names, arrows and degrees need.
+The encoding of a terminal or log may lack characters that names, arrows and degrees need.
 """
 
 from __future__ import annotations
@@ -16,17 +16,18 @@ if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
 
 STAND_INS = {"→": "->", "⇉": "=>", "─": "-", "“": '"', "”": '"', "°": " deg", "±": "+/-", "ß": "ss"}
-"""What is written where a character cannot be; others lose their accents, or are a question mark."""
+"""Replacements for characters that cannot be encoded; others lose their accents, or become a question
+mark."""
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
-"""No room on the disk, for this user, in a file of this size; or the terminal is gone."""
+"""Errors of a full disk, an exhausted quota, a too large file, or a closed terminal."""
 _HANDLER = "comity.stand-ins"
 
 
 class _Unread(io.FileIO):
-    """A file whose reader may go: what is written from then on is dropped, and the writer goes on."""
+    """A file whose reader may close it: later output is dropped, and the writer continues."""
 
     def write(self, data: ReadableBuffer, /) -> int:
-        """Write to the reader, or to nobody."""
+        """Write to the reader, if it still reads."""
         try:
             return super().write(data)
         except BrokenPipeError:
@@ -35,9 +36,9 @@ class _Unread(io.FileIO):
 
 
 def take_any_text() -> None:
-    """Have characters that a stream cannot write replaced, and one that is closed or unread swallow all.
+    """Replace characters that a stream cannot encode, and drop output of closed streams.
 
-    A command whose reader has seen enough, such as `head`, comes to its own end, with its own exit code.
+    A command whose reader has stopped reading, such as `head`, still ends normally, with its own exit code.
     """
     codecs.register_error(_HANDLER, _stand_in)
     for name in ("stdout", "stderr"):
@@ -49,7 +50,7 @@ def take_any_text() -> None:
 
 
 def _unread(stream: io.TextIOWrapper) -> io.TextIOWrapper:
-    """The same stream, which nobody need read: as Python makes its own, with or without a buffer."""
+    """The stream with an optional reader, buffered or not as Python creates it."""
     if type(getattr(stream.buffer, "raw", stream.buffer)) is not io.FileIO:  # a console, or a test's
         stream.reconfigure(errors=_HANDLER)
         return stream
@@ -65,7 +66,7 @@ def _unread(stream: io.TextIOWrapper) -> io.TextIOWrapper:
 
 
 def is_full(error: OSError) -> bool:
-    """Whether it says that what we write has no room; what standard output still holds is then dropped."""
+    """Whether an error means a full target; data still buffered for standard output is then dropped."""
     try:
         sys.stdout.flush()
     except OSError:
@@ -75,12 +76,12 @@ def is_full(error: OSError) -> bool:
 
 
 def drop(stream: TextIO | io.FileIO) -> None:
-    """Let go of what a stream still holds, which has nowhere to go, and of all that follows."""
+    """Drop a stream's buffered data and all further output."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _stand_in(error: UnicodeError) -> tuple[str | bytes, int]:
-    """One character's, and where to go on. A byte of a path that is no text stays that byte, to be copied."""
+    """Replacement of one character, and the index to continue at. A path's undecodable byte is kept."""
     from unicodedata import normalize
 
     if not isinstance(error, UnicodeEncodeError):

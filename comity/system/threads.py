@@ -1,7 +1,7 @@
-"""One thread for linear algebra, in processes of Comity's own; importing this sets it.
+"""Limits linear algebra to one thread in Comity's own processes, on import.
 
-Matrices are small here. Starting a thread for each core, as OpenBLAS does where nobody says otherwise, took a
-tenth of the CPU time of a short run (as measured). It counts only where numpy is imported later.
+Matrices are small here. Starting a thread per core, as OpenBLAS does by default, took a tenth of the CPU time
+of a short run (as measured). This only has an effect if numpy is imported later.
 """
 
 from __future__ import annotations
