@@ -1,1 +1,1 @@
-"""Tables: CSV with errors by line, measured tuples, variables and rules from them, rulebooks evaluated."""
+"""Tables: CSV with line-numbered errors, measured tuples, variables and rules from data, evaluation."""

@@ -1,4 +1,4 @@
-"""A rulebook without the rules that give one parameter its value: what stands before anything is learnt."""
+"""A rulebook without the rules that determine one parameter's value: the baseline before learning."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from comity_fis.rulebook.selection import selected
 
 @dataclass(frozen=True, slots=True)
 class ParameterRules:
-    """One parameter, all of the rulebook's variables, and the rules that only move it."""
+    """One parameter, all of the rulebook's variables, and the rules that only shift the value."""
 
     rulebook: Rulebook
     parameter: NumericParameter
 
     def value(self, inputs: Mapping[str, object]) -> float:
-        """The neutral value, moved by the situation where the rulebook lets it."""
+        """The neutral value, shifted by the situation if the rulebook has such rules."""
         return float(self.rulebook.value(self.parameter.name, inputs))
 
 
@@ -26,7 +26,7 @@ def basis_of(rulebook: Rulebook, name: str) -> ParameterRules:
     """The basis for learning about a parameter.
 
     Raises:
-        InputError: if the rulebook has no such parameter over numbers that rules could conclude.
+        InputError: if the rulebook has no such numeric parameter that rules could conclude.
     """
     parameter = parameter_of(rulebook, name)
     part = replace(selected(rulebook, [name]), variables=rulebook.variables)
@@ -37,7 +37,7 @@ def parameter_of(rulebook: Rulebook, name: str) -> NumericParameter:
     """The parameter of that name.
 
     Raises:
-        InputError: if there is none over numbers with terms.
+        InputError: if there is no such numeric parameter with terms.
     """
     fitting = {
         key: one
@@ -55,13 +55,13 @@ def parameter_of(rulebook: Rulebook, name: str) -> NumericParameter:
 
 
 def with_value_rules(rulebook: Rulebook, name: str, rules: Iterable[Rule], learnt_from: str) -> Rulebook:
-    """The rulebook with other rules that give one parameter its value; those that did are off.
+    """The rulebook with new rules that determine one parameter's value; the previous ones are disabled.
 
     Args:
         rulebook: Any.
-        name: Of the parameter.
-        rules: The new ones; their numbers are those of their places.
-        learnt_from: What the notes of the others say.
+        name: Name of the parameter.
+        rules: The new rules; they are numbered by their positions.
+        learnt_from: Source of the new rules, stated in the notes of the disabled ones.
     """
     parameter = rulebook.parameters[name]
     assert isinstance(parameter, NumericParameter)
@@ -72,9 +72,9 @@ def with_value_rules(rulebook: Rulebook, name: str, rules: Iterable[Rule], learn
 
 
 def _kept(rule: Rule, name: str, parameter: NumericParameter, learnt_from: str) -> Iterable[Rule]:
-    """A rule as it stays: off where it gave the parameter its value, but for what else it concludes.
+    """The rule; if it determines the value, disabled and followed by a copy with its other conclusions.
 
-    One that was learnt before is dropped: what is learnt now stands in its place.
+    A previously learnt rule is dropped: the new rules replace it.
     """
     giving = [is_ for is_ in rule.consequents if is_.name == name and is_.term in parameter.terms]
     if giving and rule.evidence == "learnt":

@@ -1,4 +1,4 @@
-"""One column of a CSV file as numbers, every complaint with its line."""
+"""One numeric column of a CSV file; every error names its line."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from comity_fis.validation.csv_table import CsvTable, read_csv
 from comity_fis.variables.partitioning import MOST_SCORES
 
 MISSING = {"", "NA"}
-"""Cells that are skipped: nobody answered. R writes NA."""
+"""Skipped cells: missing values. R writes NA."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,20 +18,20 @@ class TableColumn:
     """The numbers of one column."""
 
     file: str
-    """The path as the user gave it."""
+    """Path as given by the user."""
     name: str
     values: tuple[float, ...]
-    """In the file's order."""
+    """Values in the file's order."""
     empty: int
-    """Cells that held nothing or NA, and were skipped."""
+    """Number of skipped cells, empty or NA."""
 
 
 def read_column(path: Path, name: str) -> TableColumn:
     """The numbers of the column with this heading.
 
-    Fields are separated by commas, semicolons or tabs, whichever the heading shows; with semicolons or tabs
-    a decimal comma counts as a point. Blank lines, and lines that start with `#`, are skipped; empty cells
-    and `NA` are skipped and counted.
+    The separator (comma, semicolon or tab) is detected from the heading; with semicolons or tabs, a decimal
+    comma counts as a point. Blank lines, and lines that start with `#`, are skipped; empty cells and `NA` are
+    skipped and counted.
 
     Raises:
         InputError: if there is no such file or column, more values than can be clustered, a row with more
@@ -54,7 +54,7 @@ def read_column(path: Path, name: str) -> TableColumn:
 
 
 def _place(name: str, table: CsvTable) -> int:
-    """Where in a row the column stands."""
+    """Index of the column in a row."""
     times = table.heading.count(name)
     if times == 1:
         return table.heading.index(name)

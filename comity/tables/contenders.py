@@ -1,4 +1,4 @@
-"""What predicts a row that it has not seen: what examples propose, and what is simpler and to be beaten."""
+"""Predictors of unseen rows: what examples propose, and simpler baselines to be beaten."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from comity_fis import InputError, NominalVariable, OrdinalVariable, Rulebook, S
 from comity_fis.inference.column import Floats
 
 Predictor = Callable[[ExampleRow, float | None], float | None]
-"""From a row, and what the same person answered when first asked, to a value; None where it has none."""
+"""Maps a row, and the same person's first answer, to a predicted value; None if it has none."""
 Learner = Callable[[Sequence[ExampleRow]], Predictor]
-"""From the rows that may be seen, at least one, to a predictor."""
+"""Maps the training rows, at least one, to a predictor."""
 
 CONSTANT: Final = "constant"
 LINE: Final = "line"
@@ -31,18 +31,18 @@ UNWRITTEN = Source("table", "The table", "not yet")
 
 @dataclass(frozen=True, slots=True)
 class Contenders:
-    """All that can be learnt of one parameter from rows, by name."""
+    """All learners of one parameter, by name."""
 
     basis: ParameterRules
     inputs: tuple[str, ...]
     books: Mapping[str, Rulebook]
-    """Rulebooks that learn nothing, by name."""
+    """Fixed rulebooks, by name."""
 
     def learners(self, *, people: bool) -> dict[str, Learner]:
-        """Each, the simpler ones first.
+        """All learners, simpler ones first.
 
         Args:
-            people: Whether rows name their participants: without them there is nobody to ask.
+            people: Whether rows name their participants: without them no person can be identified.
         """
         books = {name: _learning_nothing(self._of_book(book)) for name, book in self.books.items()}
         asked = _learning_nothing(lambda _, answer: answer)
@@ -56,17 +56,17 @@ class Contenders:
         }
 
     def rules(self, rows: Sequence[ExampleRow]) -> Predictor:
-        """The rulebook with the rules that these rows propose."""
+        """The rulebook with rules learnt from these rows."""
         cells = cells_of(self.basis, self.inputs, rows)
         return self._of_book(with_cells(self.basis.rulebook, self._name, cells, UNWRITTEN))
 
     def prior(self, rows: Sequence[ExampleRow]) -> Predictor:
-        """The rulebook with the prior that these rows give."""
+        """The rulebook with a prior learnt from these rows."""
         prior = prior_of(self.basis, rows)
         return self._of_book(with_prior(self.basis.rulebook, self._name, prior, UNWRITTEN))
 
     def individual(self, rows: Sequence[ExampleRow]) -> Predictor:
-        """The prior, brought to the person by one answer of theirs; None where nobody gave two."""
+        """The prior, adapted to the person by one of their answers; None if nobody gave two answers."""
         prior = prior_of(self.basis, rows)
 
         def predict(row: ExampleRow, answer: float | None) -> float | None:
@@ -77,7 +77,7 @@ class Contenders:
         return predict
 
     def line(self, rows: Sequence[ExampleRow]) -> Predictor:
-        """A straight line of least squares over the inputs; each word is a column of 0 and 1."""
+        """Linear least squares over the inputs, with one-hot columns for categories."""
         columns = [_column(self.basis.rulebook, name, rows) for name in self.inputs]
 
         def design(some: Sequence[ExampleRow]) -> Floats:
@@ -92,7 +92,7 @@ class Contenders:
         return self.basis.parameter.name
 
     def _of_book(self, book: Rulebook) -> Predictor:
-        """What a rulebook says; the same of the same inputs."""
+        """The prediction of a rulebook, cached by inputs."""
         said: dict[int, float] = {}
 
         def predict(row: ExampleRow, _: float | None) -> float:
@@ -114,7 +114,7 @@ def _learning_nothing(predictor: Predictor) -> Learner:
 
 
 def _known(book: Rulebook, inputs: Inputs) -> Inputs:
-    """What another rulebook can be told of the same person: its variables may hold other values."""
+    """The inputs that another rulebook accepts: its variables may have other values."""
     return {name: value for name, value in inputs.items() if name in book.facts and _takes(book, name, value)}
 
 
@@ -129,7 +129,7 @@ def _takes(book: Rulebook, name: str, value: object) -> bool:
 def _column(
     rulebook: Rulebook, name: str, rows: Sequence[ExampleRow]
 ) -> Callable[[Sequence[ExampleRow]], Floats]:
-    """How rows become columns of numbers, centred; what is not known counts as the mean."""
+    """An encoder of an input as numeric columns, centred; unknown values count as the mean."""
     variable = rulebook.variables[name]
     told = [row.inputs[name] for row in rows if row.inputs.get(name) is not None]
     if isinstance(variable, NominalVariable) and not isinstance(variable, OrdinalVariable):

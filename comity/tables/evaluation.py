@@ -1,4 +1,4 @@
-"""A rulebook held against measured tuples: predictions, errors under each reading, accuracy by study."""
+"""Evaluation of a rulebook against measured tuples: predictions, errors by convention, accuracy by study."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ if TYPE_CHECKING:
     from comity_fis import Origin, ParameterValue, Rulebook
 
 Reading = Literal["surface", "centre", "as_stated"]
-"""How rows are read that do not say between which points of the bodies they measured."""
+"""Assumed convention of rows that do not state between which points of the bodies they measured."""
 
 
 @dataclass(frozen=True, slots=True)
 class Radii:
-    """What lies between the two conventions [m]."""
+    """Radii of the bodies, by which the conventions differ [m]."""
 
     robot: float = ROBOT_RADIUS_M
     person: float = PERSON_RADIUS_M
 
     def gap(self, row: Measurement) -> float:
-        """How much longer a distance is between centres than between surfaces."""
+        """Difference between a distance of centres and one of surfaces [m]."""
         return self.person + (self.robot if row.partner == "robot" else self.person)
 
 
@@ -42,21 +42,21 @@ USUAL_RADII = Radii()
 
 @dataclass(frozen=True, slots=True)
 class Predicted:
-    """One measured row and what the rulebook says of people of whom only its facts are known."""
+    """One measured row, and the rulebook's prediction from the row's facts."""
 
     row: Measurement
     value: float | str
-    """In the parameter's unit and convention."""
+    """Prediction in the parameter's unit and convention."""
     spread: float | None
     origin: Origin
     score: float | None
-    """Individualism; None where the row names no culture that has one."""
+    """Individualism score; None without a culture that has one."""
     unscored: bool
-    """Whether the row names a culture to which no table of the rulebook gives a score."""
+    """Whether the row names a culture without a score in any table of the rulebook."""
 
     @property
     def standard_error(self) -> float | None:
-        """Of the measured mean; None where n or the standard deviation was not found."""
+        """Standard error of the measured mean; None if n or the standard deviation is unknown."""
         row = self.row
         return None if row.n is None or row.sd is None else row.sd / sqrt(row.n)
 
@@ -68,13 +68,13 @@ class Numbers:
     parameter: NumericParameter
     rows: tuple[Predicted, ...]
     readings: Mapping[Reading, Mapping[str, StudyAccuracy]]
-    """By reading, then by study."""
+    """Accuracy by reading, then by study."""
     errors: Mapping[Reading, tuple[float, ...]]
-    """By reading, one for each row: predicted less measured."""
+    """By reading, the error of each row: predicted minus measured."""
 
     @property
     def band(self) -> float:
-        """The largest difference that counts as none."""
+        """The largest difference that counts as zero."""
         return equality_band(self.parameter)
 
 
@@ -88,7 +88,7 @@ class NominalEvaluation:
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """A rulebook and a file of measurements."""
+    """A rulebook evaluated on a file of measurements."""
 
     rulebook: str
     measurements: Measurements
@@ -98,7 +98,7 @@ class Evaluation:
 
     @property
     def unscored(self) -> tuple[Predicted, ...]:
-        """The rows of cultures without a score: the rules know of them what the other facts say."""
+        """Rows of cultures without a score, predicted from the other facts only."""
         rows = [row for one in self.numbers.values() for row in one.rows]
         rows += [row for one in self.words.values() for row in one.rows]
         return tuple(row for row in rows if row.unscored)
@@ -109,8 +109,8 @@ def evaluate(rulebook: Rulebook, measurements: Measurements, radii: Radii = Radi
 
     Args:
         rulebook: The rules.
-        measurements: Read for this rulebook.
-        radii: Of the bodies, for rows measured between centres.
+        measurements: Measurements read for this rulebook.
+        radii: Radii of the bodies, for rows measured between centres.
 
     Raises:
         InputError: for a fact outside its variable's domain, with its line.
@@ -132,7 +132,7 @@ def evaluate(rulebook: Rulebook, measurements: Measurements, radii: Radii = Radi
 
 
 def by_study(rows: Sequence[Predicted]) -> dict[str, list[int]]:
-    """The places of each study's rows, studies in the file's order."""
+    """Row indices by study, studies in the file's order."""
     places: dict[str, list[int]] = {}
     for place, one in enumerate(rows):
         places.setdefault(one.row.study, []).append(place)
@@ -140,7 +140,7 @@ def by_study(rows: Sequence[Predicted]) -> dict[str, list[int]]:
 
 
 def _predict(rulebook: Rulebook, measurements: Measurements) -> list[Predicted]:
-    """Each distinct set of facts is inferred once."""
+    """Predict each row; each distinct set of facts is inferred once."""
     inferred: dict[tuple[tuple[str, float | str], ...], _Inferred] = {}
     predicted = []
     for row in measurements.rows:
@@ -154,7 +154,7 @@ def _predict(rulebook: Rulebook, measurements: Measurements) -> list[Predicted]:
 
 
 _Inferred = tuple[Mapping[str, "ParameterValue"], float | None, bool]
-"""Values by parameter, the individualism, and whether a culture without a score was named."""
+"""Values by parameter, the individualism score, and whether a culture without a score was named."""
 
 
 def _infer(rulebook: Rulebook, row: Measurement, where: Where) -> _Inferred:
@@ -194,7 +194,7 @@ def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Ra
 
 
 def _compared(one: Predicted, parameter: NumericParameter, reading: Reading, radii: Radii) -> Compared:
-    """A row in the parameter's own convention."""
+    """A row converted to the parameter's convention."""
     assert isinstance(one.value, float)
     return Compared(in_convention(one.row, parameter, reading, radii), one.value, one.score)
 
@@ -202,13 +202,13 @@ def _compared(one: Predicted, parameter: NumericParameter, reading: Reading, rad
 def in_convention(
     row: Measurement, parameter: NumericParameter, reading: Reading, radii: Radii = Radii()
 ) -> float:
-    """A measured number as the parameter counts it: between surfaces, or between centres.
+    """A measured number in the parameter's convention: between surfaces, or between centres.
 
     Args:
-        row: A row on this parameter.
-        parameter: That says between which points it is measured.
-        reading: How the row is read if it does not say.
-        radii: Of the bodies.
+        row: A row of this parameter.
+        parameter: The parameter, which defines its convention.
+        reading: Convention of the row if it does not state one.
+        radii: Radii of the bodies.
     """
     assert isinstance(row.value, float)
     said: Convention | Reading | None = row.measured or reading

@@ -1,4 +1,4 @@
-"""Examples: the rows of a table on one parameter, what is known of them, and what is left out with them."""
+"""Examples: the rows of a table on one parameter, with their inputs and units of cross-validation."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ from comity.tables.measurements import Measurements
 from comity_fis import InputError, NumericParameter, Rulebook, Where, closest, find_score
 
 LeftOut = Literal["participant", "study", "row"]
-"""What is left out as one: all rows of a person, of a study, or a single one."""
+"""Unit of cross-validation that is held out as a whole: a person, a study, or a single row."""
 GROUP = "culture"
-"""The variable by which people are one group."""
+"""The variable that defines groups of people."""
 Inputs = Mapping[str, object]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExampleRow:
-    """One row, as the parameter counts it."""
+    """One row, in the parameter's convention."""
 
     line: int
     person: tuple[str, str]
-    """Study and name; a row that names no participant is a person by itself."""
+    """Study and name; a row without a participant counts as its own person."""
     study: str
     group: str | None
-    """The culture; None where it is not known."""
+    """Culture; None if unknown."""
     value: float
-    """In the parameter's unit and convention."""
+    """Value in the parameter's unit and convention."""
     before: float
-    """What stands for this person in this situation before anything is learnt."""
+    """Value for this person and situation before learning."""
     inputs: Inputs
-    """By variable of the rulebook; None where it is not known."""
+    """Inputs by variable of the rulebook; None if unknown."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,39 +48,39 @@ class Examples:
     parameter: NumericParameter
     rows: tuple[ExampleRow, ...]
     others: int
-    """Rows of other parameters, which are not used."""
+    """Number of unused rows of other parameters."""
     unstated: int
-    """Rows that do not say between which points they measured: taken to be measured as the parameter is."""
+    """Number of rows without a stated convention; the parameter's is assumed."""
     unused: tuple[str, ...]
-    """Headings that say nothing to the rulebook."""
+    """Headings that the rulebook does not use."""
     sources: tuple[str, ...]
-    """That rows name, each once."""
+    """Sources named in the rows, without duplicates."""
     named: bool
     """Whether any row names its participant."""
 
     @property
     def mean(self) -> float:
-        """Of the rows' values: what a constant says."""
+        """Mean of the rows' values: the constant prediction."""
         return fsum(row.value for row in self.rows) / len(self.rows)
 
     @property
     def studies(self) -> int:
-        """How many there are."""
+        """Number of studies."""
         return len({row.study for row in self.rows})
 
     @property
     def people(self) -> int:
-        """How many are named, a row that names nobody counted as one."""
+        """Number of people; a row without a name counts as one."""
         return len({row.person for row in self.rows})
 
     @property
     def left_out(self) -> LeftOut:
-        """What is left out by default: a participant where rows name them, else a study, else a row."""
+        """Default unit of cross-validation: a participant if rows name them, else a study, else a row."""
         return "participant" if self.named else "study" if self.studies > 1 else "row"
 
 
 def unit_of(row: ExampleRow, left_out: LeftOut) -> object:
-    """What a row is left out with."""
+    """The unit that a row is held out with."""
     return {"participant": row.person, "study": row.study, "row": row.line}[left_out]
 
 
@@ -88,10 +88,10 @@ def examples(rulebook: Rulebook, basis: ParameterRules, measured: Measurements, 
     """The rows of a table on one parameter.
 
     Args:
-        rulebook: That the table was read for.
-        basis: The parameter, and what stands before anything is learnt of it.
+        rulebook: The rulebook that the table was read for.
+        basis: The parameter, and its baseline before learning.
         measured: The table.
-        radii: Of the bodies, for rows measured between other points than the parameter.
+        radii: Radii of the bodies, for rows in another convention than the parameter's.
 
     Raises:
         InputError: if there is no row on the parameter, or a fact outside its variable's domain, with its
@@ -119,16 +119,16 @@ def examples(rulebook: Rulebook, basis: ParameterRules, measured: Measurements, 
 
 
 def chosen_inputs(rulebook: Rulebook, found: Examples, names: Sequence[str] = ()) -> tuple[str, ...]:
-    """The variables that rules may read.
+    """The input variables of rules.
 
     Args:
-        rulebook: Of the variables.
+        rulebook: The rulebook with the variables.
         found: The rows.
-        names: Asked for; none: those that tell who a person is and differ between rows, else those of the
-            situation. A culture that is known by a score is not read by its name as well.
+        names: Requested variables. By default, those that describe the person and differ between rows, else
+            those of the situation. A culture's name is not used in addition to its score.
 
     Raises:
-        InputError: if a name is no variable with terms, or no row knows it.
+        InputError: if a name is no variable with terms, or no row has a value for it.
     """
     known = [
         name
@@ -162,7 +162,7 @@ def chosen_inputs(rulebook: Rulebook, found: Examples, names: Sequence[str] = ()
 def _examples(
     rulebook: Rulebook, basis: ParameterRules, rows: Sequence[Measurement], radii: Radii, file: str
 ) -> Iterator[ExampleRow]:
-    """Each distinct set of facts is looked at once."""
+    """Convert rows; each distinct set of facts is inferred once."""
     known: dict[tuple[tuple[str, float | str], ...], tuple[Inputs, float]] = {}
     for row in rows:
         facts = tuple(row.facts.items())
@@ -185,7 +185,7 @@ def _examples(
 def _inputs(rulebook: Rulebook, row: Measurement, where: Where) -> Inputs:
     try:
         if (culture := row.facts.get(GROUP)) is not None:
-            find_score(str(culture))  # a code that no country has is refused in every rulebook
+            find_score(str(culture))  # an unknown country code is refused in every rulebook
         return infer_for(NOBODY, rulebook, situation=row.facts).inputs
     except InputError as error:
         raise error.at(where) from None

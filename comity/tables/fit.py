@@ -1,4 +1,4 @@
-"""A linguistic variable from a column of data: the paper's third case, for any data."""
+"""Fit of a linguistic variable to a column of data: the paper's third case, generalised."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """What a column gave."""
+    """The result of a fit."""
 
     column: TableColumn
     radius: float
     counts: Mapping[float, int]
-    """Clusters at each radius, ascending; the fit's own radius among them."""
+    """Number of clusters at each radius, ascending; includes the fit's own radius."""
     variable: NumericVariable | None
-    """None where the data form one cluster."""
+    """The fitted variable; None if the data form one cluster."""
 
     @property
     def radius_for_more(self) -> float | None:
@@ -54,13 +54,13 @@ def fit_column(
 
     Args:
         column: The data.
-        radius: Of the subtractive clustering, as a fraction of the data's range.
-        domain: The variable's lowest and highest value; the data's own when None.
-        level: Of measurement.
+        radius: Radius of the subtractive clustering, as a fraction of the data's range.
+        domain: Lower and upper end of the variable's domain; None for the data's own.
+        level: Level of measurement.
         coercion: Why ordinal data are treated as interval data.
 
     Raises:
-        InputError: if the data make no variable; a single cluster is no error.
+        InputError: if no variable can be fitted; a single cluster is no error.
     """
     reason = (
         f"Fitted to the column {column.name} ({len(column.values)} values). "
@@ -86,6 +86,6 @@ def fit_column(
 
 
 def _name(heading: str) -> str:
-    """A name that a rulebook takes: no quotes, not too long, cut between words where it can be."""
+    """A valid name in a rulebook: no quotes, limited length, cut between words if possible."""
     clean = " ".join(re.sub(r"['\"]", " ", heading).split())
     return shorten(clean, LONGEST_NAME, placeholder="") or clean[:LONGEST_NAME] or "variable"

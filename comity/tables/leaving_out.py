@@ -1,4 +1,4 @@
-"""Judging by leaving out: who predicts best what was not seen, and whether that is more than chance."""
+"""Cross-validation: which predictor has the smallest error on unseen rows, and whether beyond chance."""
 
 from __future__ import annotations
 
@@ -15,23 +15,24 @@ from comity_fis import InputError, Where
 from comity_fis.inference.column import Floats
 
 MOST_FOLDS = 100
-"""Beyond so many participants or studies several are left out at a time."""
+"""Maximum number of folds; with more participants or studies, several are held out at a time."""
 RESAMPLES, LEAST_UNITS, SEED = 2000, 10, 0
-"""Of the bootstrap; an interval of fewer units would promise too much (our choice)."""
+"""Number of resamples, minimum number of units, and seed of the bootstrap; fewer units give no interval, as
+it would be too narrow (our choice)."""
 ENDS = (2.5, 97.5)
-"""Of the interval, in percent."""
+"""Ends of the interval [%]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """All contenders on the same rows, each of them left out once."""
+    """Cross-validated errors of all contenders on the same rows."""
 
     left_out: LeftOut
     units: int
     errors: Mapping[str, ErrorAnswer]
-    """Of those that say something; of all rows that they do."""
+    """Errors of contenders with predictions, over the rows that they predict."""
     differences: Mapping[str, Mapping[str, ErrorDifferenceAnswer]]
-    """By proposal, then by the contender that it is compared with."""
+    """Error differences by proposal, then by the contender it is compared with."""
 
 
 def judged(
@@ -42,17 +43,17 @@ def judged(
     proposals: Collection[str],
     file: str,
 ) -> Judgement:
-    """Leave out one after the other, learn from the rest, and predict what was left out.
+    """Hold out each unit in turn, learn from the rest, and predict the held-out rows.
 
     Args:
-        rows: At least one.
-        learners: By name.
-        left_out: What counts as one.
-        proposals: Names of those that are compared with all others.
-        file: Of the rows, for messages.
+        rows: The rows, at least one.
+        learners: Learners by name.
+        left_out: Unit of cross-validation.
+        proposals: Names of the learners that are compared with all others.
+        file: File of the rows, for messages.
 
     Raises:
-        InputError: if there is only one to leave out.
+        InputError: if there is only one unit.
     """
     units = list(dict.fromkeys(unit_of(row, left_out) for row in rows))
     if len(units) < 2:
@@ -90,7 +91,7 @@ def judged(
 
 
 def _errors(rows: Sequence[ExampleRow], of_row: Floats, learners: Mapping[str, Learner]) -> dict[str, Floats]:
-    """By contender, the absolute error of each row; NaN where it says nothing."""
+    """By contender, the absolute error of each row; NaN without a prediction."""
     answers = list(_answers(rows))
     folds = of_row % MOST_FOLDS
     errors = {name: np.full(len(rows), np.nan) for name in learners}
@@ -105,7 +106,7 @@ def _errors(rows: Sequence[ExampleRow], of_row: Floats, learners: Mapping[str, L
 
 
 def _answers(rows: Sequence[ExampleRow]) -> Iterator[float | None]:
-    """What the person of each row had said when first asked; None of the first row itself."""
+    """The first answer of each row's person; None for that first row itself."""
     first: dict[object, float] = {}
     for row in rows:
         yield first.get(row.person)
@@ -113,7 +114,7 @@ def _answers(rows: Sequence[ExampleRow]) -> Iterator[float | None]:
 
 
 def _per_unit(values: Floats, of_row: Floats, units: int) -> Floats:
-    """The mean of each unit's rows, as far as they are numbers; NaN where none is."""
+    """Mean of each unit's rows, ignoring NaN; NaN without numbers."""
     there = ~np.isnan(values)
     counts = np.bincount(of_row[there], minlength=units)
     sums = np.bincount(of_row[there], weights=values[there], minlength=units)
@@ -122,13 +123,13 @@ def _per_unit(values: Floats, of_row: Floats, units: int) -> Floats:
 
 
 def _difference(differences: Floats, of_row: Floats, units: int) -> ErrorDifferenceAnswer | None:
-    """The mean over units with its interval; None where no row has both."""
+    """Mean difference over units with its interval; None if no row has both errors."""
     per_unit = _per_unit(differences, of_row, units)
     found = per_unit[~np.isnan(per_unit)]
     if not len(found):
         return None
     low = high = None
-    if len(found) >= LEAST_UNITS:  # the paired bootstrap over units (Efron 1979)
+    if len(found) >= LEAST_UNITS:  # paired bootstrap over units (Efron 1979)
         random = np.random.default_rng(SEED)
         means = [found[random.integers(0, len(found), len(found))].mean() for _ in range(RESAMPLES)]
         low, high = map(float, np.percentile(means, ENDS))
@@ -138,7 +139,7 @@ def _difference(differences: Floats, of_row: Floats, units: int) -> ErrorDiffere
 
 
 def _verdict(low: float | None, high: float | None) -> Literal["better", "worse", "not told apart"]:
-    """What can be said beyond chance of the first of two errors, by the interval of their difference."""
+    """Comparison of the first error with the second, from the interval of their difference."""
     if high is not None and high < 0:
         return "better"
     return "worse" if low is not None and low > 0 else "not told apart"

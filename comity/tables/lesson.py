@@ -1,4 +1,4 @@
-"""A lesson: what a table proposes about one parameter, how it was judged, and what of it stands."""
+"""Learning from a table: proposals for one parameter, their evaluation, and the accepted one."""
 
 from __future__ import annotations
 
@@ -25,36 +25,37 @@ Kind = Literal["rules", "prior"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lesson:
-    """What a table teaches about one parameter."""
+    """What can be learnt from a table about one parameter."""
 
     rulebook: Rulebook
-    """That it would change."""
+    """The rulebook to be changed."""
     examples: Examples
     inputs: tuple[str, ...]
     cells: tuple[Cell, ...]
     prior: PooledPrior | None
-    """None where no row names its participant."""
+    """The proposed prior; None if no row names its participant."""
     judgement: Judgement
     digest: str
     """SHA-256 of the table, in hexadecimal."""
 
     @property
     def lacking_inputs(self) -> int:
-        """Rows that no rule is learnt from, since an input is not known or has no term."""
+        """Number of rows unused for rules, since an input is unknown or has no term."""
         return sum(not is_in_terms(self.rulebook, self.inputs, row) for row in self.examples.rows)
 
     @property
     def proposals(self) -> tuple[Kind, ...]:
-        """What there is to be written: rules where any combination has enough rows, and the prior."""
+        """Available proposals: rules if any combination of terms has enough rows, and the prior."""
         rules: tuple[Kind, ...] = (RULES,) if any(not cell.is_thin for cell in self.cells) else ()
         return (*rules, PRIOR) if self.prior is not None else rules
 
     def in_the_way(self, kind: Kind) -> tuple[str, ...]:
-        """What is simpler than a proposal, and not beaten by it.
+        """Simpler alternatives that a proposal does not beat.
 
-        Beaten is what is farther off by more than the smallest difference that counts, as judged by enough
-        units for an interval; a constant, where that is more than chance besides. A mean of the others is
-        always a little farther off than any fixed number near it: that alone says nothing about people.
+        An alternative is beaten if its error is larger by more than the smallest difference that counts, with
+        enough units for an interval; a constant must also be worse beyond chance. The reason is that the mean
+        of the other rows is always slightly farther off than any fixed number near it, which says nothing
+        about people.
         """
         against, least = self.judgement.differences[kind], equality_band(self.examples.parameter)
         beaten = {name for name, one in against.items() if one.low is not None and one.difference < -least}
@@ -63,23 +64,23 @@ class Lesson:
         return tuple(name for name in self.rivals(kind) if name not in beaten)
 
     def rivals(self, kind: Kind) -> tuple[str, ...]:
-        """What a proposal has to beat to be written: what a rulebook could say instead of it.
+        """Alternatives that a proposal has to beat to be written: what a rulebook could contain instead.
 
-        A straight line is no rulebook, and is not among them. A prior of one group is a constant itself, and
-        is compared with the rulebook alone.
+        A linear model cannot be a rulebook, so it is not among them. A prior of one group is itself a
+        constant, and is only compared with the rulebook.
         """
         constant = () if kind == PRIOR and self._is_one_group else (CONSTANT,)
         return (*constant, self.rulebook.name)
 
     @property
     def standing(self) -> Kind | None:
-        """The proposal of the smallest error with nothing in its way; None: nothing is learnt."""
+        """The proposal with the smallest error that beats all its rivals; None if nothing is learnt."""
         free: list[Kind] = [kind for kind in self.proposals if not self.in_the_way(kind)]
         free.sort(key=lambda kind: self.judgement.errors[kind].mean_absolute_error)
         return free[0] if free else None
 
     def learnt(self, kind: Kind, source: Source) -> Rulebook:
-        """The rulebook with a proposal in it."""
+        """The rulebook with a proposal applied."""
         name = self.examples.parameter.name
         if kind == PRIOR:
             assert self.prior is not None
@@ -103,15 +104,16 @@ def learn(
     """Learn about one parameter from a table.
 
     Args:
-        table: A file's path, in the form that `comity evaluate` reads.
-        parameter: Over numbers; of rows that name none, too.
-        rulebook: Whose terms are used.
-        inputs: That rules may read; none: what rows tell of who a person is.
-        left_out: What is left out as one; None: a participant where rows name them, else a study, else a row.
-        radii: Of the bodies, for distances.
+        table: Path of a file, in the format of `comity evaluate`.
+        parameter: Name of a numeric parameter; also used for rows that name none.
+        rulebook: The rulebook whose terms are used.
+        inputs: Input variables of rules; empty for those that describe the person.
+        left_out: Unit of cross-validation; None for a participant if rows name them, else a study, else a
+            row.
+        radii: Radii of the bodies, for distances.
 
     Raises:
-        InputError: if something cannot be used, with the line in the table.
+        InputError: if something cannot be used, with its line in the table.
     """
     basis = basis_of(rulebook, parameter)
     found = examples(rulebook, basis, read_measurements(table, rulebook, about=parameter), radii)

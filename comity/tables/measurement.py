@@ -1,4 +1,4 @@
-"""One measured (culture, parameter) tuple: what of whom, how measured, in which study."""
+"""One measured (culture, parameter) tuple: the value, its convention, the people and the study."""
 
 from __future__ import annotations
 
@@ -25,38 +25,38 @@ Partner = Literal["robot", "person"]
 
 UNNAMED = "unnamed study"
 FAR_OFF = 10
-"""A number this many times beyond what anybody may ask for is taken for a slip of the unit (our choice)."""
+"""Factor beyond the range of possible requests above which a number is taken for a wrong unit (our
+choice)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measurement:
-    """One row: what a study found for people of whom these facts are known."""
+    """One row: a study's result for people with these facts."""
 
     line: int
     study: str
-    """Rows are compared inside one study only."""
+    """Name of the study; rows are compared within a study only."""
     source: str
     facts: Mapping[str, float | str]
-    """By variable of the rulebook, or `culture`."""
+    """Facts by variable of the rulebook, or `culture`."""
     parameter: str
     value: float | str
-    """A number in the parameter's unit, or a category."""
+    """Number in the parameter's unit, or a category."""
     measured: Convention | None
-    """Between which points a distance was measured; None where the source does not say."""
+    """Convention of a distance (between which points); None if the source does not state it."""
     partner: Partner
-    """To whom a distance was measured: their radius is part of one between centres."""
+    """Partner of the distance: their radius is part of a distance between centres."""
     n: int | None
-    """People behind the number; None where it was not found."""
+    """Number of people; None if unknown."""
     sd: float | None
-    """Standard deviation between people, in the parameter's unit."""
+    """Standard deviation between people, in the parameter's unit; None if unknown."""
     participant: str
-    """Who it was measured of, inside the study; empty where the row tells of several people, or of whom it
-    does not say."""
+    """Participant within the study; empty if the row summarises several people, or does not name one."""
     note: str
 
 
 def facts_of(rulebook: Rulebook) -> Mapping[str, Variable | None]:
-    """What a row may say of people: the rulebook's variables, and facts that variables are derived from."""
+    """Facts that a row may state: the rulebook's variables, and facts that variables are derived from."""
     derived = {
         variable.derived_from.fact: None if variable.derived_from.table else variable
         for variable in rulebook.variables.values()
@@ -74,10 +74,10 @@ class RowReader:
     facts: tuple[str, ...]
     """Headings that are facts."""
     about: str = ""
-    """The parameter of a row that names none."""
+    """Parameter of rows that name none."""
 
     def measurement(self, row: Row) -> Measurement:
-        """One row, checked but for its facts' values, which inference checks."""
+        """One row, checked except for the values of facts, which inference checks."""
         try:
             parameter = self._parameter(row)
             study, source = self._cell(row, "study"), self._cell(row, "source")
@@ -116,7 +116,7 @@ class RowReader:
         return self.rulebook.parameters[name]
 
     def _value(self, row: Row, parameter: Parameter) -> tuple[float | str, float]:
-        """The value, and what its numbers were multiplied by."""
+        """The value, and the factor of its unit conversion."""
         cell, unit = self._cell(row, "value"), self._cell(row, "unit")
         if not isinstance(parameter, NumericParameter):
             return parameter.check(cell), 1.0
@@ -189,7 +189,7 @@ class RowReader:
 
 
 def _refuse_below_zero(parameter: Parameter, value: float | str) -> None:
-    """Nothing is measured below 0 of what nobody may ask for below 0, such as a distance."""
+    """Refuse negative values of a parameter that cannot be negative, such as a distance."""
     if isinstance(parameter, NumericParameter) and parameter.ask.low >= 0 and float(value) < 0:
         raise InputError(
             expected=f"{parameter.name} of 0 {parameter.unit} or more",

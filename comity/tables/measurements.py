@@ -15,7 +15,7 @@ REQUIRED = ("parameter", "value", "unit")
 OPTIONAL = ("study", "source", "measured", "partner", "n", "sd", "participant", "note")
 MOST_ROWS = 5000
 LIKE_KNOWN = 0.8
-"""A heading this similar to a known one is taken for a slip of the pen."""
+"""Minimum similarity to a known heading at which an unknown one is taken for a typo."""
 SHIPPED = "small-studies"
 """The table that ships with Comity."""
 
@@ -27,19 +27,19 @@ class Measurements:
     file: str
     rows: tuple[Measurement, ...]
     unused: tuple[str, ...]
-    """Headings that say nothing to this rulebook."""
+    """Headings that the rulebook does not use."""
 
 
 def read_measurements(name: str, rulebook: Rulebook, *, about: str = "") -> Measurements:
     """The rows of a file, each checked against the rulebook's parameters and variables.
 
     Args:
-        name: A file's path, or `small-studies` for the rows that ship with Comity.
-        rulebook: That the rows are to be held against.
-        about: The parameter of rows that name none; without it the heading `parameter` is required.
+        name: Path of a file, or `small-studies` for the rows that ship with Comity.
+        rulebook: The rulebook that the rows will be compared with.
+        about: Parameter of rows that name none; if empty, the heading `parameter` is required.
 
     Raises:
-        InputError: with the line of whatever cannot be used.
+        InputError: with the line of anything that cannot be used.
     """
     facts = facts_of(rulebook)
     known = [*REQUIRED, *OPTIONAL, *facts]
@@ -55,7 +55,7 @@ def read_measurements(name: str, rulebook: Rulebook, *, about: str = "") -> Meas
 
 
 def table_path(name: str) -> Path:
-    """Where the table of that name is, or would be."""
+    """Path of the table of that name; it may not exist."""
     return Path(__file__).parents[1] / "measured" / f"{SHIPPED}.csv" if name == SHIPPED else Path(name)
 
 

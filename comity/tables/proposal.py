@@ -1,4 +1,4 @@
-"""What examples propose, as a rulebook: rules over its own terms, or a prior for each culture."""
+"""Proposals learnt from examples, as a rulebook: rules over its own terms, or a prior for each culture."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from comity_fis.rules.antecedent import Literal
 from comity_fis.rules.rule import Condition, Is, Rule
 
 HALF_WIDTH = 0.1
-"""Of a learnt term, as a share of what the rules can give (our choice): its centre is what counts."""
+"""Half the width of a learnt term, as a share of the output range (our choice): only its centre matters."""
 NARROWEST = 0.01
-"""The same of one at an end of that range, where a wider one would not be even."""
+"""Half width of a term at an end of that range, where a wider one would not be symmetric."""
 
 
 def cells_of(basis: ParameterRules, inputs: Sequence[str], rows: Iterable[ExampleRow]) -> tuple[Cell, ...]:
-    """What people say of every combination of the inputs' terms.
+    """Answers of people for every combination of the inputs' terms.
 
-    A person counts once in each situation, with the mean of their rows.
+    A person counts once per situation, with the mean of their rows.
     """
     said: dict[tuple[object, ...], list[float]] = defaultdict(list)
     for row in rows:
@@ -45,7 +45,7 @@ def cells_of(basis: ParameterRules, inputs: Sequence[str], rows: Iterable[Exampl
 
 
 def is_in_terms(rulebook: Rulebook, inputs: Iterable[str], row: ExampleRow) -> bool:
-    """Whether each input is known and one that rules can speak of; a person's own word may have no term."""
+    """Whether each input is known and has a term; a person's own word may have none."""
     return all(
         (value := row.inputs.get(name)) is not None
         and (isinstance(variable := rulebook.variables[name], NumericVariable) or value in variable.terms)
@@ -54,7 +54,7 @@ def is_in_terms(rulebook: Rulebook, inputs: Iterable[str], row: ExampleRow) -> b
 
 
 def prior_of(basis: ParameterRules, rows: Iterable[ExampleRow]) -> PooledPrior:
-    """What rows say of everybody, of each culture and of people; as offsets from what stood before."""
+    """Pooled estimates for everybody, each culture and individuals, as offsets from the baseline."""
     parameter = basis.parameter
     answers = (StatedOffset(row.person, row.group, row.value - row.before) for row in rows)
     span = parameter.rules.high - parameter.rules.low
@@ -62,9 +62,9 @@ def prior_of(basis: ParameterRules, rows: Iterable[ExampleRow]) -> PooledPrior:
 
 
 def with_cells(rulebook: Rulebook, name: str, cells: Iterable[Cell], source: Source) -> Rulebook:
-    """The rulebook with rules of these cells in place of those that gave the parameter its value.
+    """The rulebook with rules from these cells instead of those that determined the parameter's value.
 
-    What speaks against a rule that the rulebook had already speaks against it when it is learnt, too.
+    Counter-evidence of an existing rule is kept when the same rule is learnt.
     """
     against = {str(rule): rule.counter_evidence for rule in rulebook.rules}
     rules = [
@@ -84,9 +84,9 @@ def with_cells(rulebook: Rulebook, name: str, cells: Iterable[Cell], source: Sou
 
 
 def with_prior(rulebook: Rulebook, name: str, prior: PooledPrior, source: Source) -> Rulebook:
-    """The rulebook with a rule for each culture of enough people, and everybody's value as the neutral one.
+    """The rulebook with a rule for each culture with enough people; the overall mean is the neutral value.
 
-    Rules that gave the parameter its value are off. A term is called what it gives: `0.74 m`.
+    Rules that determined the parameter's value are disabled. A term is named after its value: `0.74 m`.
     """
     parameter = rulebook.parameters[name]
     assert isinstance(parameter, NumericParameter)
@@ -147,14 +147,14 @@ def _rule(
 
 
 def _degrees(variable: Variable, values: Sequence[object]) -> dict[str, Floats]:
-    """By term, the degree of each value; of words, only those that are told, and not groups of them."""
+    """By term, the membership degree of each value; for categories, stated ones only, not their groups."""
     column = read_columns({variable.name: variable}, {variable.name: values})[variable.name]
     terms = dict.fromkeys(column.words()) if isinstance(variable, NominalVariable) else variable.terms
     return {term: column.degrees(Literal(variable.name, term)) for term in sorted(map(str, terms))}
 
 
 def _within(parameter: NumericParameter, value: float) -> float:
-    """A value that rules can give, to the smallest difference that counts."""
+    """A value clipped to the output range and rounded to the smallest difference that counts."""
     band = equality_band(parameter)
     return round(parameter.rules.clamp(round(value / band) * band), 6)
 
@@ -164,7 +164,7 @@ def _called(value: float, parameter: NumericParameter) -> str:
 
 
 def _around(value: float, parameter: NumericParameter) -> Trapezoid:
-    """An even triangle inside the range, so that its centre of area is the value."""
+    """A symmetric triangle inside the range, so that its centre of area is the value."""
     low, high = parameter.rules.ends
     span = high - low
     middle = min(max(value, low + NARROWEST * span), high - NARROWEST * span)
