@@ -1,1 +1,1 @@
-"""Why a value is what it is: what each rule contributes, how sensitive it is, and what would change it."""
+"""Explains inferred values: contributions of rules, sensitivities, and counterfactuals."""

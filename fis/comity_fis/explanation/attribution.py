@@ -1,10 +1,10 @@
-"""What each rule contributes to a value: the parts add up to the value itself.
+"""Contribution of each rule to a value; the contributions add up to the value.
 
-Each point under the aggregated set belongs to the rule that attains the maximum there (to several in equal
-parts where they tie). A rule's share is its part of the area; its contribution is the moment of its part
-over the whole area, so that the sum of all contributions is the centre of area. A set that is above 0 at
-single places only is divided by their degrees, as if each place were 1 wide; where degrees are summed up, as
-in a Sugeno system, rules stand one upon the other, and each owns the strength that it gives.
+Each point under the aggregated set belongs to the rule that attains the maximum there (in equal parts to
+rules that tie). A rule's share is its part of the area; its contribution is the moment of its part divided by
+the whole area, so that the contributions add up to the centroid. A set that is above 0 only at single points
+is divided by their degrees, as if each point had width 1. If degrees are summed, as in a Sugeno system, rules
+are stacked and each owns its own strength.
 """
 
 from __future__ import annotations
@@ -27,47 +27,47 @@ TIE = 1e-12
 
 
 class Portion(NamedTuple):
-    """What one rule owns of the aggregated set."""
+    """The part of the aggregated set that one rule owns."""
 
     share: float
-    """Of the area, in [0, 1]."""
+    """Share of the area, in [0, 1]."""
     contribution: float
-    """In the parameter's unit."""
+    """Contribution in the parameter's unit."""
 
 
 class Piece(NamedTuple):
-    """A stretch of the output's range over which the same rules attain the maximum."""
+    """An interval of the output's range in which the same rules attain the maximum."""
 
     outline: tuple[Point, ...]
-    """Places from its left end to its right end with their degrees, which straight lines join, nearly."""
+    """Points from the left to the right end with their degrees, joined approximately by straight lines."""
     area: float
     moment: float
-    """About 0: the integral of `x mu(x)`."""
+    """Moment about 0: the integral of `x mu(x)`."""
     owners: tuple[Rule, ...]
-    """None where the aggregated set is 0."""
+    """The rules that own the piece; empty where the aggregated set is 0."""
     spike: bool = False
-    """Whether it is a single place of a set without area, which counts as if it were 1 wide."""
+    """Whether it is a single point of a set without area, which counts as if it had width 1."""
 
     @property
     def left(self) -> float:
-        """Where it starts."""
+        """Left end."""
         return self.outline[0][0]
 
     @property
     def right(self) -> float:
-        """Where it ends."""
+        """Right end."""
         return self.outline[-1][0]
 
 
 @dataclass(frozen=True, slots=True)
 class Attribution:
-    """The aggregated set of one numeric parameter, divided among the rules that fired."""
+    """The aggregated set of a numeric parameter, divided among the rules that fired."""
 
     pieces: tuple[Piece, ...]
-    """The outline from left to right."""
+    """The pieces from left to right."""
 
     def portions(self) -> dict[int, Portion]:
-        """The portion of each rule that owns any, by its number."""
+        """The portion of each rule that owns any, by rule number."""
         area = sum(piece.area for piece in self.pieces)
         owned: dict[int, Portion] = {}
         for piece in self.pieces:
@@ -79,20 +79,20 @@ class Attribution:
 
 
 Layer = tuple[str, float]
-"""A term and a strength with which rules give it."""
+"""A term and the strength that rules give it."""
 
 NOTHING = Attribution(())
-"""Where no rule decided."""
+"""No rule decided."""
 
 
 def attribute(
     fired: Iterable[FiredRule], parameter: NumericParameter, methods: Methods = MAMDANI
 ) -> Attribution:
-    """Divide what rules gave a parameter among them, strongest first.
+    """Divide a parameter's aggregated set among the rules that fired, strongest first.
 
     Args:
         fired: The rules, strongest first.
-        parameter: What they gave a value.
+        parameter: The concluded parameter.
         methods: Mamdani's, or those of a Sugeno system.
     """
     layers: dict[Layer, list[Rule]] = {}
@@ -112,7 +112,7 @@ def attribute(
 def _spikes(
     layers: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter, methods: Methods
 ) -> Iterator[Piece]:
-    """The places at which a set without area is above 0, from left to right."""
+    """The points at which a set without area is above 0, from left to right."""
     low, high = parameter.rules.ends
     terms = {term: parameter.terms[term] for term, _ in layers}
     for x in sorted({x for term in terms.values() for x in (*term.turns, low, high) if low <= x <= high}):
@@ -141,7 +141,7 @@ def _each_once(rules: Iterable[Rule]) -> tuple[Rule, ...]:
 
 
 def _pieces(layers: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter) -> Iterator[Piece]:
-    """Neighbouring panels that the same rules own, as one."""
+    """Merge neighbouring panels that the same rules own."""
     panels = _panels(list(layers), parameter)
     for owners, together in groupby(panels, key=lambda panel: panel[0]):
         outlines, areas, moments = zip(*(panel[1:] for panel in together), strict=True)
@@ -152,7 +152,7 @@ def _pieces(layers: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter)
 def _panels(
     layers: Sequence[Layer], parameter: NumericParameter
 ) -> Iterator[tuple[tuple[Layer, ...], tuple[Point, ...], float, float]]:
-    """Panels from left to right: the layers that are highest there, the outline, area and moment."""
+    """Panels from left to right: the highest layers there, the outline, area and moment."""
     import numpy as np
 
     from comity_fis.defuzzification.gauss_kronrod import places_in
@@ -160,12 +160,11 @@ def _panels(
     from comity_fis.defuzzification.panels import panels_of
     from comity_fis.defuzzification.sets import Sets
 
-    # The aggregated set is a maximum, so the rules do not add up and a share cannot be read off their
-    # strengths: a strong rule below a stronger one changes nothing. Cutting the range wherever another
-    # layer becomes the highest leaves panels that belong to one layer each (or to several that tie, in
-    # equal parts). The centre of area is linear in the moments of the panels, so that their sum is the
-    # value itself, to rounding: an exact decomposition, where Shapley values (Shapley 1953) would need an
-    # inference for each set of rules.
+    # The aggregated set is a maximum, so rules do not add up and a share cannot be read off their strengths:
+    # a strong rule below a stronger one changes nothing. Splitting the range wherever another layer becomes
+    # the highest yields panels that belong to one layer each (or, in equal parts, to several that tie). The
+    # centroid is linear in the moments of the panels, so their sum is the value itself, up to rounding: an
+    # exact decomposition, where Shapley values (Shapley 1953) would need an inference for each set of rules.
     names = list(parameter.terms)
     ground = ground_of(tuple(parameter.terms.values()), *parameter.rules.ends, MAMDANI)
     strengths = np.array([[strength] for _, strength in layers])

@@ -1,7 +1,7 @@
-"""What a rule that fired rests on: on what is known, or only on what nobody disclosed.
+"""Distinguishes fired rules supported by known inputs from those that read only unknown ones.
 
-An undisclosed input is 1 everywhere, so that a rule that reads nothing else holds to degree 1: possible, and
-supported by nothing. An explanation of rules needs to tell the two apart.
+An unknown input is 1 everywhere, so a rule that reads nothing else fires with possibility 1, supported by
+nothing. Explanations need to tell the two apart.
 """
 
 from __future__ import annotations
@@ -17,46 +17,46 @@ from comity_fis.rules.rule import Rule
 
 
 def kept_back(rule: Rule, inputs: Mapping[str, Known | None]) -> tuple[str, ...]:
-    """The variables in a rule that were not disclosed, in the order of its text.
+    """The variables read by a rule that are unknown, in the order of its text.
 
     Args:
         rule: Any rule.
-        inputs: What is known, with None for what is not; a name that is missing, such as a parameter's, is
-            not a person's to disclose.
+        inputs: Known values, None for unknown ones; a missing name, such as a parameter's, is not an input of
+            the person.
     """
     return tuple(name for name in rule.reads if inputs.get(name, "") is None)
 
 
 def rests_on_facts(rule: Rule, inputs: Mapping[str, Known | None]) -> bool:
-    """Whether a rule reads anything that is known."""
+    """Whether a rule reads any known input."""
     return len(kept_back(rule, inputs)) < len(rule.reads)
 
 
 def facts_first(fired: Iterable[FiredRule], inputs: Mapping[str, Known | None]) -> tuple[FiredRule, ...]:
-    """The same rules: those that rest on facts before those that nothing speaks for, each in their order."""
+    """Rules that read known inputs before those that do not, each in their given order."""
     return tuple(sorted(fired, key=lambda firing: not rests_on_facts(firing.rule, inputs)))
 
 
 @dataclass(frozen=True, slots=True)
 class Outvoting:
-    """What was not disclosed and yet decides, against the rules that rest on disclosed facts alone."""
+    """Rules on unknown inputs that decide a value against the rules that read only known inputs."""
 
     rules: tuple[FiredRule, ...]
-    """Those that decide, strongest first; each reads something that was not disclosed."""
+    """The deciding rules, strongest first; each reads an unknown input."""
     hidden: tuple[str, ...]
-    """The variables that they read and that were not disclosed, in the order of the rulebook."""
+    """The unknown variables that they read, in the order of the rulebook."""
     outvoted: FiredRule
-    """The strongest rule that rests on disclosed facts alone."""
+    """The strongest rule that reads only known inputs."""
 
 
 def outvoting(value: ParameterValue, inputs: Mapping[str, Known | None]) -> Outvoting | None:
-    """The rules over undisclosed facts without which disclosed ones would make something else lead.
+    """The rules on unknown inputs without which known inputs would give another dominant term.
 
-    None where disclosed facts lead by themselves, and where no rule rests on them alone.
+    None if known inputs dominate anyway, or no rule reads only known inputs.
 
     Args:
-        value: That rules gave.
-        inputs: By variable, as for `kept_back`.
+        value: A value that rules gave.
+        inputs: Inputs by variable, as for `kept_back`.
     """
     if not value.decided_by_rules:
         return None
@@ -67,11 +67,11 @@ def outvoting(value: ParameterValue, inputs: Mapping[str, Known | None]) -> Outv
         return None
     best, top = (max(one.strength for one, _ in among) for among in (told, fired))
     leading = {term for one, term in told if best - one.strength < TIE}
-    # A word that only ties with what disclosed facts say decides, too: the neutral one stands then.
+    # A category that only ties with known inputs also decides: the neutral category then wins.
     least = best - TIE if isinstance(value.value, str) else max(best + TIE, top - TIE)
     decide = [(one, term) for one, term in fired if kept_back(one.rule, inputs) and one.strength > least]
     if len(leading) > 1 and value.value == value.neutral:
-        return None  # disclosed facts tie by themselves
+        return None  # known inputs tie among themselves
     if not decide or value.value in leading or not leading.isdisjoint(term for _, term in decide):
         return None
     read = {name for one, _ in decide for name in kept_back(one.rule, inputs)}
@@ -81,7 +81,7 @@ def outvoting(value: ParameterValue, inputs: Mapping[str, Known | None]) -> Outv
 
 
 def _concluded(one: FiredRule, parameter: str, open_to: Collection[str] | None) -> list[str]:
-    """The terms that a rule gives a parameter, but for those that are excluded."""
+    """The terms that a rule concludes for a parameter, except excluded ones."""
     return [
         is_.term
         for is_ in one.rule.consequents

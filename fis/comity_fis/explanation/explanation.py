@@ -1,4 +1,4 @@
-"""Everything there is to say about one value: what gave it, what holds it in place, what would change it."""
+"""The full explanation of a value: what determines it, how sensitive it is, and what would change it."""
 
 from __future__ import annotations
 
@@ -24,68 +24,70 @@ from comity_fis.variables.variable import Variable
 
 @dataclass(frozen=True, slots=True)
 class RuleAccount:
-    """What one rule that fired did for the value."""
+    """The effect of one fired rule on the value."""
 
     rule: Rule
     strength: float
     terms: tuple[str, ...]
-    """What it gives the parameter."""
+    """The terms that it concludes."""
     share: float | None
-    """Of the aggregated set's area, or of the strengths of all constants, in [0, 1]; None if nominal."""
+    """Share of the aggregated set's area, or of the constants' strengths, in [0, 1]; None if nominal."""
     contribution: float | None
-    """In the parameter's unit; they add up to what the value set out from. None for a nominal parameter."""
+    """Contribution in the parameter's unit; contributions add up to the value before adjustments. None if
+    nominal."""
     without: Without
-    """What would stand if the rulebook did not have this rule."""
+    """The value if the rulebook did not have this rule."""
 
 
 @dataclass(frozen=True, slots=True)
 class CategoryAccount:
-    """One value that a nominal parameter could have."""
+    """One category of a nominal parameter."""
 
     name: str
     desirability: float
-    """In [0, 1]; 0 where the category is out."""
+    """Desirability in [0, 1]; 0 if the category is excluded."""
     permitted: bool
     requires: Condition | None
-    """What must hold before it is permitted."""
+    """Condition for permitting the category."""
     fired: tuple[FiredRule, ...]
-    """The rules that speak for it, strongest first, permitted or not."""
+    """The rules in favour of it, strongest first, whether it is permitted or not."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Explanation:
-    """One value of one person, explained; text, JSON and picture are drawn from it."""
+    """The explanation of one value of one person, from which text, JSON and pictures are made."""
 
     rulebook: str
     parameter: Parameter
     inputs: Mapping[str, Known | None]
     value: ParameterValue
     leading: tuple[str, ...]
-    """The terms that the strongest rules give; none where no rule decided."""
+    """The dominant terms, concluded by the strongest rules; empty if no rule decided."""
     rules: tuple[RuleAccount, ...]
-    """Those that fired, strongest first; none where a setting or the neutral value stands."""
+    """The fired rules, strongest first; empty for a setting or the neutral value."""
     attribution: Attribution
-    """The aggregated set in pieces with their owners; empty where no rule decided, or for categories."""
+    """The aggregated set in pieces with their owners; empty if no rule decided, or for a nominal
+    parameter."""
     categories: tuple[CategoryAccount, ...]
-    """Of a nominal parameter that the rules decide, in declared order."""
+    """The categories of a nominal parameter decided by rules, in declared order."""
     variables: tuple[Variable, ...]
-    """Those that can change the value, in declared order."""
+    """The variables that can affect the value, in declared order."""
     reads: tuple[ParameterValue, ...]
     """Other parameters that the rules read, also indirectly."""
     sensitivities: tuple[Sensitivity, ...]
-    """By the total value: what the situation adds moves with its own inputs."""
+    """Sensitivities of the total value, including the situation's shift."""
     alternatives: tuple[Counterfactual, ...]
     flips: tuple[Flip, ...]
-    """Numbers whose change would make something else lead, smallest change first; for categories see the
-    alternatives that flip."""
+    """Numeric inputs whose change would give another dominant term, smallest change first; for nominal ones
+    see the alternatives that flip."""
     off: tuple[Rule, ...]
-    """Rules about it that are off, in the rulebook's order: they were not asked."""
+    """Disabled rules about the parameter, in the rulebook's order."""
     unasked: ParameterValue | None
-    """What the rules would have given without the person's setting; None where there is none."""
+    """The value that the rules would give without the person's setting; None if there is no setting."""
 
     @property
     def decided_by_rules(self) -> bool:
-        """Whether rules gave what the value set out from, and not a setting or the neutral value."""
+        """Whether the value before adjustments came from rules, not from a setting or the neutral value."""
         return self.value.decided_by_rules
 
 
@@ -96,19 +98,19 @@ def explain(
     settings: Settings | None = None,
     learnt: Mapping[str, Learnt] | None = None,
 ) -> Explanation:
-    """Explain one parameter of one person, in the exact mode.
+    """Explain one parameter of one person, in exact mode.
 
     Args:
-        rulebook: The rules.
-        inputs: What is known of the person, as in `Rulebook.infer`.
-        parameter: What to explain.
-        settings: What the person asked for.
-        learnt: What meetings with the person taught, by numeric parameter.
+        rulebook: The rulebook.
+        inputs: Known values of the person, as in `Rulebook.infer`.
+        parameter: Name of the parameter.
+        settings: Explicit requests of the person.
+        learnt: Corrections learnt from encounters with the person, by numeric parameter.
 
     Raises:
-        InputError: if a name or a value cannot be used, or the rulebook has other methods than Mamdani's and
-            Sugeno's: what a rule contributes is defined for cut terms, united by max, and their centre of
-            area, and for constants weighted by the strengths of their rules.
+        InputError: A name or a value is invalid, or the methods are neither Mamdani's nor Sugeno's:
+            contributions are defined for clipped terms aggregated by max, with their centroid, and for
+            constants weighted by firing strength.
     """
     if rulebook.methods != MAMDANI and not is_sugeno(rulebook):
         raise _methods_error(rulebook)
@@ -121,7 +123,7 @@ def explain(
 
 @dataclass(frozen=True, slots=True)
 class _Case:
-    """One question."""
+    """One parameter of one person to explain."""
 
     rulebook: Rulebook
     inference: Inference
@@ -177,7 +179,7 @@ class _Case:
         return tuple(accounts)
 
     def _categories(self) -> tuple[CategoryAccount, ...]:
-        """Every category with the rules that speak for it, also those that a requirement keeps out."""
+        """Every category with the rules in favour of it, including categories excluded by a requirement."""
         parameter, value = self.rulebook.parameters[self.name], self.inference[self.name]
         if not isinstance(parameter, NominalParameter) or self.name in self.asked:
             return ()
@@ -225,7 +227,7 @@ class _Case:
 
 
 def _given(rule: Rule, parameter: Parameter) -> tuple[str, ...]:
-    """The parameter's own terms that a rule concludes; not those that only move it."""
+    """The parameter's own terms that a rule concludes, without those of its shift."""
     return tuple(
         is_.term for is_ in rule.consequents if is_.name == parameter.name and is_.term in parameter.terms
     )

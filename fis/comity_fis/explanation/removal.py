@@ -1,4 +1,4 @@
-"""What would stand without each rule, one at a time."""
+"""The value without each rule, one at a time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from comity_fis.record import Record
 
 @dataclass(frozen=True, slots=True)
 class Without(Record):
-    """What would stand if the rulebook did not have a rule."""
+    """The value if the rulebook lacked a rule."""
 
     value: float | str
     origin: Origin
@@ -20,7 +20,7 @@ class Without(Record):
 
 
 def without_each(question: WhatIf) -> Mapping[int, Without]:
-    """What a parameter would be without each of the rules that fired for it, by their numbers."""
+    """The parameter's value without each of its fired rules, by rule number."""
     found = {}
     for number in (firing.rule.number for firing in question.now.fired):
         rest = tuple(rule for rule in question.rulebook.rules if rule.number != number)

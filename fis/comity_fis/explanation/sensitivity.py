@@ -1,7 +1,7 @@
-"""How a value answers to a small change of one input: a derivative on each side.
+"""Sensitivity of a value to a small change of one input: one-sided derivatives.
 
-Each is taken from differences: the input is moved a little to one side, and the parameter inferred again. At
-a corner of a membership function, or where another rule takes the lead, the two sides differ.
+Derivatives are finite differences: the input is changed slightly to one side, and the parameter inferred
+again. At a corner of a membership function, or where the dominant rule changes, the two sides differ.
 """
 
 from __future__ import annotations
@@ -16,55 +16,55 @@ from comity_fis.variables.parameter import NumericParameter
 from comity_fis.variables.variable import NumericVariable
 
 STEP = 1e-5
-"""Of the input's range: wide enough for rounding, narrow enough for the curves between two corners."""
+"""Step as a fraction of the input's range: above rounding, below the curvature between two corners."""
 
 NO_ROOM = 1e-7
-"""Of the input's range: what is no farther from an end of it stands at that end."""
+"""Distance from an end of the input's range, as a fraction of it, that counts as being at that end."""
 
 FLAT = 1e-6
-"""A derivative below this share of the output's range per range of the input is none."""
+"""Derivatives below this fraction of (output range / input range) count as 0."""
 
 SMOOTH = 1e-4
-"""Derivatives of both sides that differ by less, relative to their size, are one."""
+"""Relative difference below which the one-sided derivatives are equal."""
 
 JUMP = 0.05
-"""Where a hundredth of the step changes the value by more than this part of what the step does, it jumps."""
+"""The value jumps if a hundredth of the step causes more than this fraction of the step's change."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sensitivity:
-    """The derivative of a numeric parameter by one numeric input, in the parameter's unit per unit of it."""
+    """The derivative of a numeric parameter by a numeric input, in parameter units per input unit."""
 
     input: str
     at: float
     unit: str | None
-    """Of the input."""
+    """Unit of the input."""
     below: float | None
-    """Coming from smaller values; infinite where the value jumps; None at the lower end of the domain."""
+    """Derivative from below; infinite at a jump; None at the lower end of the domain."""
     above: float | None
-    """Coming from larger values; None at the upper end."""
+    """Derivative from above; None at the upper end."""
     flat_over: Interval | None = None
-    """Around the input's value, where the parameter's value stays as it is; None where it is not flat."""
+    """Interval around the input's value where the parameter is constant; None if it is not flat."""
 
     @property
     def kink(self) -> bool:
-        """Whether the two sides differ."""
+        """Whether the one-sided derivatives differ."""
         return self.below is not None and self.above is not None and self.below != self.above
 
     @property
     def derivative(self) -> float | None:
-        """What both sides agree on, or the only side; None at a kink or a jump."""
+        """The derivative common to both sides, or of the only side; None at a kink or a jump."""
         sides = [side for side in (self.below, self.above) if side is not None]
         return None if self.kink or not sides or isinf(sides[0]) else sides[0]
 
     @property
     def flat(self) -> bool:
-        """Whether a small change changes nothing."""
+        """Whether a small change has no effect."""
         return self.derivative == 0.0
 
 
 def sensitivities(question: WhatIf) -> tuple[Sensitivity, ...]:
-    """The derivative of one numeric parameter by each numeric input that was disclosed and that it reads."""
+    """The derivatives of a numeric parameter by each known numeric input that it depends on."""
     if not isinstance(question.parameter, NumericParameter):
         return ()
     found = []
@@ -81,13 +81,13 @@ def sensitivities(question: WhatIf) -> tuple[Sensitivity, ...]:
 def _sides(
     question: WhatIf, parameter: NumericParameter, variable: NumericVariable, at: float
 ) -> tuple[float | None, float | None]:
-    """The derivatives below and above; None at an end of the domain."""
+    """The derivatives from below and above; None at an end of the domain."""
     low, high = variable.domain.ends
     span = parameter.rules.high - parameter.rules.low
     least = FLAT * span / (high - low)
 
     def change(distance: float) -> float:
-        """By how much the value changes when the input moves so far."""
+        """Change of the value if the input changes by `distance`."""
         return question.given(variable.name, at + distance).number - question.now.number
 
     step = STEP * (high - low)
@@ -101,12 +101,12 @@ def _sides(
 
 
 def _slope(change: Callable[[float], float], step: float, least: float) -> float:
-    """The derivative on the side of the step, from the parabola through the value and two more.
+    """The one-sided derivative, from the parabola through the value and two points on that side.
 
     Args:
-        change: By how much the value changes.
-        step: To the first of the two places; negative below.
-        least: Slopes that are no larger are 0.
+        change: Change of the value by change of the input.
+        step: Signed distance of the nearer point; negative for below.
+        least: Slopes up to this size count as 0.
     """
     near, far = change(step), change(2 * step)
     if abs(near) > 2 * least * abs(step) and abs(change(step / 100)) > JUMP * abs(near):

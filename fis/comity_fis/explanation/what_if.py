@@ -1,7 +1,7 @@
-"""What other inputs would give: one variable at a time, everything else as it is.
+"""Counterfactuals: the value for other inputs, changing one variable at a time.
 
-Every other category of a nominal input, both ends of a number that was not disclosed, and the nearest change
-of a disclosed number that flips what leads.
+Covers every other category of a nominal input, both ends of an unknown number, and the nearest change of a
+known number that changes the dominant term.
 """
 
 from __future__ import annotations
@@ -21,47 +21,47 @@ from comity_fis.variables.parameter import NumericParameter, Parameter
 from comity_fis.variables.variable import NominalVariable, NumericVariable
 
 STEPS = 24
-"""Places that a search tries on the way to each end of the domain, beside every knot of the terms."""
+"""Number of points searched towards each end of the domain, in addition to every knot of the terms."""
 
 SAME = 1e-9
-"""Values of the parameter that differ by a smaller share of its range are the same."""
+"""Tolerance for equal values, as a fraction of the parameter's range."""
 
 NEAREST = 1e-10
-"""How exactly a search finds a place, as a share of the variable's range."""
+"""Precision of a search, as a fraction of the variable's range."""
 
 
 @dataclass(frozen=True, slots=True)
 class Counterfactual:
-    """What one other statement about the person, or one statement more, would give."""
+    """The value for one changed or added input of the person."""
 
     input: str
     given: float | tuple[str, ...]
-    """A number, or all categories that give the same."""
+    """A number, or all categories that give the same value."""
     value: ParameterValue
     leads: tuple[str, ...]
     flips: bool
-    """Whether something else leads then."""
+    """Whether the dominant term changes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Flip:
-    """The nearest number of an input at which something else leads."""
+    """The nearest value of an input at which the dominant term changes."""
 
     input: str
     now: float
     to: float
     leads: tuple[str, ...]
-    """Just there; empty where no rule fires any more."""
+    """The dominant terms there; empty if no rule fires any more."""
     value: ParameterValue
-    """Just there."""
+    """The value there."""
     change: float
-    """Relative to the input's range, in [0, 1]."""
+    """Change relative to the input's range, in [0, 1]."""
 
 
 def leading(value: ParameterValue, parameter: Parameter) -> tuple[str, ...]:
-    """The terms that the strongest rules give, in declared order; a category leads when it is the value.
+    """The dominant terms, concluded by the strongest rules, in declared order; for categories, the value.
 
-    Several where they tie, none where no rule decided.
+    Several terms if they tie; empty if no rule decided.
     """
     if not value.decided_by_rules:
         return ()
@@ -78,16 +78,16 @@ def leading(value: ParameterValue, parameter: Parameter) -> tuple[str, ...]:
 
 
 def flipped(before: tuple[str, ...], after: tuple[str, ...]) -> bool:
-    """Whether something that led leads no more, or something leads at last."""
+    """Whether a dominant term is lost, or one appears where there was none."""
     return not set(before) <= set(after) or (not before and bool(after))
 
 
 @dataclass(frozen=True, slots=True)
 class WhatIf:
-    """One parameter of one person, asked again with one input changed."""
+    """One parameter of one person, inferred again with one input changed."""
 
     rulebook: Rulebook
-    """Only what the parameter depends on."""
+    """The rulebook, reduced to what the parameter depends on."""
     inference: Inference
     settings: Mapping[str, float | str]
     learnt: Mapping[str, Learnt]
@@ -95,17 +95,17 @@ class WhatIf:
 
     @property
     def parameter(self) -> Parameter:
-        """The one that is asked for."""
+        """The parameter in question."""
         return self.rulebook.parameters[self.read.parameters[0]]
 
     @property
     def now(self) -> ParameterValue:
-        """What stands."""
+        """The current value."""
         return self.inference[self.parameter.name]
 
     @property
     def leads(self) -> tuple[str, ...]:
-        """What leads as things stand."""
+        """The current dominant terms."""
         return leading(self.now, self.parameter)
 
     def given(self, name: str, value: float | str) -> ParameterValue:
@@ -118,7 +118,7 @@ class WhatIf:
         return rulebook.infer(inputs, settings=self.settings, learnt=self.learnt)[self.parameter.name]
 
     def alternatives(self) -> Iterator[Counterfactual]:
-        """Every other category of each nominal input, and both ends of each number that was not disclosed."""
+        """Every other category of each nominal input, and both ends of each unknown number."""
         for name in self.read.inputs:
             variable, now = self.rulebook.variables[name], self.inference.inputs[name]
             if isinstance(variable, NominalVariable):
@@ -130,12 +130,12 @@ class WhatIf:
                     yield self._alternative(name, end, end)
 
     def flips(self) -> Iterator[Flip]:
-        """The nearest flip of each number that was disclosed and can flip the lead, smallest change first."""
+        """The nearest flip of each known number that can change the dominant term, smallest change first."""
         found = (self._flip(name) for name in self.read.inputs)
         yield from sorted(filter(None, found), key=lambda flip: flip.change)
 
     def flat_over(self, name: str) -> Interval | None:
-        """Where around a disclosed number the parameter's number stays the same; None if nowhere."""
+        """The interval around a known number where the parameter is constant; None if there is none."""
         variable, now = self.rulebook.variables[name], self.inference.inputs[name]
         if not isinstance(variable, NumericVariable) or not isinstance(now, int | float):
             return None
@@ -157,7 +157,7 @@ class WhatIf:
         return Counterfactual(name, given, answer, leads, flipped(self.leads, leads))
 
     def _alike(self, variable: NominalVariable) -> list[tuple[str, ...]]:
-        """Categories in groups that no rule and no requirement can tell apart."""
+        """Groups of categories that no rule and no requirement distinguishes."""
         named = dict.fromkeys(is_.term for is_ in _literals(self.rulebook) if is_.name == variable.name)
         groups: dict[tuple[float, ...], list[str]] = {}
         for category in variable.categories:
@@ -189,7 +189,7 @@ def what_if(
     learnt: Mapping[str, Learnt],
     read: Dependencies,
 ) -> WhatIf:
-    """Ready to be asked, of a rulebook that holds no more than the parameter depends on."""
+    """Set up counterfactuals with a rulebook reduced to what the parameter depends on."""
     kept = set(read.parameters)
     rules = (
         replace(rule, consequents=tuple(is_ for is_ in rule.consequents if is_.name in kept))
@@ -222,7 +222,7 @@ def _literals(rulebook: Rulebook) -> Iterator[Is]:
 
 
 def _ways(variable: NumericVariable, now: float) -> tuple[list[float], list[float]]:
-    """Places from the present value down, and up, to the ends of the domain, nearest first."""
+    """Points from the current value down and up to the ends of the domain, nearest first."""
     low, high = variable.domain.ends
     steps = {low + (high - low) * k / STEPS for k in range(STEPS + 1)} | {low, high}
     knots = {x for term in variable.terms.values() for x in term.knots if low < x < high}
@@ -234,7 +234,7 @@ def _ways(variable: NumericVariable, now: float) -> tuple[list[float], list[floa
 def _first(
     differs: Callable[[float], bool], now: float, places: Sequence[float], domain: Interval
 ) -> tuple[float, float] | None:
-    """The last place before the first difference on the way, and the first with it."""
+    """The last point before the first difference in this direction, and the first point with it."""
     same = now
     for place in places[1:]:
         if differs(place):

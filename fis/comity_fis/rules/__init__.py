@@ -1,1 +1,1 @@
-"""Rules as values, the language they are written in, their hedges, and the operators that evaluate them."""
+"""Rules: their data types, the rule language, hedges, and the operators that evaluate them."""

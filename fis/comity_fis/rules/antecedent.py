@@ -1,7 +1,7 @@
-"""To what degree a condition holds, for one person or for a column of them.
+"""Evaluates the degree to which a condition holds, for one person or for columns of people.
 
-`not` is moved inwards by De Morgan's laws, so that what remains are literals under `and` and `or`. An
-undisclosed value then needs no special case: each of its literals, negated or not, has degree 1.
+`not` is pushed inwards by De Morgan's laws, so that only literals under `and` and `or` remain. An unknown
+value then needs no special case: each of its literals, negated or not, has degree 1.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from comity_fis.rules.methods import DUAL, OPERATORS, Methods
 from comity_fis.rules.rule import And, Condition, Hedged, Is, Not
 
 Degree = TypeVar("Degree")
-"""A degree in [0, 1], or an array of them."""
+"""A degree in [0, 1], or an array of degrees."""
 
 Operator = Callable[[Sequence[Degree]], Degree]
-"""One degree from several."""
+"""Combines several degrees into one."""
 
 
 class Literal(NamedTuple):
-    """`name is term`, possibly hedged, possibly negated."""
+    """`name is term`, possibly hedged or negated."""
 
     name: str
     term: str
@@ -30,7 +30,7 @@ class Literal(NamedTuple):
 
 
 class Logic(NamedTuple, Generic[Degree]):
-    """What `and` and `or` do to degrees, and `not` before them to the degrees of the opposites."""
+    """The operators for `and` and `or`, and their duals for negated conditions."""
 
     all_of: Operator[Degree]
     any_of: Operator[Degree]
@@ -39,11 +39,11 @@ class Logic(NamedTuple, Generic[Degree]):
 
 
 def logic_of(methods: Methods, operators: Mapping[str, Operator[Degree]]) -> Logic[Degree]:
-    """What a rulebook's methods make of `and` and `or`.
+    """The operators for `and` and `or` by a rulebook's methods.
 
     Args:
-        methods: Of the rulebook.
-        operators: By name (min, prod, max, probor), for one person or for columns.
+        methods: Methods of the rulebook.
+        operators: Operators by name (min, prod, max, probor), for one person or for columns.
     """
     return Logic(
         operators[methods.conjunction],
@@ -54,7 +54,7 @@ def logic_of(methods: Methods, operators: Mapping[str, Operator[Degree]]) -> Log
 
 
 MIN_MAX = logic_of(Methods(), OPERATORS)
-"""For one person, by min and max."""
+"""Min and max, for one person."""
 
 
 def strength(
@@ -64,13 +64,13 @@ def strength(
     *,
     negated: bool = False,
 ) -> Degree:
-    """The degree to which a condition, or its opposite, holds.
+    """The degree to which a condition, or its negation, holds.
 
     Args:
-        condition: What a rule or a guard says.
+        condition: Condition of a rule or a guard.
         degree: The degree of each literal.
-        logic: What `and` and `or` mean.
-        negated: Whether the opposite is meant.
+        logic: The operators for `and` and `or`.
+        negated: Whether to negate the condition.
     """
     if isinstance(condition, Is):
         return degree(Literal(condition.name, condition.term, 1.0, negated))
@@ -86,7 +86,7 @@ def strength(
 
 
 def hedged(degree: Degree, literal: Literal) -> Degree:
-    """The degree of a term, or an array of degrees, as a literal wants it: hedged, then negated."""
+    """The degree of a literal from its term's degree (or array of degrees): hedged, then negated."""
     found: Any = degree
     if literal.exponent != 1.0:
         found = found**literal.exponent

@@ -1,7 +1,7 @@
-"""The rules' language: `if individualism is LC1 and gender is not female then approach_speed is slow`.
+"""The rule language: `if individualism is LC1 and gender is not female then approach_speed is slow`.
 
-`and` binds tighter than `or`, `not` tighter than both, brackets group; a hedge stands before a term (`is very
-LC1`, `is not more or less LC1`). Names that are no plain words stand in quotes.
+`and` binds tighter than `or`, and `not` tighter than both; brackets group. A hedge precedes a term (`is very
+LC1`, `is not more or less LC1`). Names that are not plain words are quoted.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from comity_fis.rules.hedge import HEDGES
 from comity_fis.rules.rule import And, Condition, Hedged, Is, Not, Or
 
 Place = Callable[[int], Where]
-"""Where the n-th character of a text stands, counted from 0."""
+"""Location of the n-th character of a text, counted from 0."""
 
 Terms = Mapping[str, Collection[str]]
-"""The names that may stand before `is`, each with the terms that may stand behind it."""
+"""Names allowed before `is`, each with the terms allowed after it."""
 
 Parts = tuple[Condition, tuple[Is, ...]]
 """A rule's antecedent and consequents."""
 
 MAX_LENGTH = 1000
-"""Characters in one rule: more than anyone can read."""
+"""Maximum length of a rule [characters]."""
 
 MAX_NESTING = 50
-"""Brackets and `not`s in one rule: what is nested deeper than this would exhaust the stack."""
+"""Maximum nesting of brackets and `not`s in a rule; deeper ones would exhaust the stack."""
 
 GRAMMAR = r"""
     rule: _IF _disjunction _THEN consequent (_AND consequent)*
@@ -65,10 +65,10 @@ GRAMMAR = r"""
 
 NESTS = re.compile(r"\(|\bnot\b", re.IGNORECASE)
 AFTER_IS = re.compile(r"\bis\s+(?:not\s+)?(?P<word>[a-z_][a-z0-9_-]*)\s+$", re.IGNORECASE)
-"""A word that stands where a hedge could stand, at the end of what could be read."""
+"""A word in the position of a hedge, at the end of the text parsed so far."""
 
 TWICE = re.compile(rf"\b(?:{'|'.join(HEDGES)})\s+(?P<word>{'|'.join(HEDGES)})\s+$", re.IGNORECASE)
-"""A hedge after a hedge, at the end of what could be read."""
+"""A hedge after a hedge, at the end of the text parsed so far."""
 
 MEANING = {
     "PLAIN": "a name",
@@ -78,22 +78,22 @@ MEANING = {
     "QUOTED": "a name",
     "HEDGE": "a hedge",
 }
-"""How messages call the terminals that are no keywords."""
+"""Names of the terminals in messages, except for keywords."""
 
 
 def parse_rule(
     text: str, *, inputs: Terms, outputs: Terms, place: Place = lambda n: Where("rule", 1, n + 1)
 ) -> Parts:
-    """A rule's antecedent and consequents.
+    """Parse a rule into its antecedent and consequents.
 
     Args:
         text: The rule.
         inputs: What a rule may read.
-        outputs: What a rule may decide.
-        place: For messages.
+        outputs: What a rule may conclude.
+        place: Location of a character, for messages.
 
     Raises:
-        InputError: with the place of the first wrong word, and the closest known one.
+        InputError: With the location of the first wrong word, and the closest known one.
     """
     parts: Parts = _parsed(text, "rule", inputs, outputs, place)
     return parts
@@ -102,10 +102,10 @@ def parse_rule(
 def parse_guard(
     text: str, *, inputs: Terms, place: Place = lambda n: Where("requires", 1, n + 1)
 ) -> Condition:
-    """A condition that stands alone, such as `touch_consent is given`.
+    """Parse a condition without conclusion, such as `touch_consent is given`.
 
     Raises:
-        InputError: as `parse_rule` does.
+        InputError: As in `parse_rule`.
     """
     condition: Condition = _parsed(text, "guard", inputs, {}, place)
     return condition
@@ -160,7 +160,7 @@ def _syntax_error(error: UnexpectedInput, text: str, place: Place) -> InputError
 
 
 def _hedge_error(read: str, place: Place) -> InputError | None:
-    """What is wrong with the last word before a mistake, if it was to be a hedge."""
+    """The error for the last word parsed, if it was meant as a hedge."""
     if twice := TWICE.search(read):
         return InputError(
             expected="one hedge before a term",
@@ -182,7 +182,7 @@ def _hedge_error(read: str, place: Place) -> InputError | None:
 
 @v_args(inline=True)
 class _Builder(Transformer[Token, Any]):
-    """From lark's tree to ours; every name is checked where its place is still known."""
+    """Transforms lark's tree to conditions; checks every name while its location is known."""
 
     def __init__(self, inputs: Terms, outputs: Terms, place: Place) -> None:
         super().__init__()

@@ -11,10 +11,10 @@ HEDGES: Mapping[str, float] = MappingProxyType(
         # Journal of Cybernetics 2 (1972).
         "very": 2.0,
         "more or less": 0.5,
-        # Not Zadeh's; the exponents that textbooks commonly give, for example Negnevitsky, "Artificial
-        # Intelligence" (2005). `slightly` is left out: textbooks do not agree whether it sharpens or softens.
+        # Not from Zadeh; exponents common in textbooks, for example Negnevitsky, "Artificial Intelligence"
+        # (2005). `slightly` is omitted: textbooks disagree whether it sharpens or softens.
         "somewhat": 0.5,
         "extremely": 3.0,
     }
 )
-"""Every hedge with its exponent: the hedged degree is the term's degree to this power."""
+"""Exponents of hedges: the hedged degree is the term's degree to this power."""

@@ -1,7 +1,7 @@
-"""The operators of an inference: MATLAB's choices under MATLAB's names.
+"""Inference operators, with MATLAB's options and names.
 
-The defaults are Mamdani's and the paper's. `prod` is a b, `probor` is a + b - a b, `sum` adds up and is not
-cut off at 1; the defuzzification methods are in `defuzzification`.
+The defaults are Mamdani's and the paper's. `prod` is a b, `probor` is a + b - a b, and `sum` is not clipped
+at 1; the defuzzification methods are in `defuzzification`.
 """
 
 from __future__ import annotations
@@ -28,23 +28,23 @@ CHOICES: dict[str, tuple[str, ...]] = {
 }
 
 DUAL = {"min": "max", "max": "min", "prod": "probor", "probor": "prod"}
-"""By De Morgan: 1 - f(a, b) = dual(1 - a, 1 - b)."""
+"""De Morgan duals: 1 - f(a, b) = dual(1 - a, 1 - b)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Methods:
-    """How one rulebook's rules are evaluated."""
+    """Inference methods of a rulebook."""
 
     conjunction: Conjunction = "min"
-    """`and`."""
+    """Operator for `and`."""
     disjunction: Disjunction = "max"
-    """`or`."""
+    """Operator for `or`."""
     implication: Implication = "min"
-    """How a rule's strength shapes its output term: cut off, or scaled."""
+    """How a rule's strength shapes its output term: clipped (min) or scaled (prod)."""
     aggregation: Aggregation = "max"
-    """How the shaped terms of all rules unite."""
+    """How the shaped terms of all rules are combined."""
     defuzzification: Defuzzification = "centroid"
-    """How the united set becomes one number."""
+    """How the aggregated set becomes one number."""
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -56,16 +56,16 @@ class Methods:
 
 
 MAMDANI = Methods()
-"""Min, max, min, max and the centre of area."""
+"""Min, max, min, max and centroid."""
 
 
 def combined(method: str, degrees: Iterable[float]) -> float:
-    """At least one degree, combined by min, prod, max, probor or sum."""
+    """Degrees (at least one) combined by min, prod, max, probor or sum."""
     return OPERATORS[method](tuple(degrees))
 
 
 def united(strengths: Iterable[tuple[str, float]], aggregation: Aggregation) -> dict[str, float]:
-    """Each term's strengths as one, which under `sum` may pass 1; terms in the order in which they came."""
+    """Combined strength of each term, which may exceed 1 for `sum`; terms in order of first occurrence."""
     by_term: dict[str, list[float]] = {}
     for term, degree in strengths:
         by_term.setdefault(term, []).append(degree)
@@ -78,7 +78,7 @@ def probor(one: Any, other: Any) -> Any:
 
 
 def _folded(operator: Callable[[float, float], float]) -> Callable[[Sequence[float]], float]:
-    """In whatever order degrees come, their combination is the same to the last digit.
+    """Fold in sorted order, so that the result does not depend on the order of the degrees to the last digit.
 
     An exported rule has its conditions in the order of the columns.
     """
@@ -92,4 +92,4 @@ OPERATORS: Mapping[str, Callable[[Sequence[float]], float]] = {
     "probor": _folded(probor),
     "sum": _folded(lambda one, other: one + other),
 }
-"""For one person; at least one degree each."""
+"""Operators for one person; at least one degree each."""

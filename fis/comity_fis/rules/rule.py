@@ -1,4 +1,4 @@
-"""Rules as values: a condition over variables, what follows from it, and why anyone should believe it."""
+"""Rules as data: a condition on variables, its conclusions, and the evidence."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from comity_fis.errors import WrongValueError
 from comity_fis.rules.hedge import HEDGES
 
 Evidence = Literal["strong", "moderate", "weak", "contested", "norm", "design", "learnt"]
-"""How well a rule is supported; `norm`: it says what ought to be, which no study decides; `design`: not at
-all, it is our choice; `learnt`: by a table of examples."""
+"""Evidence for a rule. `norm`: it states what should be, which no study decides; `design`: none, it is our
+choice; `learnt`: a table of examples."""
 
 KEYWORDS = frozenset({"if", "then", "and", "or", "not", "is"})
 RESERVED = KEYWORDS | HEDGES.keys() | {"more"}
-"""Words that stand in quotes where they are names; `more` because of `more or less`."""
+"""Words that must be quoted as names; `more` because of `more or less`."""
 PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
@@ -33,7 +33,7 @@ class Is:
 
 @dataclass(frozen=True, slots=True)
 class Hedged:
-    """`individualism is very LC1`: a term sharpened or softened."""
+    """`individualism is very LC1`: a term with a hedge."""
 
     hedge: str
     """One of `HEDGES`."""
@@ -57,7 +57,7 @@ class Not:
 
 @dataclass(frozen=True, slots=True)
 class And:
-    """All parts hold: the smallest degree counts."""
+    """Conjunction: the smallest degree counts."""
 
     parts: tuple[Condition, ...]
 
@@ -67,7 +67,7 @@ class And:
 
 @dataclass(frozen=True, slots=True)
 class Or:
-    """At least one part holds: the largest degree counts."""
+    """Disjunction: the largest degree counts."""
 
     parts: tuple[Condition, ...]
 
@@ -80,16 +80,16 @@ Condition = Is | Hedged | Not | And | Or
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A publication or a decision that a rule rests on."""
+    """A publication or a decision that a rule is based on."""
 
     key: str
     citation: str
     verified: str
     """What of it was read, and how."""
     found: str = ""
-    """What was found, in a sentence."""
+    """The finding, in a sentence."""
     measured: str = ""
-    """How it was measured, and with whom."""
+    """How it was measured, and with which participants."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,31 +97,31 @@ class Rule:
     """`if individualism is LC1 then conversational_distance is close`, with its evidence."""
 
     number: int
-    """Counted from 1, in the rulebook's order."""
+    """Number in the rulebook's order, from 1."""
     text: str
-    """As its author wrote it."""
+    """The text as its author wrote it."""
     antecedent: Condition
     consequents: tuple[Is, ...]
-    """What follows for one or several parameters."""
+    """Conclusions about one or several parameters."""
     sources: tuple[Source, ...]
     evidence: Evidence
     counter_evidence: str = ""
     note: str = ""
-    """What is our own inference in it."""
+    """Which part is our own inference."""
     weight: float = 1.0
-    """In (0, 1]: what the strength of the rule is multiplied by."""
+    """Factor on the firing strength, in (0, 1]."""
     enabled: bool = True
-    """Whether it is on; a rule that is off is there to be read, and decides nothing."""
+    """Whether the rule is enabled; a disabled rule is documented but has no effect."""
     finding: str = ""
-    """The key of the finding in a table of evidence that it states; several rules may state one."""
+    """Key of the finding that the rule states, in a table of evidence; several rules may share one."""
     reads: tuple[str, ...] = field(init=False, repr=False, compare=False)
-    """The variables and parameters in the antecedent, each once, in the order of the text."""
+    """The variables and parameters in the antecedent, without duplicates, in the order of the text."""
 
     def __post_init__(self) -> None:
         if not 0 < self.weight <= 1:
             raise WrongValueError(expected="a weight above 0 and at most 1", got=self.weight)
         read = dict.fromkeys(literal.name for literal in literals(self.antecedent))
-        object.__setattr__(self, "reads", tuple(read))  # it is asked for again and again
+        object.__setattr__(self, "reads", tuple(read))  # computed once because it is used often
 
     def __str__(self) -> str:
         return f"if {self.antecedent} then {' and '.join(map(str, self.consequents))}"
@@ -147,7 +147,7 @@ def literals(condition: Condition) -> Iterator[Is]:
 
 
 def quoted(name: str) -> str:
-    """A name as a rule's text writes it: bare where it can be, in single quotes otherwise."""
+    """A name as written in rules: bare if possible, otherwise in single quotes."""
     return name if PLAIN_NAME.fullmatch(name) and name.lower() not in RESERVED else f"'{name}'"
 
 

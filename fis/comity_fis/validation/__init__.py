@@ -1,1 +1,1 @@
-"""Files in, checked values out; errors that say where, what was expected, and what to do."""
+"""Reads and validates files; errors say where, what was expected, and what to do."""

@@ -1,4 +1,4 @@
-"""What the kinds of pydantic's errors mean, in the words of a person who writes a file."""
+"""Explains pydantic's error types in the words of a person who writes a file."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from comity_fis.errors import closest
 from comity_fis.listing import listed
 
 Context = Mapping[str, Any]
-"""The numbers and words that belong to one of pydantic's errors, such as the bound that was passed."""
+"""Details of one of pydantic's errors, such as the bound that was exceeded."""
 
 
 @dataclass(frozen=True, slots=True)
 class Complaint:
-    """The parts of an `InputError`, without the place."""
+    """The parts of an `InputError`, without the location."""
 
     expected: str
     got: str
@@ -43,7 +43,7 @@ TYPES: Mapping[str, str] = {
     "model_type": _MAPPING,
     "model_attributes_type": _MAPPING,
 }
-"""The errors that say only that a value is of another type, and what would have been right."""
+"""Errors that only say that a value has the wrong type, each with the expected one."""
 
 _HOW = {
     "text": "text (in quotes where it looks like a number)",
@@ -56,7 +56,7 @@ _HOW = {
 
 
 def _bound(number: float) -> str:
-    """As short as it is exact: whole numbers have all their digits."""
+    """As short as possible while exact: integers have all their digits."""
     return str(int(number)) if float(number).is_integer() else f"{number:g}"
 
 
@@ -82,16 +82,16 @@ _UNITS = {
     "_s": " of seconds",
     "_deg": " of degrees",
 }
-"""By the end of a key; the first that fits."""
+"""Unit by the suffix of a key; the first match counts."""
 
 
 def of_type(called: str, kinds: Sequence[str], value: object) -> Complaint:
-    """A value of another type than any of those that may stand there.
+    """The complaint about a value of an unexpected type.
 
     Args:
-        called: What messages call the value.
-        kinds: What would have been right: values of `TYPES`, or other words such as "a mapping such as ...".
-        value: What came.
+        called: Name of the value in messages.
+        kinds: What was expected: values of `TYPES`, or other words such as "a mapping such as ...".
+        value: The given value.
     """
     right = listed(dict.fromkeys(kinds), "or")
     how = listed(dict.fromkeys(_HOW.get(kind, kind) for kind in kinds), "or")
@@ -99,23 +99,23 @@ def of_type(called: str, kinds: Sequence[str], value: object) -> Complaint:
 
 
 def of_length(called: str, right: str, value: object) -> Complaint:
-    """A list or mapping with too few or too many items; `right` says how many it may have."""
+    """The complaint about a list or mapping of the wrong length; `right` states the allowed one."""
     got = shown(len(value)) if isinstance(value, Sequence | Mapping) else shown(value)
     return Complaint(f"{right} in {called}", got, f"Write {right}.")
 
 
 def of_kind(kind: str, called: str, key: str, value: object, context: Context) -> Complaint | None:
-    """What one of pydantic's errors says about one value.
+    """The complaint for one of pydantic's errors.
 
     Args:
-        kind: The error's type, as pydantic names it.
-        called: What messages call the value.
-        key: The key that it stands under; the end of it may name a unit.
-        value: What came.
-        context: What pydantic adds.
+        kind: The error's type in pydantic.
+        called: Name of the value in messages.
+        key: Key of the value; its suffix may name a unit.
+        value: The given value.
+        context: Details of the error.
 
     Returns:
-        None for a kind that this table does not know.
+        None for an unknown kind.
     """
     if kind in TYPES:
         return of_type(called, [TYPES[kind]], value)
@@ -139,7 +139,7 @@ def _of_choice(called: str, expected: str, value: object) -> Complaint:
 
 
 def or_a_list(said: Complaint, value: object) -> Complaint:
-    """The complaint about a word that is none of those that may stand there instead of a list."""
+    """The complaint about a word that is neither an allowed word nor a list."""
     example = value if isinstance(value, str) and value.isidentifier() else "a, b"
     return Complaint(
         f"{said.expected}, or a list", said.got, f"{said.remedy} A list has brackets: `[{example}]`."
@@ -156,7 +156,7 @@ def counted(count: int, one: str, more: str | None = None) -> str:
 
 
 def shown(value: object, limit: int = 60) -> str:
-    """A value as YAML writes it, cut where it is long."""
+    """A value as YAML, truncated if it is long."""
     if value is None:
         return "nothing"
     text = str(value).lower() if isinstance(value, bool) else repr(value)

@@ -1,4 +1,4 @@
-"""A CSV file as rows that know their line, read one after the other, whatever separates its fields."""
+"""Reads a CSV file row by row, with line numbers and any common delimiter."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from comity_fis.validation.undecodable import undecodable
 
 MAX_BYTES = 20_000_000
 DELIMITERS, STRANGE = ",;\t", "|: "
-"""Understood, and recognized so that a refusal can name them."""
+"""Supported delimiters, and others that are recognised so that an error can name them."""
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 SHOWN = 40
-"""Characters of a user's cell in a message."""
+"""Maximum length of a user's cell in a message [characters]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,31 +29,31 @@ class Row:
     """The cells of one row."""
 
     line: int
-    """In the file, from 1; of a row that a quoted cell spreads over several, the last."""
+    """Line in the file, from 1; the last one of a row that spans several lines."""
     cells: Sequence[str]
 
     def cell(self, index: int) -> str:
-        """One cell without blanks around it; empty where the row is too short."""
+        """A cell without surrounding blanks; empty if the row is too short."""
         return self.cells[index].strip() if index < len(self.cells) else ""
 
 
 @dataclass(frozen=True, slots=True)
 class CsvTable:
-    """A file's headings, and its rows as they are read one after the other."""
+    """The headings of a file, and an iterator over its rows."""
 
     file: str
-    """What messages call it: the path as the user gave it."""
+    """Name in messages: the path as the user gave it."""
     line: int
-    """Of the headings."""
+    """Line of the headings."""
     heading: tuple[str, ...]
     delimiter: str
     rows: Iterator[Row]
 
     def number(self, cell: str, line: int, what: str = "a finite number or an empty cell") -> float:
-        """A cell's number; with semicolons or tabs as separators a decimal comma counts as a point.
+        """A cell as a number; with semicolons or tabs as delimiters, a decimal comma is accepted.
 
         Raises:
-            InputError: with the line, if it holds none.
+            InputError: The cell is not a number; with the line.
         """
         text = cell.replace(",", ".", 1) if self.delimiter != "," else cell
         if NUMBER.fullmatch(text) and isfinite(number := float(text)):
@@ -61,25 +61,25 @@ class CsvTable:
         raise self.refusal(what, short(cell), "Correct the cell, or leave it empty.", line)
 
     def refusal(self, expected: str, got: str, remedy: str, line: int | None = None) -> InputError:
-        """What is wrong with this file, and where."""
+        """An error about this file, with its line."""
         return refusal(self.file, expected, got, remedy, line)
 
 
 @contextmanager
 def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) -> Iterator[CsvTable]:
-    """A table with a line of headings, whose rows are read while it is open.
+    """Open a table with a line of headings; its rows are read lazily.
 
-    Fields are separated by commas, semicolons or tabs, whichever the headings show. Blank lines, and lines
-    that start with `#`, are skipped.
+    The delimiter is a comma, semicolon or tab, as found in the headings. Blank lines and lines that start
+    with `#` are skipped.
 
     Args:
-        path: Of the file.
-        wanted: Headings that tell which separator is meant.
-        called: What messages call it; the path when None.
+        path: Path of the file.
+        wanted: Headings that identify the delimiter.
+        called: Name in messages; None: the path.
 
     Raises:
-        InputError: if there is no such file, or it is no text; once it is read, for a row that is no CSV or
-            has more cells than there are headings.
+        InputError: The file does not exist or is not text; while reading, a row is not CSV or has more cells
+            than there are headings.
     """
     file = called or str(path)
     with opened(path, file) as text:
@@ -87,10 +87,10 @@ def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) 
 
 
 def csv_table(text: TextIO, wanted: Collection[str], file: str) -> CsvTable:
-    """The table that a text holds, see `read_csv`; its rows are read as they are asked for.
+    """The table in a text, see `read_csv`; its rows are read lazily.
 
     Raises:
-        InputError: if it holds none.
+        InputError: The text has no table.
     """
     lines = _Lines(text)
     first = next(lines, None)
@@ -103,22 +103,22 @@ def csv_table(text: TextIO, wanted: Collection[str], file: str) -> CsvTable:
 
 
 def refusal(file: str, expected: str, got: str, remedy: str, line: int | None = None) -> InputError:
-    """What is wrong with a file, and where."""
+    """An error about a file, with its line."""
     return InputError(expected=expected, got=got, remedy=remedy, where=Where(file, line))
 
 
 def short(cell: str) -> str:
-    """A user's cell as a message quotes it."""
+    """A user's cell, shortened for a message."""
     return repr(cell if len(cell) <= SHOWN else f"{cell[: SHOWN - 3]}...")
 
 
 class _Lines(Iterator[str]):
-    """Lines that count, one at a time: none that is blank or starts with `#`."""
+    """Iterates over lines that are neither blank nor start with `#`."""
 
     def __init__(self, file: TextIO) -> None:
         self._numbered = enumerate(file, 1)
         self.number = 0
-        """Of the last one in the file, from 1."""
+        """Number of the last line in the file, from 1."""
 
     def __next__(self) -> str:
         for number, line in self._numbered:
@@ -130,7 +130,7 @@ class _Lines(Iterator[str]):
 
 @contextmanager
 def opened(path: Path, file: str) -> Iterator[TextIO]:
-    """A CSV file as text, with every refusal of the system as one of ours."""
+    """Open a CSV file as text; system errors become `InputError`s."""
     try:
         if not path.is_file():
             raise refusal(file, "a CSV file", no_file(path), "Check the path and its spelling.")
@@ -148,7 +148,7 @@ def opened(path: Path, file: str) -> Iterator[TextIO]:
 
 
 def _no_text(path: Path, file: str) -> InputError:
-    """Which byte is no UTF-8; what was decoded until then may have begun in mid-file."""
+    """The error for a byte that is not UTF-8; the text decoded before may have begun in mid-file."""
     remedy = "Save it as CSV in UTF-8."
     try:
         path.read_bytes().decode("utf-8-sig")
@@ -159,7 +159,7 @@ def _no_text(path: Path, file: str) -> InputError:
 
 
 def _delimiter(heading: str, wanted: Collection[str], file: str, line: int) -> str:
-    """The separator that shows most of the wanted headings, else the one that shows most columns."""
+    """The delimiter that yields most of the wanted headings, or else most columns."""
     fields = {delimiter: _fields(heading, delimiter) for delimiter in DELIMITERS + STRANGE}
     shows = {delimiter: len(set(wanted) & set(fields[delimiter])) for delimiter in fields}
     strange = max(STRANGE, key=lambda delimiter: shows[delimiter])
@@ -175,7 +175,7 @@ def _delimiter(heading: str, wanted: Collection[str], file: str, line: int) -> s
 
 
 def _fields(heading: str, delimiter: str) -> list[str]:
-    """What the separator makes of a heading; nothing where it cannot be the separator."""
+    """The headings by a delimiter; empty if it cannot be the delimiter."""
     try:
         return [cell.strip() for cell in next(csv.reader([heading], delimiter=delimiter))]
     except csv.Error:
@@ -191,7 +191,7 @@ def _rows(file: str, reader: Iterator[list[str]], lines: _Lines) -> Iterator[Row
 
 
 def _fitting(rows: Iterator[Row], heading: Sequence[str], file: str) -> Iterator[Row]:
-    """The same rows, none with more cells than headings but for empty ones, as spreadsheets write them."""
+    """The rows, rejecting any with more non-empty cells than headings."""
     for row in rows:
         if any(cell.strip() for cell in row.cells[len(heading) :]):
             raise refusal(

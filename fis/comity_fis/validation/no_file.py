@@ -1,4 +1,4 @@
-"""What stands where a file was looked for, in the words of a refusal."""
+"""Describes what is at a path where a file was expected, for error messages."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from pathlib import Path
 
 
 def no_file(path: Path) -> str:
-    """What stands at a path that leads to no file.
+    """What is at a path that is not a file.
 
     Raises:
-        OSError: if the system does not let us look.
+        OSError: The system denies access.
     """
     return "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"

@@ -1,18 +1,18 @@
-"""Names that can be printed as they are: on one line, in signs that neither steer terminals nor turn text."""
+"""Checks that a name can be printed safely: one line, without control or text direction characters."""
 
 from __future__ import annotations
 
 from comity_fis.errors import WrongValueError
 
 JOINERS = "\u200c\u200d"
-"""Of letters in names of several scripts, such as Persian, and in emoji: not printed themselves."""
+"""Joiners in names of several scripts, such as Persian, and in emoji; they are invisible themselves."""
 
 
 def one_line(name: str) -> str:
-    """The name as it is, for a field that checks it.
+    """Return the name unchanged, for use as a field validator.
 
     Raises:
-        WrongValueError: where it has line breaks, control characters or marks of direction, or is blank.
+        WrongValueError: It has line breaks, control or direction characters, or is blank.
     """
     letters = name.translate(dict.fromkeys(map(ord, JOINERS)))
     if not letters.isprintable() or not letters.strip():

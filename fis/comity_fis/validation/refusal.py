@@ -1,4 +1,4 @@
-"""From pydantic's refusal of a file to one error that says where, what, and what to do."""
+"""Converts pydantic's validation error for a file to one error with location, problem and remedy."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ def explained(
     places: Collection[Location],
     where_of: Callable[[Location], Where],
 ) -> InputError:
-    """The first complaint in the order of lines; a misspelt key before the one that it leaves missing.
+    """The first error by line; a misspelt key takes precedence over the missing key that it causes.
 
     Args:
-        refusal: Pydantic's.
-        model: That refused the file.
-        places: Of everything in the file.
-        where_of: The line of a place in it.
+        refusal: Pydantic's error.
+        model: The model that rejected the file.
+        places: Locations of everything in the file.
+        where_of: Maps a location to its line in the file.
     """
     errors = _most_specific(refusal.errors(), places)
 
@@ -63,10 +63,10 @@ def explained(
 
 
 def _most_specific(errors: Sequence[ErrorDetails], known: Collection[Location]) -> list[ErrorDetails]:
-    """The errors that blame a value itself.
+    """The errors about a value itself.
 
-    An error about a list or mapping only follows from one inside it. Where a value may be of several types,
-    pydantic reports each: those that the value is not of say less than the one that it nearly is.
+    An error about a list or mapping only follows from one inside it. If a value may have several types,
+    pydantic reports an error for each; those for the type it nearly matches say the most.
     """
     places = [_in_file(error, known) for error in errors]
     around = {place[:n] for place in places for n in range(len(place))}
@@ -80,7 +80,7 @@ def _is_type(error: ErrorDetails) -> bool:
 
 
 def _wanted(error: ErrorDetails, model: type[BaseModel]) -> str:
-    """The type that an error asks for; of a mapping with known keys, an example."""
+    """The type that an error requires; for a mapping with known keys, an example."""
     if error["type"].startswith("model_"):
         for place in _schemas_at(model, error["loc"]):
             for key in place.get("required", ()):
@@ -106,13 +106,13 @@ def _said(error: ErrorDetails, place: Location, model: type[BaseModel]) -> Compl
     return (
         _of_key(kind, key, context)
         or of_kind(kind, called, _key(place), value, context)
-        # A kind that no model uses yet still gets an answer.
+        # Error types that no model uses yet still get a message.
         or Complaint(f"{called} to be right ({error['msg']})", shown(value), "Change it here.")
     )
 
 
 def _of_key(kind: str, key: str, context: Mapping[str, Any]) -> Complaint | None:
-    """What is said of a key that is missing, or that decides which others there are."""
+    """The complaint about a missing key, or about one that determines which other keys exist."""
     tag = context.get("discriminator", "").strip("'")
     if kind == "union_tag_invalid":
         known = [one.strip("'") for one in context["expected_tags"].split(", ")]
@@ -124,7 +124,7 @@ def _of_key(kind: str, key: str, context: Mapping[str, Any]) -> Complaint | None
 
 
 def _fixed_length(model: type[BaseModel], location: Location) -> int | None:
-    """How many items a list must have, where it may have neither more nor fewer."""
+    """The required length of a list; None if it is not fixed."""
     for place in _schemas_at(model, location):
         least, most = place.get("minItems"), place.get("maxItems")
         if isinstance(least, int) and least == most:
@@ -133,7 +133,7 @@ def _fixed_length(model: type[BaseModel], location: Location) -> int | None:
 
 
 def _in_file(error: ErrorDetails, places: Collection[Location]) -> Location:
-    """The error's location without the parts that are pydantic's own (names of union members)."""
+    """The error's location without pydantic's own parts (names of union members)."""
     location: Location = ()
     for part in error["loc"]:
         if (*location, part) in places:
@@ -142,7 +142,7 @@ def _in_file(error: ErrorDetails, places: Collection[Location]) -> Location:
 
 
 def _called(place: Location) -> str:
-    """How messages call a value: by its key, or as an item of the list with that key."""
+    """Name of a value in messages: its key, or "item" of the list with that key."""
     if not place:
         return "the file"
     *before, last = place
@@ -152,12 +152,12 @@ def _called(place: Location) -> str:
 
 
 def _key(place: Location) -> str:
-    """The key that a value, or the list around it, stands under."""
+    """The key of a value, or of the list around it."""
     return next((part for part in reversed(place) if isinstance(part, str)), "")
 
 
 def _of_extra(key: str, places: Sequence[Schema]) -> Complaint:
-    """What is said of a key that the model does not know there, or only beside others than these."""
+    """The complaint about a key that the model does not allow there, or only with other keys."""
     for place in places:
         if key in place.get("properties", {}):
             beside = listed(repr(other) for other in place.get("required", ()) if other != key)
@@ -169,7 +169,7 @@ def _of_extra(key: str, places: Sequence[Schema]) -> Complaint:
 
 
 def _schemas_at(model: type[BaseModel], location: Location) -> list[Schema]:
-    """What the model's JSON schema says of the value at a location of pydantic's."""
+    """The parts of the model's JSON schema for a value at a pydantic location."""
     schema = model.model_json_schema(by_alias=True)
     definitions = schema.get("$defs", {})
     places = list(_alternatives(schema, definitions))
@@ -180,7 +180,7 @@ def _schemas_at(model: type[BaseModel], location: Location) -> list[Schema]:
             for below in _below(place, part)
             for inner in _alternatives(below, definitions)
         ]
-        # The name of a union's member is in pydantic's path, and in the schema only as a value that marks it.
+        # A union member's name is in pydantic's path, but in the schema only as a discriminator value.
         places = found or [place for place in places if _is_marked(place, part)] or places
     return places
 

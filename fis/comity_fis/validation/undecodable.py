@@ -1,4 +1,4 @@
-"""Which byte of a file is no text, in the words of a refusal."""
+"""Locates the byte of a file that is not text, for error messages."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ REMEDY = "Save the file as UTF-8 text."
 
 
 def undecodable(error: UnicodeDecodeError, name: str) -> tuple[Where, str]:
-    """Where the byte stands, and which it is.
+    """The location of the byte, and its value in words.
 
     Args:
-        error: What decoding the whole file came to.
-        name: Of the file, as the user gave it.
+        error: The error from decoding the whole file.
+        name: Name of the file, as the user gave it.
     """
     before = error.object[: error.start]
     where = Where(name, before.count(b"\n") + 1, error.start - before.rfind(b"\n"))

@@ -1,7 +1,7 @@
-"""YAML in, checked values out, every complaint with its file and line.
+"""Reads and validates YAML; every error has its file and line.
 
-Safe by construction: plain scalars, lists and mappings only; no aliases, so that no file blows up in memory;
-limits on size, depth and count; YAML 1.2's implicit types, so that the country code `NO` stays a word.
+Safe by construction: only plain scalars, lists and mappings; no aliases, so that no file expands in memory;
+limits on size, depth and count; implicit types of YAML 1.2, so that the country code `NO` is a string.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ ModelT = TypeVar("ModelT", bound="BaseModel")
 MAX_BYTES = 2_000_000
 MAX_DEPTH = 40
 _NESTING = "nesting depth"
-"""In what libyaml says of a file that is deeper than it goes itself, which newer ones do."""
+"""Part of libyaml's message for a file that exceeds its own nesting limit, which newer versions have."""
 MAX_NODES = 200_000
 KEPT = 128
-"""Texts that were read already: a test of many cases reads the same profiles and rules again and again."""
+"""Number of parsed texts to cache: test suites read the same profiles and rules repeatedly."""
 
 
 if TYPE_CHECKING or not yaml.__with_libyaml__:
     from yaml import SafeDumper as _SafeDumper
     from yaml import SafeLoader as _SafeLoader
-else:  # the parser in C reads the same files about eight times as fast, and the emitter writes the same text
+else:  # the C parser is about eight times as fast, and the C emitter writes the same text
     from yaml import CSafeDumper as _SafeDumper
     from yaml import CSafeLoader as _SafeLoader
 
@@ -48,10 +48,10 @@ class _Loader(_SafeLoader):
 
 
 class _Dumper(_SafeDumper):
-    """PyYAML's emitter; it quotes a word that either version of YAML could take for something else."""
+    """PyYAML's emitter; it quotes strings that either version of YAML could interpret differently."""
 
     def ignore_aliases(self, data: object) -> bool:
-        """Write everything out: the reader refuses aliases."""
+        """Write aliases in full: the reader rejects them."""
         return True
 
 
@@ -73,23 +73,23 @@ for _tag, _pattern, _first in (
 
 @dataclass(frozen=True, slots=True, eq=False)
 class YamlFile:
-    """One YAML file, read and safe, not yet checked; nobody changes its data. The same only as itself."""
+    """A YAML file, safely parsed but not yet validated; its data is immutable. Compared by identity."""
 
     path: Path
     name: str
-    """The path as the user gave it: messages use it."""
+    """The path as the user gave it, for messages."""
     data: Any
     lines: Mapping[Location, int]
-    """The line of every value (of its key, where it has one), counted from 1."""
+    """The line of every value (of its key, if it has one), from 1."""
     text: str
-    """All of it, as read."""
+    """The whole text."""
     spans: Mapping[Location, tuple[int, int]]
-    """Where in `text` every scalar starts and ends."""
+    """Start and end of every scalar in `text`."""
 
     def where(self, location: Location) -> Where:
-        """The place of a value, or of the nearest thing around it that stands in the file.
+        """Location of a value, or of the nearest enclosing one in the file.
 
-        What a program wrote out has no lines that anybody sees: its place is the keys that lead there.
+        Data written by a program has no visible lines: its location is the path of keys.
         """
         if not self.path.name:
             return Where(", ".join((self.name, *map(str, location))))
@@ -98,7 +98,7 @@ class YamlFile:
         return Where(self.name, self.lines.get(location, 1))
 
     def part(self, *location: str | int) -> YamlFile:
-        """What stands at a place of this file, as a file of its own that still knows its lines."""
+        """A part of this file as a file, with its original line numbers."""
         data, n = self.data, len(location)
         for step in location:
             data = data[step]
@@ -110,18 +110,18 @@ class YamlFile:
         )
 
     def where_in(self, location: Location, value: str, offset: int) -> Where:
-        """The line and column of one character of a text, however YAML quoted or folded it.
+        """Line and column of one character of a string, however YAML quoted or folded it.
 
         Args:
-            location: The text's.
-            value: The text, as YAML gave it.
-            offset: The character's index in it; beyond the end counts as just behind its last character.
+            location: Location of the string.
+            value: The string as parsed.
+            offset: Index of the character; beyond the end counts as just after the last character.
         """
         start, end = self.spans[location]
         raw = self.text[start:end]
         skipped = 1 if raw[:1] in "'\"" else raw.find("\n") + 1 if raw[:1] in "|>" else 0
         printed = [start + i for i, character in enumerate(raw) if i >= skipped and not character.isspace()]
-        # Folding changes white space only: count the characters that print.
+        # Folding changes only white space, so count the printing characters.
         count = sum(not character.isspace() for character in value[:offset])
         behind = 1 if count == sum(not character.isspace() for character in value) and count else 0
         index = printed[min(count - behind, len(printed) - 1)] + behind if printed else start
@@ -130,17 +130,17 @@ class YamlFile:
 
     @contextmanager
     def placing(self, *location: str | int) -> Iterator[None]:
-        """Give every complaint from inside the place of a value, unless it already has one."""
+        """Give errors raised inside the location of a value, unless they have one."""
         try:
             yield
         except InputError as error:
             raise error.at(self.where(location)) from None
 
     def check(self, model: type[ModelT]) -> ModelT:
-        """The file's content as the given model.
+        """Validate the file's content with a model.
 
         Raises:
-            InputError: naming the line, for the first value that the model refuses.
+            InputError: The model rejects a value; with the line of the first one.
         """
         from pydantic import ValidationError
 
@@ -164,10 +164,10 @@ def read_yaml(path: Path, name: str | None = None) -> YamlFile:
 
     Args:
         path: The file.
-        name: How messages call it; the path as given when None.
+        name: Name of the file in messages; None: the path as given.
 
     Raises:
-        InputError: if the file is missing, no UTF-8 text, no YAML, or over a limit.
+        InputError: The file is missing, not UTF-8 text, not YAML, or exceeds a limit.
     """
     name = name or str(path)
     return parse_yaml(_text(path, name), path, name)
@@ -175,22 +175,22 @@ def read_yaml(path: Path, name: str | None = None) -> YamlFile:
 
 @lru_cache(maxsize=KEPT)
 def parse_yaml(text: str, path: Path, name: str) -> YamlFile:
-    """Read YAML that is in memory already.
+    """Parse YAML text.
 
     Args:
         text: The YAML.
         path: The file that it comes from.
-        name: How messages call it.
+        name: Name of the file in messages.
 
     Raises:
-        InputError: if it is no YAML, or over a limit.
+        InputError: It is not YAML, or exceeds a limit.
     """
     try:
         _refuse_excess(text, name)
         node = yaml.compose(text, Loader=_Loader)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
-        if _NESTING in str(error.problem):  # the scanner looks ahead, and has a limit of its own
+        if _NESTING in str(error.problem):  # the scanner looks ahead, and has its own limit
             raise _too_deep(Where(name, mark.line + 1 if mark else None)) from None
         raise InputError(
             expected="YAML",
@@ -229,7 +229,7 @@ def _text(path: Path, name: str) -> str:
 
 
 def _refuse_excess(text: str, name: str) -> None:
-    """Walk the flat stream of events, before anything is built from it."""
+    """Enforce limits on the event stream before anything is built from it."""
     depth = 0
     for count, event in enumerate(yaml.parse(text, Loader=_Loader)):
         where = Where(name, event.start_mark.line + 1 if event.start_mark else None)
@@ -261,7 +261,7 @@ def _too_deep(where: Where) -> InputError:
 
 
 def _kind(value: object) -> str:
-    """What a file holds that is no mapping, in words."""
+    """The type of a file's content that is not a mapping, in words."""
     if value is None:
         return "nothing"
     return "a list" if isinstance(value, list) else f"{value!r:.40}"
@@ -269,7 +269,7 @@ def _kind(value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Marks:
-    """What is noted while the values are built."""
+    """Locations recorded while the values are built."""
 
     name: str
     lines: dict[Location, int] = field(default_factory=dict)
@@ -315,7 +315,7 @@ def _scalar(node: yaml.Node) -> str | int | float | bool | None:
         case "bool":
             return str(node.value).lower() == "true"
         case "int":
-            # Digits beyond any float's are refused by every range, and would take Python seconds to convert.
+            # Longer numbers exceed any float and would take Python seconds to convert.
             return int(node.value) if len(node.value) < 300 else float(node.value)
         case "float":
             return float(node.value.lower().replace(".inf", "inf").replace(".nan", "nan"))
@@ -323,11 +323,11 @@ def _scalar(node: yaml.Node) -> str | int | float | bool | None:
 
 
 def dump_yaml(content: Mapping[str, Any], *, inline: bool = False) -> str:
-    """Plain values as YAML text that `read_yaml` reads back unchanged; keys in their own order.
+    """Plain values as YAML text that `read_yaml` reads back unchanged; keys keep their order.
 
     Args:
-        content: Mappings, lists, words and numbers.
-        inline: Write a list or mapping that holds no other in one line, as people do by hand.
+        content: Mappings, lists, strings and numbers.
+        inline: Write innermost lists and mappings in one line, as people do by hand.
     """
     return yaml.dump(
         content,

@@ -1,4 +1,4 @@
-"""Cluster centres of one-dimensional data: how many groups there are, and where."""
+"""Clusters one-dimensional data: number of clusters and their centres."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ ACCEPT = 0.5
 REJECT = 0.15
 
 TIE = 1e-9
-"""Relative difference of potentials that is rounding."""
+"""Relative difference of potentials that counts as rounding."""
 
 FUZZINESS = 2.0
 """The exponent m of fuzzy c-means (Bezdek 1981), its usual value."""
 
 
 def subtractive_centres(data: Floats, radius: float) -> Floats:
-    """Centres by subtractive clustering.
+    """Cluster centres by subtractive clustering.
 
-    Every point's potential is how many points lie near it; the point of highest potential becomes a centre,
-    and the potential near it is taken away, until none is left that stands out (Chiu, "Fuzzy model
+    The potential of a point is the number of points near it. The point with the highest potential becomes a
+    centre and the potential around it is reduced, until no remaining potential stands out (Chiu, "Fuzzy model
     identification based on cluster estimation", 1994).
 
     Args:
-        data: One value per point; repeated values count.
-        radius: Of influence, as a fraction of the data's range.
+        data: One value per point; duplicates count.
+        radius: Radius of influence, as a fraction of the data's range.
 
     Returns:
-        Centres, which are data points, ascending; at least one.
+        Centres in ascending order, all of them data points; at least one.
     """
     points = np.sort(data)
     span = np.ptp(points)
@@ -46,7 +46,7 @@ def subtractive_centres(data: Floats, radius: float) -> Floats:
     while (ratio := (potential[(best := _first_highest(potential))]) / highest) > REJECT:
         nearest = min((abs(scaled[best] - scaled[i]) for i in chosen), default=np.inf)
         if ratio <= ACCEPT and nearest / radius + ratio < 1:
-            potential[best] = 0  # neither high nor far enough from the others: passed over
+            potential[best] = 0  # neither high nor far enough from the others: skipped
             continue
         chosen.append(best)
         taken = potential[best] * np.exp(-4 * ((scaled - scaled[best]) / (SQUASH * radius)) ** 2)
@@ -55,21 +55,21 @@ def subtractive_centres(data: Floats, radius: float) -> Floats:
 
 
 def _first_highest(potential: Floats) -> int:
-    """Of places that differ by rounding only the lowest, whatever unit the data are in."""
+    """Index of the maximum; among values equal up to rounding the lowest, whatever the data's unit."""
     return int((potential >= potential.max() * (1 - TIE)).argmax())
 
 
 def c_means(data: Floats, centres: Floats) -> tuple[Floats, Floats]:
-    """Fuzzy c-means by scikit-fuzzy, started from given centres, so that no random start is needed.
+    """Fuzzy c-means by scikit-fuzzy, started from given centres rather than at random.
 
     Args:
         data: One value per point.
-        centres: Where to start, at least two.
+        centres: Initial centres, at least two.
 
     Returns:
-        Centres, ascending, and memberships of shape (centres, points).
+        Centres in ascending order, and memberships of shape (centres, points).
     """
-    import skfuzzy  # its start-up takes longer than all the rest
+    import skfuzzy  # slow to import
 
     found, memberships, *_ = skfuzzy.cmeans(
         data[None, :],
@@ -84,7 +84,7 @@ def c_means(data: Floats, centres: Floats) -> tuple[Floats, Floats]:
 
 
 def memberships_of(data: Floats, centres: Floats) -> Floats:
-    """The degrees of c-means: in proportion to the inverse squared distances from the centres.
+    """Degrees of c-means: proportional to the inverse squared distances from the centres.
 
     Returns:
         Shape (centres, points); every point's degrees add up to 1.
@@ -95,10 +95,10 @@ def memberships_of(data: Floats, centres: Floats) -> Floats:
 
 
 def peaked_degrees(places: Floats, centres: Floats, cluster: int) -> Floats:
-    """What c-means says of any place, from the centre of the one neighbour to that of the other; 0 beyond.
+    """C-means degrees between the centres of the two neighbouring clusters; 0 beyond.
 
-    There the degree rises to 1 at the cluster's own centre and falls from it. Beyond the neighbours it rises
-    again a little, as everything far away belongs to all clusters alike; no term means that.
+    Between them the degree rises to 1 at the cluster's own centre and falls again. Beyond the neighbours it
+    would rise again a little, since far points belong to all clusters equally; no term means that.
     """
     degrees = memberships_of(places, centres)[cluster]
     low = centres[cluster - 1] if cluster > 0 else -np.inf

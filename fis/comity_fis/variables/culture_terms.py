@@ -1,4 +1,4 @@
-"""The terms of a variable that tells a culture: any name that people give theirs, with a score or without."""
+"""Terms of a variable for culture: any name that people give their culture, with or without a score."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from comity_fis.variables.own_words import CULTURE, in_own_words
 
 
 class CultureTerms(FrozenDict[str, Categories]):
-    """Declared terms, and one for every other culture: a country by code or name, a people by its own name.
+    """Declared terms, plus one for every other culture: a country by code or name, an ethnic group by name.
 
-    Only the declared ones are listed.
+    Only the declared ones are listed by iteration.
     """
 
     __slots__ = ()
 
     remedy = NO_CODE
-    """For a word that is no culture."""
+    """Remedy for a word that is not a culture."""
 
     def __contains__(self, word: object) -> bool:
         return dict.__contains__(self, word) or (

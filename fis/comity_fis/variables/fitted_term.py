@@ -1,8 +1,8 @@
-"""One cluster's membership function: the paper's fit where that has a usable shape, else one held to it.
+"""Membership function of one cluster: the paper's fit if its shape is usable, else a constrained fit.
 
-Least squares sees a curve only where there are data. With few different values, or gaps between them, the
-nearest sum of two Gaussians may have a second hump, or a plateau, where nobody answered. So every free fit is
-looked at over the whole range, and refitted under tighter bounds where it is not usable.
+Least squares constrains a curve only where there are data. With few distinct values, or gaps between them,
+the best sum of two Gaussians may have a second hump or a plateau where there are no data. So every free fit
+is checked over the whole range, and refitted under tighter bounds if it is not usable.
 """
 
 from __future__ import annotations
@@ -24,34 +24,34 @@ if TYPE_CHECKING:
 
 Form = Literal["free", "held"]
 """Free: two Gaussians by least squares over the data's degrees, as in the paper. Held: two Gaussians with one
-peak and heights of at most 1, by least squares over the degrees that c-means gives the whole range."""
+peak and heights of at most 1, by least squares over the c-means degrees of the whole range."""
 PARAMETERS = 6
-"""Of two Gaussians: a free fit to no more different values than that has no error left to judge it by."""
+"""Parameters of two Gaussians: with no more distinct values, a free fit has no error to judge it by."""
 FARTHEST_OFF = 0.15
-"""From the degrees of c-means, anywhere in the data's range (our choice; the paper's own fit is 0.10 off)."""
+"""Maximum error against the c-means degrees in the data's range (our choice; the paper's fit has 0.10)."""
 DEEPEST = 1e-6
-"""Dip between two humps that is rounding."""
+"""Dip between two humps that counts as rounding."""
 PLACES = 201
-"""At which the range is looked at."""
+"""Number of points at which the range is checked."""
 
 
 @dataclass(frozen=True, slots=True)
 class FittedTerm:
-    """A membership function, how well it fits, and how it was found."""
+    """A membership function, its errors, and how it was found."""
 
     term: TwoTermGaussian
     squared_error: float
-    """Summed over all data."""
+    """Sum of squared errors over all data."""
     largest_error: float
-    """Off the degrees of c-means, anywhere in the data's range and not only at the data."""
+    """Maximum error against the c-means degrees over the data's range, not only at the data."""
     form: Form
     because: str
-    """Why it is held; empty where it is free."""
+    """Why the fit is held; empty if it is free."""
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """The data's range, of which a fit sees fractions: other units give the same terms."""
+    """The data's range; fits use fractions of it, so that the unit does not affect the terms."""
 
     low: float
     span: float
@@ -61,11 +61,11 @@ class Frame:
         return (numbers - self.low) / self.span
 
     def outside(self, fraction: float) -> float:
-        """A fraction as a number."""
+        """A fraction of the range as a number."""
         return self.low + fraction * self.span
 
     def unfolded(self, term: TwoTermGaussian) -> TwoTermGaussian:
-        """A term over fractions as one over numbers."""
+        """A term over fractions as a term over numbers."""
         first, second = (
             Bump(bump.height, self.outside(bump.centre), bump.width * self.span)
             for bump in (term.first, term.second)
@@ -77,10 +77,10 @@ def fit_term(data: Floats, degrees: Floats, centres: Floats, cluster: int, frame
     """The term of one cluster.
 
     Args:
-        data: One value per point, as fractions of the range; repeated ones count.
-        degrees: Of each point, by fuzzy c-means.
-        centres: Of all clusters, as fractions of the range, ascending.
-        cluster: Which of them.
+        data: One value per point, as fractions of the range; duplicates count.
+        degrees: Fuzzy c-means degree of each point.
+        centres: Centres of all clusters, as fractions of the range, ascending.
+        cluster: Index of the cluster.
         frame: The range.
     """
     places, centre = np.linspace(0, 1, PLACES), float(centres[cluster])
@@ -103,7 +103,7 @@ def fit_term(data: Floats, degrees: Floats, centres: Floats, cluster: int, frame
 
 
 def _fault(term: TwoTermGaussian, places: Floats, wanted: Floats, centre: float, frame: Frame) -> str:
-    """What makes a free fit unusable; empty where nothing does."""
+    """Why a free fit is unusable; empty if it is usable."""
     if len(peaks := humps(term)) > 1:
         hump, height = max(peaks, key=lambda peak: abs(peak[0] - centre))
         return f"a free fit has a second hump of {height:.2f} at {_said(hump, frame)}"
@@ -116,9 +116,9 @@ def _fault(term: TwoTermGaussian, places: Floats, wanted: Floats, centre: float,
 
 
 def humps(term: TwoTermGaussian) -> list[tuple[float, float]]:
-    """The highest place of a term, and those where it rises again after it fell from there; with degrees.
+    """The local maxima of a term, as (place, degree): the highest one and any second hump.
 
-    Two bumps can do that between their centres only, and are smooth there on the scale of their widths.
+    A second hump can only lie between the two centres, where the sum is smooth on the scale of the widths.
     """
     low, high = term.first.centre, term.second.centre
     width = min(term.first.width, term.second.width)

@@ -1,6 +1,6 @@
 """Least-squares fits of a sum of two Gaussians to the degrees of one cluster.
 
-Places are fractions of the data's range, so that data in other units or elsewhere give the same terms there.
+Places are fractions of the data's range, so that unit and offset do not affect the terms.
 """
 
 from __future__ import annotations
@@ -18,20 +18,21 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 TALLEST, FARTHEST, NARROWEST, WIDEST = 3.0, 4.0, 0.01, 5.0
-"""Bounds of a free fit: heights, and centres outside the data and widths as fractions of its range."""
+"""Bounds of a free fit: height, and centres' distance outside the data and widths as fractions of its
+range."""
 NARROWEST_HELD, WIDEST_HELD = 0.02, 2.0
 """Bounds on the widths of a held fit (our choice)."""
 CENTRES = tuple(k / 16 for k in range(-4, 21))
 WIDTHS = 0.03, 0.06, 0.1, 0.16, 0.25, 0.4, 0.7
-"""Of the bumps from which searches start, all pairs of them."""
+"""Widths of the bumps on the grid from whose pairs searches start."""
 STARTS = 4
-"""Pairs from which a search starts: the nearest ones."""
+"""Number of pairs, the best-fitting ones, from which a search starts."""
 
 
 def free_fit(places: Floats, degrees: Floats) -> TwoTermGaussian:
-    """The paper's: the nearest two bumps to the degrees of the data, heights at least 0.
+    """The paper's fit: two bumps with minimum squared error to the data's degrees, heights at least 0.
 
-    Without that bound the optimum has a negative height and negative memberships. Repeated places count.
+    Without that bound the optimum has a negative height and negative memberships. Duplicate places count.
     """
     at, first, counts = np.unique(places, return_index=True, return_counts=True)
     wanted, weights = degrees[first], np.sqrt(counts)
@@ -49,16 +50,16 @@ def free_fit(places: Floats, degrees: Floats) -> TwoTermGaussian:
 
 
 def held_fit(places: Floats, degrees: Floats, centre: float) -> TwoTermGaussian:
-    """The nearest two bumps that have one peak together, whatever the degrees are.
+    """The best-fitting two bumps that together have one peak, whatever the degrees are.
 
-    Heights are at most 1, and the centres at most sqrt(2) times the smaller width apart: two Gaussians no
-    farther apart than twice the smaller standard deviation have one peak in any proportion (Behboodian, "On
-    the modes of a mixture of two normal distributions", Technometrics 12, 1970).
+    Heights are at most 1, and the centres at most sqrt(2) times the smaller width apart: two Gaussians whose
+    means differ by at most twice the smaller standard deviation are unimodal in any proportion (Behboodian,
+    "On the modes of a mixture of two normal distributions", Technometrics 12, 1970).
 
     Args:
         places: Fractions of the data's range.
-        degrees: At these places.
-        centre: Of the cluster; the first bump's centre is at most a quarter of the range from it.
+        degrees: Target degrees at these places.
+        centre: Centre of the cluster; the first bump's centre is at most a quarter of the range from it.
     """
 
     def bumps(q: Floats) -> Floats:
@@ -85,19 +86,19 @@ def held_fit(places: Floats, degrees: Floats, centre: float) -> TwoTermGaussian:
 
 
 def _nearest_pairs(places: Floats, wanted: Floats, weights: Floats, nearness: float = np.inf) -> Floats:
-    """Among all pairs of bumps of a grid, each with its best heights, those nearest to what is wanted.
+    """The best-fitting of all pairs of bumps on a grid, each pair with its optimal heights.
 
-    Heights enter linearly, so that for each pair the best ones solve two equations: the idea of variable
-    projection (Golub and Pereyra 1973).
+    Heights enter linearly, so the optimal ones of each pair solve two equations: variable projection (Golub
+    and Pereyra 1973).
 
     Args:
-        places: Where degrees are wanted.
-        wanted: The degrees.
-        weights: Of the places' misses.
-        nearness: The most that two centres may be apart, in smaller widths.
+        places: Places of the target degrees.
+        wanted: The target degrees.
+        weights: Weights of the residuals.
+        nearness: Maximum distance of two centres, in units of the smaller width.
 
     Returns:
-        Shape (pairs, 6): height, centre, width, twice.
+        Shape (pairs, 6): height, centre and width of each bump.
     """
     # A sum of two bumps has many local optima, and least squares from one start ends in the nearest. The
     # heights enter linearly, so that for fixed centres and widths the best ones solve a 2 x 2 system
@@ -130,7 +131,7 @@ def _least_squares(
     low: list[float],
     high: list[float],
 ) -> Floats:
-    """The best of several searches, the best of them followed to the end."""
+    """The best of several searches; the best few are then run to convergence."""
     from scipy.optimize import least_squares
 
     def search(start: Floats, exactness: float, steps: int) -> tuple[float, Floats]:
@@ -147,7 +148,7 @@ def _least_squares(
         )
         return float(found.cost), np.asarray(found.x)
 
-    with np.errstate(all="ignore"):  # a step of the search along a bound
+    with np.errstate(all="ignore"):  # a search step may overflow along a bound
         best = min((search(start, 1e-6, 60) for start in starts), key=lambda found: found[0])
         return min(best, search(best[1], 1e-15, 600), key=lambda found: found[0])[1]
 
@@ -164,7 +165,7 @@ def _curve(places: Floats, p: Floats) -> Floats:
 
 
 def _slopes(places: Floats, p: Floats) -> list[Floats]:
-    """The derivatives of a curve by the height, centre and width of both bumps."""
+    """Derivatives of a curve with respect to height, centre and width of both bumps."""
     slopes = []
     for height, centre, width in (p[:3], p[3:]):
         off = (places - centre) / width

@@ -1,4 +1,4 @@
-"""A mapping that nobody can change, looked up as fast as a dictionary: it is one."""
+"""An immutable mapping that is as fast as a dictionary, because it is one."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ Value = TypeVar("Value")
 
 
 class FrozenDict(dict[Key, Value]):
-    """What a rulebook is made of: threads share it, so that a change would change other people's answers."""
+    """An immutable dictionary for rulebooks: threads share them, so a change would affect other people."""
 
     __slots__ = ()
 
     def _refuse(self, *_: object, **__: object) -> NoReturn:
         raise TypeError("a rulebook does not change: build another one, or use with_rule")
 
-    if not TYPE_CHECKING:  # a type checker shall know a mapping, which has none of these
+    if not TYPE_CHECKING:  # hidden from type checkers, for which this is a read-only mapping
         __setitem__ = __delitem__ = __ior__ = _refuse
         clear = pop = popitem = setdefault = update = _refuse
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """How a copy is made, here or in another process."""
+        """Support copying and pickling."""
         return FrozenDict, (dict(self),)
 
 
 def freeze(record: object, **fields: Mapping[Any, Any]) -> None:
-    """Put mappings into a frozen dataclass such that nobody can change them; for its `__post_init__`."""
+    """Freeze mappings in a frozen dataclass; call this in its `__post_init__`."""
     for name, mapping in fields.items():
         object.__setattr__(record, name, FrozenDict(mapping))

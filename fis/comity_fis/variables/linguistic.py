@@ -1,7 +1,7 @@
-"""The paper's three cases of making a variable linguistic (Bruno et al. 2017, section III).
+"""The paper's three cases of defining a linguistic variable (Bruno et al. 2017, section III).
 
-All is known: every value is a term. The terms are known and their shapes are not: stages become trapezoids.
-Nothing is known: data make the terms.
+(a) All is known: every value is a term. (b) The terms are known but not their shapes: stages become
+trapezoids. (c) Nothing is known: terms are derived from data.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ HELD = (
     "least squares over the degrees that c-means gives the whole range, 0 beyond the neighbours' centres."
 )
 LEAST_VALUES = 4
-"""Different ones (our choice): a scale of five answers, one of which nobody gave, is enough."""
+"""Minimum number of distinct values (our choice): a scale of five answers, one never given, suffices."""
 
 
 def all_known(
@@ -43,19 +43,19 @@ def all_known(
     kind: Kind = "culture",
     reason: str,
 ) -> NominalVariable:
-    """Case a: the values are words, and each is a term (gender; ISCED's levels of education).
+    """Case a: the values are categories, and each is a term (gender; ISCED's levels of education).
 
     Args:
-        name: The variable's.
-        categories: All values, in their order where they have one.
-        ordered: Whether the order means something: ordinal rather than nominal level.
-        numbered_from: The number of the first ordered category, where they are commonly numbered.
-        groups: Further terms for several categories; consecutive ones where they are ordered.
-        kind: Whether it tells who the person is or how things stand now.
-        reason: A source for the categories, or that they are a design choice.
+        name: Name of the variable.
+        categories: All values, in order if they have one.
+        ordered: Whether the level is ordinal rather than nominal.
+        numbered_from: Number of the first ordered category, if they are commonly numbered.
+        groups: Additional terms for several categories, which must be consecutive if ordered.
+        kind: Whether it describes the person or the current situation.
+        reason: Source of the categories, or that they are a design choice.
 
     Raises:
-        InputError: for a category twice, or a group that the level does not allow.
+        InputError: A category occurs twice, or the level does not allow a group.
     """
     _check_reason(reason)
     terms = {group: Categories(frozenset(members)) for group, members in (groups or {}).items()}
@@ -86,25 +86,25 @@ def terms_known(
     kind: Kind = "culture",
     reason: str,
 ) -> NumericVariable:
-    """Case b: the terms and about where they meet are known, their shapes are not (stages of life).
+    """Case b: the terms and their approximate boundaries are known, but not their shapes (stages of life).
 
-    Neighbours pass into each other in a straight line centred on their boundary, so that the degrees of every
-    value add up to 1 and are equal at the boundary itself.
+    Between neighbours, degrees change linearly over an interval centred on their boundary, so that the
+    degrees of every value add up to 1 and are equal at the boundary.
 
     Args:
-        name: The variable's.
-        domain: Its lowest and highest value, in the unit.
-        terms: Their names, ascending.
-        boundaries: Where each term passes into the next, ascending, one fewer than terms.
-        overlaps: How wide each passage is, or one width for all; 0 is a sharp boundary.
-        level: Of measurement; at least interval, if need be by coercion.
-        coercion: The declared step above the level.
-        unit: Of the values.
-        kind: Whether it tells who the person is or how things stand now.
-        reason: Where boundaries and overlaps come from: a source, or that they are a design choice.
+        name: Name of the variable.
+        domain: Lowest and highest value, in the unit.
+        terms: Names of the terms, ascending.
+        boundaries: Boundaries between consecutive terms, ascending, one fewer than terms.
+        overlaps: Width of each transition, or one width for all; 0 is a sharp boundary.
+        level: Level of measurement; at least interval, if necessary by coercion.
+        coercion: Declared treatment at a higher level.
+        unit: Unit of the values.
+        kind: Whether it describes the person or the current situation.
+        reason: Source of boundaries and overlaps, or that they are a design choice.
 
     Raises:
-        InputError: if passages leave the domain or run into each other, or the level allows no numbers.
+        InputError: Transitions exceed the domain or overlap, or the level does not allow numbers.
     """
     _check_reason(reason)
     widths = [overlaps] * len(boundaries) if isinstance(overlaps, int | float) else list(overlaps)
@@ -143,23 +143,23 @@ def from_data(
     data: str = "",
     reason: str,
 ) -> NumericVariable:
-    """Case c: nothing is known but data, which make the terms (individualism).
+    """Case c: only data are known, from which the terms are derived (individualism).
 
     Args:
-        name: The variable's.
-        values: One per case; repeated ones count.
-        radius: Of the subtractive clustering, as a fraction of the data's range.
-        domain: Lowest and highest value; the data's own when None.
-        level: Of measurement; distances and means need interval level, if need be by coercion.
-        coercion: The declared step above the level, as the paper takes it for individualism.
-        unit: Of the values.
-        kind: Whether it tells who the person is or how things stand now.
-        data: What the data are called.
-        reason: What the values measure, of whom, and where from.
+        name: Name of the variable.
+        values: One value per case; duplicates count.
+        radius: Radius of the subtractive clustering, as a fraction of the data's range.
+        domain: Lowest and highest value; None: those of the data.
+        level: Level of measurement; at least interval, if necessary by coercion.
+        coercion: Declared treatment at a higher level, as in the paper for individualism.
+        unit: Unit of the values.
+        kind: Whether it describes the person or the current situation.
+        data: Name of the data.
+        reason: What the values measure, in which population, and their source.
 
     Raises:
-        OneClusterError: if the data form one group only.
-        InputError: if the level allows no distances, or the data no terms.
+        OneClusterError: The data form only one cluster.
+        InputError: The level does not allow distances, or no terms fit the data.
     """
     _check_reason(reason)
     level = level_of(level)
@@ -203,7 +203,7 @@ def _enough(name: str, scores: Sequence[float]) -> Sequence[float]:
 
 
 def _holding(name: str, scores: Sequence[float], domain: Interval) -> Interval:
-    """A range that all the data are in."""
+    """A range that contains all data."""
     if not isfinite(domain.low) or not isfinite(domain.high):
         raise WrongValueError(
             expected="a finite range", got=domain, remedy="Give its lowest and highest value."

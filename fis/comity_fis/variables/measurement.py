@@ -1,8 +1,8 @@
 """Levels of measurement: which arithmetic a variable's values allow.
 
-Stevens, "On the Theory of Scales of Measurement", Science 103 (1946). The paper sorts its cultural variables
-by these levels; a membership function over numbers, a cluster centre or a mean needs at least an interval
-scale.
+Stevens, "On the Theory of Scales of Measurement", Science 103 (1946). The paper classifies its cultural
+variables by these levels; a membership function over numbers, a cluster centre or a mean requires at least an
+interval scale.
 """
 
 from __future__ import annotations
@@ -14,26 +14,26 @@ from comity_fis.errors import InputError, closest
 
 
 class Level(IntEnum):
-    """Ordered from the level that allows least to the one that allows most."""
+    """Levels in ascending order of the operations they allow."""
 
     NOMINAL = 0
-    """Equal or not: gender, nationality."""
+    """Values are equal or not: gender, nationality."""
     ORDINAL = 1
-    """Before or after: an ISCED level."""
+    """Values are ordered: an ISCED level."""
     INTERVAL = 2
-    """Differences mean something: latitude."""
+    """Differences are meaningful: latitude."""
     RATIO = 3
-    """Zero means none: age."""
+    """Zero means none, so ratios are meaningful: age."""
 
     def __str__(self) -> str:
         return self.name.lower()
 
 
 def level_of(given: Level | str) -> Level:
-    """A level, also by its name: `ratio`.
+    """A level, possibly given by its name, such as `ratio`.
 
     Raises:
-        InputError: if it is none.
+        InputError: There is no such level.
     """
     if isinstance(given, Level):
         return given
@@ -47,7 +47,7 @@ def level_of(given: Level | str) -> Level:
 
 @dataclass(frozen=True, slots=True)
 class Coercion:
-    """A declared step over the level that the values have: shown, never silent."""
+    """A declared treatment of values at a higher level than their own; always shown."""
 
     to: Level
     reason: str
@@ -60,5 +60,5 @@ def effective_level(level: Level, coercion: Coercion | None) -> Level:
 
 
 def level_text(level: Level, coercion: Coercion | None) -> str:
-    """`ordinal, treated as interval`: a level as readers see it, wherever the variable is shown."""
+    """A level as shown to readers, such as `ordinal, treated as interval`."""
     return f"{level}, treated as {coercion.to}" if coercion else str(level)

@@ -1,4 +1,4 @@
-"""Facts in people's own words: a word outside the categories is disclosed, and no term holds of it."""
+"""Facts in people's own words: a word outside the categories is a known value to which no term applies."""
 
 from __future__ import annotations
 
@@ -8,26 +8,26 @@ from difflib import get_close_matches
 from comity_fis.scores.iso3166 import culture_name
 
 CULTURE = "culture"
-"""The fact that a person's culture is told by."""
+"""The fact that states a person's culture."""
 GENDERS = (("female", "woman", "f"), ("male", "man", "m"))
-"""Words for the same gender: a rulebook has one of them as a category."""
+"""Synonyms for genders: a rulebook has one of each as a category."""
 
 TYPO = 0.8
-"""Similarity of a word and a category, in [0, 1], from which the word is a typo. Our choice, such that
-`femal` is one and `transfemale` is not."""
+"""Similarity of a word and a category, in [0, 1], above which the word counts as a typo. Our choice: `femal`
+is one, `transfemale` is not."""
 
 
 def in_own_words(fact: str, word: str, categories: Collection[str]) -> str | None:
-    """A person's word as a value of a variable: a category, or their own word where no category says it.
+    """A person's word as a value of a variable: a category, or the word itself if no category matches.
 
     Args:
-        fact: What it tells: gender, culture, or another one.
-        word: What the person said, in any case.
-        categories: Of the variable.
+        fact: The fact: gender, culture, or another one.
+        word: The person's word, in any case.
+        categories: Categories of the variable.
 
     Returns:
-        None where the variable takes its categories alone, or the word is a typo of a gender, or a code that
-        no country has.
+        None if the variable accepts only its categories, or if the word is a typo of a gender or an unused
+        country code.
     """
     if fact == CULTURE:
         return _culture(word, categories)

@@ -1,7 +1,7 @@
-"""Parameters of actions and behaviours: what the rules decide.
+"""Parameters of actions and behaviours, which the rules conclude.
 
-The paper divides them into action parameters, fixed when the plan is made, and behaviour parameters, used by
-a running behaviour and inferred again when the situation changes.
+The paper distinguishes action parameters, fixed when the plan is made, and behaviour parameters, used by a
+running behaviour and inferred again when the situation changes.
 """
 
 from __future__ import annotations
@@ -23,30 +23,30 @@ ParameterKind = Literal["action", "behaviour"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NumericParameter:
-    """A parameter that is a number. All numbers are in `unit`."""
+    """A numeric parameter. All numbers are in `unit`."""
 
     name: str
     kind: ParameterKind
     unit: str
     rules: Interval
-    """What the rules can give: the domain of the output sets."""
+    """Range of the rules' output: the domain of the output sets."""
     ask: Interval
-    """What a person may ask for; anything else is refused. It may leave out what the rules can give where the
-    robot would not keep to it."""
+    """Range that a person may request; other requests are rejected. It may exclude values that the rules can
+    give but the robot would not keep to."""
     safe: Interval
-    """What safety allows, with infinite ends where it sets no limit; anything else is clamped."""
+    """Safe range, with infinite ends where there is no limit; other values are clamped."""
     terms: Mapping[str, NumericMembership]
     neutral: float
-    """What stands where the rules have nothing to go on."""
+    """Value if no rule has a known input."""
     spread: float
-    """Standard deviation of people around a value; not the width of a fuzzy set."""
+    """Standard deviation between individuals around a value; not the width of a fuzzy set."""
     measured: Literal["surface", "centre"] | None = None
-    """Of a distance: between the nearest points of the two bodies, or between their centres."""
+    """For a distance: between the nearest points of the two bodies, or between their centres."""
     shapes: Shapes = "design"
     shift: Shift | None = None
-    """How far the situation may move it; None where the rulebook lets nothing move it."""
+    """How far the situation may shift the parameter; None for not at all."""
     reasons: Mapping[str, str]
-    """Why these ranges, terms, neutral and spread: a source, or that it is our choice."""
+    """Reasons for these ranges, terms, neutral and spread: a source, or that it is our choice."""
 
     def __post_init__(self) -> None:
         if self.neutral not in self.ask:
@@ -69,20 +69,20 @@ class NumericParameter:
 
     @property
     def empty_terms(self) -> tuple[str, ...]:
-        """Terms that are 0 everywhere in the rules' range: rules that conclude them change nothing."""
+        """Terms that are 0 everywhere in the rules' range: concluding them has no effect."""
         ends = self.rules.ends
         return tuple(name for name, term in self.terms.items() if not term.height(*ends) > 0)
 
     @property
     def conclusions(self) -> Mapping[str, NumericMembership]:
-        """What rules may conclude of it: its terms, and those of its shift."""
+        """Terms that rules may conclude: the parameter's own and those of its shift."""
         return {**self.terms, **(self.shift.terms if self.shift else {})}
 
     def check(self, value: object) -> float:
-        """What a person asked for, as a number of the ask range.
+        """A person's request as a number in the `ask` range.
 
         Raises:
-            InputError: if it is no such number.
+            InputError: It is not a number in that range.
         """
         if isinstance(value, int | float) and not isinstance(value, bool) and value in self.ask:
             return float(value)
@@ -93,9 +93,9 @@ class NumericParameter:
         )
 
     def membership(self, term: str, value: float | str) -> float:
-        """The degree to which a rule that reads this parameter finds it in one of its terms.
+        """The degree of the parameter's value in a term, for rules that read this parameter.
 
-        A setting beyond the rules' range counts as the end of that range.
+        A setting outside the rules' range counts as the nearest end of that range.
         """
         return self.terms[term](self.rules.clamp(float(value)))
 
@@ -106,21 +106,21 @@ class Category:
 
     name: str
     requires: Condition | None = None
-    """What must hold fully and be known, for example that touch was consented to; None: always permitted."""
+    """Condition that must hold fully and be known, such as consent to touch; None: always permitted."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NominalParameter:
-    """A parameter that is one of several words."""
+    """A nominal parameter: one of several categories."""
 
     name: str
     kind: ParameterKind
     categories: tuple[Category, ...]
     neutral: str
-    """What stands where the rules have nothing to go on, and wins ties."""
+    """Category if no rule has a known input; it also wins ties."""
     reasons: Mapping[str, str]
     terms: tuple[str, ...] = field(init=False, repr=False, compare=False)
-    """The categories' names in declared order."""
+    """Names of the categories in declared order."""
 
     def __post_init__(self) -> None:
         names = tuple(category.name for category in self.categories)
@@ -134,14 +134,14 @@ class NominalParameter:
 
     @property
     def conclusions(self) -> tuple[str, ...]:
-        """What rules may conclude of it."""
+        """Categories that rules may conclude."""
         return self.terms
 
     def check(self, value: object) -> str:
-        """What a person asked for, as one of the categories, permitted or not.
+        """A person's request as one of the categories, permitted or not.
 
         Raises:
-            InputError: if it is none of them.
+            InputError: It is not a category.
         """
         if not isinstance(value, str) or value not in self.terms:
             raise InputError(

@@ -1,8 +1,8 @@
-"""The paper's automatic partition of a variable: data in, linguistic terms out.
+"""The paper's automatic partition of a variable: from data to linguistic terms.
 
-Subtractive clustering says how many groups there are, fuzzy c-means to which degree each value belongs to
-them, and a two-term Gaussian fitted to those degrees becomes the membership function. All three see the data
-as fractions of their range: data in other units, or set off by a constant, give the same terms there.
+Subtractive clustering gives the number of clusters, fuzzy c-means the degree of each value in them, and a
+two-term Gaussian fitted to those degrees becomes the membership function. All three use fractions of the
+data's range, so that unit and offset do not affect the terms.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ if TYPE_CHECKING:
     from comity_fis.variables.fitted_term import FittedTerm
 
 RADII = tuple(step / 20 for step in range(2, 21))
-"""0.10 to 1.00 in steps of 0.05, around the usual 0.5."""
+"""Radii 0.10 to 1.00 in steps of 0.05, around the usual 0.5."""
 MOST_SCORES = 5_000
-"""The clustering compares each value with each other; a random sample of so many gives the same terms."""
+"""Maximum number of data: the clustering is quadratic; a random sample of this size gives the same terms."""
 MOST_TERMS = 12
-"""Far more than anybody has words for."""
+"""Maximum number of terms: far more than people have words for."""
 SPANS = 1e-300, 1e300
-"""Ranges of data that can be computed with: differences and their inverses stay finite."""
+"""Allowed width of the data's range: differences and their inverses stay finite."""
 FEWEST_STEPS = 10_000
-"""Floating-point numbers in the data's range: with fewer, rounding makes the groups."""
+"""Minimum number of floats in the data's range: with fewer, rounding creates the clusters."""
 CLOSEST = 1e-6
-"""Centres that are no nearer to each other, as a fraction of the range, are two groups."""
+"""Minimum distance of two cluster centres, as a fraction of the range."""
 
 
 @dataclass(frozen=True, slots=True)
 class FittedPartition:
-    """What the data gave."""
+    """The result of a partition."""
 
     radius: float
     starts: tuple[float, ...]
@@ -44,29 +44,29 @@ class FittedPartition:
     memberships: tuple[tuple[float, ...], ...]
     """Degree of each datum, in the given order, one row per term."""
     fits: tuple[FittedTerm, ...]
-    """How each term was found, in the order of the centres."""
+    """The fit of each term, in the order of the centres."""
 
     @property
     def terms(self) -> Mapping[str, TwoTermGaussian]:
-        """LC1, LC2, ... in ascending order of their centres; the paper's names."""
+        """Terms LC1, LC2, ... in ascending order of their centres; the paper's names."""
         return {f"LC{number}": fit.term for number, fit in enumerate(self.fits, 1)}
 
     @property
     def squared_errors(self) -> tuple[float, ...]:
-        """Of each term's fit, summed over all data."""
+        """Sum of squared errors of each term's fit over all data."""
         return tuple(fit.squared_error for fit in self.fits)
 
 
 def partition(scores: Iterable[float], radius: float = 0.5) -> FittedPartition:
-    """Clusters of data, and terms fitted to them; see `from_data` for the whole variable.
+    """Cluster data and fit terms to the clusters; see `from_data` for the whole variable.
 
     Args:
-        scores: The data, in any order; repeated values count.
-        radius: Of influence of a cluster centre, as a fraction of the data's range, above 0.
+        scores: The data, in any order; duplicates count.
+        radius: Radius of influence of a cluster centre, as a fraction of the data's range, above 0.
 
     Raises:
-        OneClusterError: if the data form one group only.
-        InputError: if the data are no numbers, too many, or form more groups than anybody has words for.
+        OneClusterError: The data form only one cluster.
+        InputError: The data are not numbers, too many, or form too many clusters.
     """
     import numpy as np
 
@@ -104,10 +104,10 @@ def _too_many(groups: int, radius: float) -> InputError:
 
 
 def cluster_counts(scores: Iterable[float], radii: Iterable[float] = RADII) -> Mapping[float, int]:
-    """How many clusters subtractive clustering finds at each radius; 1 is an honest answer.
+    """The number of clusters that subtractive clustering finds at each radius; it may be 1.
 
     Raises:
-        InputError: as `partition` does for data that are no numbers.
+        InputError: The data are not numbers, as in `partition`.
     """
     import numpy as np
 
@@ -118,7 +118,7 @@ def cluster_counts(scores: Iterable[float], radii: Iterable[float] = RADII) -> M
 
 
 class OneClusterError(InputError):
-    """All data lie in one group at this radius: an honest answer, but no partition."""
+    """All data form one cluster at this radius: a valid result, but no partition."""
 
     def __init__(self, centre: float, radius: float) -> None:
         self.centre = centre
@@ -137,7 +137,7 @@ def numbers(scores: Iterable[float]) -> list[float]:
     """Data as numbers.
 
     Raises:
-        InputError: for anything that is none.
+        InputError: A value is not a number.
     """
     try:
         given = list(scores)

@@ -1,20 +1,20 @@
-"""Numbers with as many digits as their range needs, however large they are beside it."""
+"""Formats numbers with as many digits as their range needs, even if they are large compared with it."""
 
 from __future__ import annotations
 
 from math import ceil, log10
 
 MOST = 17
-"""Significant digits that tell every two numbers apart."""
+"""Significant digits that distinguish all floats."""
 
 
 def resolving_digits(number: float, span: float, digits: int) -> int:
-    """Significant digits that give a number as finely as `digits` give its range.
+    """Significant digits that resolve a number as finely as `digits` resolve its range.
 
     Args:
-        number: Which may be far larger than its range: 1.7e9 in a range of 0.5.
-        span: The width of the range, above 0.
-        digits: Significant ones of the range.
+        number: It may be far larger than its range: 1.7e9 in a range of 0.5.
+        span: Width of the range, above 0.
+        digits: Significant digits relative to the range.
     """
     if not number or not span:
         return digits

@@ -1,7 +1,7 @@
-"""Scales: what may be computed with a variable's values, by their level of measurement.
+"""Scales: the operations that a variable's level of measurement allows on its values.
 
-Each level allows what the one below allows and more (Stevens 1946): equality; order; differences and means;
-quotients, once zero means none. The types say it to a type checker; at run time a refusal names the remedy.
+Each level adds to the one below (Stevens 1946): equality; order; differences and means; ratios, if zero means
+none. Type checkers see this in the types; at run time the error names the remedy.
 """
 
 from __future__ import annotations
@@ -27,18 +27,18 @@ class NominalScale(Generic[V]):
 
     variable: str
     check: Callable[[object], V]
-    """Takes a value of the variable, and refuses any other with an `InputError`."""
+    """Validates a value of the variable; raises `InputError` for any other."""
     level: Level
-    """That the values have by nature."""
+    """Level of the values themselves."""
     coercion: Coercion | None = None
-    """The declared step above it, where there is one."""
+    """Declared treatment at a higher level; None if there is none."""
 
     def equal(self, a: V, b: V) -> bool:
         """Whether two values are the same."""
         return self.check(a) == self.check(b)
 
     def mode(self, values: Iterable[V]) -> V:
-        """The most frequent value; of several the one that came first."""
+        """The most frequent value; the first one if there are several."""
         return Counter(self._all(values)).most_common(1)[0][0]
 
     def _all(self, values: Iterable[V]) -> list[V]:
@@ -51,7 +51,7 @@ class NominalScale(Generic[V]):
             )
         return checked
 
-    if not TYPE_CHECKING:  # a type checker refuses what a level has not; at run time this says why
+    if not TYPE_CHECKING:  # type checkers see which operations exist; at run time the error explains
 
         def __getattr__(self, operation: str) -> NoReturn:
             needed = NEEDS.get(operation)
@@ -62,27 +62,27 @@ class NominalScale(Generic[V]):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OrdinalScale(NominalScale[V]):
-    """Values have an order: levels of education."""
+    """Values are ordered: levels of education."""
 
     rank: Callable[[V], float]
-    """Larger for a later value; only the order of ranks means anything."""
+    """Rank, larger for later values; only the order of ranks is meaningful."""
 
     def before(self, a: V, b: V) -> bool:
         """Whether one value comes before another."""
         return self.rank(self.check(a)) < self.rank(self.check(b))
 
     def median(self, values: Iterable[V]) -> V:
-        """The middle value; of two middle ones the lower, which is a value where their mean need not be."""
+        """The median; of two middle values the lower, as their mean need not be a value."""
         ordered = sorted(self._all(values), key=self.rank)
         return ordered[(len(ordered) - 1) // 2]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IntervalScale(OrdinalScale[float]):
-    """Differences mean something: latitude."""
+    """Differences are meaningful: latitude."""
 
     def distance(self, a: float, b: float) -> float:
-        """How far apart two values are, in the variable's unit."""
+        """Difference of two values, in the variable's unit."""
         return abs(self.check(a) - self.check(b))
 
     def mean(self, values: Iterable[float]) -> float:
@@ -91,7 +91,7 @@ class IntervalScale(OrdinalScale[float]):
         return fsum(checked) / len(checked)
 
     def partition(self, values: Iterable[float], radius: float = 0.5) -> FittedPartition:
-        """Clusters and the terms fitted to them: both rest on distances and means."""
+        """Clusters and the terms fitted to them, based on distances and means."""
         from comity_fis.variables.partitioning import partition
 
         return partition(self._all(values), radius)
@@ -99,13 +99,13 @@ class IntervalScale(OrdinalScale[float]):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RatioScale(IntervalScale):
-    """Zero means none, so that quotients mean something: age."""
+    """Zero means none, so that ratios are meaningful: age."""
 
     def ratio(self, a: float, b: float) -> float:
-        """How many times `b` goes into `a`.
+        """The ratio `a / b`.
 
         Raises:
-            InputError: if `b` is 0: nothing goes into something.
+            InputError: `b` is 0.
         """
         dividend, divisor = self.check(a), self.check(b)
         if divisor == 0:
@@ -125,15 +125,15 @@ NEEDS = {
     "partition": Level.INTERVAL,
     "ratio": Level.RATIO,
 }
-"""The lowest level that allows an operation."""
+"""Minimum level for each operation."""
 
 
 class LevelError(InputError, AttributeError):
-    """An operation that a level of measurement does not allow; to `hasattr` the scale has it not."""
+    """An operation that a level of measurement does not allow; for `hasattr` it does not exist."""
 
 
 def too_low(variable: str, level: Level, needed: Level, operation: str) -> LevelError:
-    """The refusal of an operation that a level does not allow."""
+    """The error for an operation that a level does not allow."""
     allowed = "Use what its own level allows"
     coercible = level >= Level.ORDINAL and needed >= Level.INTERVAL
     remedy = f"{allowed}, or declare a coercion to {needed} with a reason." if coercible else f"{allowed}."

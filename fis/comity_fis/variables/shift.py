@@ -1,4 +1,4 @@
-"""How far the situation may move a parameter, in words: closer, same, farther."""
+"""How far the situation may shift a parameter, as linguistic terms: closer, same, farther."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from comity_fis.variables.frozen import freeze
 from comity_fis.variables.variable import Shapes
 
 NEUTRAL = 0.0
-"""Nothing is moved where nothing is known."""
+"""Shift if nothing is known."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Shift:
-    """The domain and the terms of a parameter's own rule block over situation variables."""
+    """Domain and terms of a parameter's shift, concluded by separate rules over situation variables."""
 
     range: Interval
-    """Of the difference, in the parameter's unit; holds 0."""
+    """Range of the shift in the parameter's unit; contains 0."""
     terms: Mapping[str, NumericMembership]
     shapes: Shapes
     reason: str
-    """Why so far, and why these terms: a source, or that it is our choice."""
+    """Reason for range and terms: a source, or that it is our choice."""
 
     def __post_init__(self) -> None:
         if NEUTRAL not in self.range:

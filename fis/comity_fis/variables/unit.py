@@ -1,4 +1,4 @@
-"""Units in which people write down what they measured, and what they are in a parameter's own."""
+"""Units of measured values, and their conversion to a parameter's unit."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ LENGTH = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 ANGLE = {"deg": 1.0, "rad": 180 / pi}
 SPEED = {"m/s": 1.0, "cm/s": 0.01, "km/h": 1 / 3.6}
 QUANTITIES: tuple[Mapping[str, float], ...] = (LENGTH, ANGLE, SPEED)
-"""By unit, how many of the first unit of the quantity one is."""
+"""Per quantity, the size of each unit in terms of the quantity's first unit."""
 
 
 def factor(unit: str, wanted: str) -> float:
-    """What a number in `unit` is multiplied by to be one in `wanted`.
+    """The factor that converts a number from `unit` to `wanted`.
 
     Raises:
-        InputError: if the two do not measure the same quantity.
+        InputError: The two units measure different quantities.
     """
     if unit == wanted:
         return 1.0

@@ -18,56 +18,56 @@ from comity_fis.variables.own_words import CULTURE, in_own_words
 from comity_fis.variables.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
 
 Shapes = Literal["published", "reconstructed", "fitted", "design"]
-"""Where membership functions come from: printed in the source; recovered from the numbers that it prints;
-fitted to data; our own choice."""
+"""Origin of membership functions: published in the source; reconstructed from its numbers; fitted to data;
+our own choice."""
 
 
 @dataclass(frozen=True, slots=True)
 class Derivation:
-    """How a caller finds a variable's value in a profile that does not state it."""
+    """How to derive a variable's value from a profile that does not state it."""
 
     fact: str
-    """What the profile states instead, for example `culture`."""
+    """The fact that the profile states instead, such as `culture`."""
     table: PopulationTable[Score] | None = None
-    """The table that translates it, see `comity_fis.read_scores`; None where the fact is the value itself."""
+    """Table from the fact to the value, see `comity_fis.read_scores`; None if the fact is the value."""
 
 
 @dataclass(frozen=True, slots=True)
 class Partition:
-    """How a variable's terms were obtained from data: enough to do it again."""
+    """How a variable's terms were obtained from data, to make it reproducible."""
 
     data: str
     radius: float
-    """Of the subtractive clustering, relative to the data's range."""
+    """Radius of the subtractive clustering, relative to the data's range."""
     centres: tuple[float, ...]
-    """Of the c-means clusters, ascending, one per term."""
+    """Centres of the c-means clusters, ascending, one per term."""
     squared_errors: tuple[float, ...]
-    """Of the fit of each term, summed over all data."""
+    """Sum of squared errors of each term's fit over all data."""
     method: str
     largest_errors: tuple[float, ...] = ()
-    """Of each term, off the degrees of c-means anywhere in the data's range; empty where nobody looked."""
+    """Maximum error of each term against the c-means degrees over the data's range; empty if not computed."""
     held: Mapping[str, str] = field(default_factory=dict)
-    """Terms that were held to one peak, each with what is wrong with its free fit."""
+    """Terms constrained to one peak, each with the reason why its free fit is unusable."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NumericVariable:
-    """A variable whose values are numbers."""
+    """A numeric variable."""
 
     name: str
     kind: Literal["culture", "situation"]
-    """Whether it tells who the person is or how things stand now."""
+    """Whether it describes the person or the current situation."""
     level: Level
     domain: Interval
     terms: Mapping[str, NumericMembership]
-    """None where no rule reads it: a system may have inputs that it does not use."""
+    """Terms; empty if no rule reads the variable."""
     unit: str | None = None
     coercion: Coercion | None = None
     derived_from: Derivation | None = None
     partition: Partition | None = None
     shapes: Shapes = "design"
     reason: str = ""
-    """Why this domain and these shapes."""
+    """Reason for this domain and these shapes."""
 
     def __post_init__(self) -> None:
         effective = effective_level(self.level, self.coercion)
@@ -86,22 +86,22 @@ class NumericVariable:
 
     @property
     def measured(self) -> str:
-        """The level in words, with its coercion: shown wherever the variable is."""
+        """The level in words, with its coercion."""
         return level_text(self.level, self.coercion)
 
     @property
     def scale(self) -> IntervalScale | RatioScale:
-        """What may be computed with the values, at the level at which they are used."""
+        """The operations on its values, at the effective level of measurement."""
         ratio = effective_level(self.level, self.coercion) == Level.RATIO
         return (RatioScale if ratio else IntervalScale)(
             variable=self.name, check=self.check, level=self.level, coercion=self.coercion, rank=float
         )
 
     def check(self, value: object) -> float:
-        """A value that a user gave, as a number of the domain.
+        """Validate a user's value as a number of the domain.
 
         Raises:
-            InputError: if it is no number of the domain.
+            InputError: It is not a number of the domain.
         """
         if isinstance(value, (int, float)) and not isinstance(value, bool) and value in self.domain:
             return float(value)
@@ -115,18 +115,18 @@ class NumericVariable:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NominalVariable:
-    """A variable whose values are words."""
+    """A nominal variable."""
 
     name: str
     kind: Literal["culture", "situation"]
     categories: tuple[str, ...]
-    """In declared order. Every category is a term of its own."""
+    """Categories in declared order, each of which is also a term."""
     groups: Mapping[str, Categories] = field(default_factory=dict)
-    """Further terms that stand for several categories."""
+    """Additional terms that cover several categories."""
     labels: Mapping[str, str] = field(default_factory=dict)
-    """What a category is called in plain words, where its name is a code."""
+    """Plain names of categories whose names are codes."""
     table: PopulationTable[Population] | None = None
-    """The table whose keys are categories: they may be told by any name that it understands."""
+    """Table whose keys are the categories; any name that it understands is accepted."""
     derived_from: Derivation | None = None
     reason: str = ""
     terms: Mapping[str, Categories] = field(init=False)
@@ -153,12 +153,12 @@ class NominalVariable:
 
     @property
     def tells_culture(self) -> bool:
-        """Whether its values are cultures: then any other culture than the categories is a value, too."""
+        """Whether its values are cultures; then cultures other than the categories are also accepted."""
         fact = self.derived_from.fact if self.derived_from else self.name
         return fact == CULTURE or self.table is not None
 
     def naming(self, cultures: Iterable[str]) -> NominalVariable:
-        """The same variable of cultures with these among its categories, those that it does not list yet."""
+        """A copy of a culture variable with these cultures added to its categories."""
         more = (in_own_words(CULTURE, name, self.categories) for name in cultures if name not in self.groups)
         new = [name for name in dict.fromkeys(more) if name is not None and name not in self.categories]
         return replace(self, categories=(*self.categories, *new)) if new else self
@@ -170,19 +170,19 @@ class NominalVariable:
 
     @property
     def first_number(self) -> int:
-        """The number of the first category in a column of numbers."""
+        """Number of the first category in a numeric column."""
         return 0
 
     @property
     def scale(self) -> NominalScale[str]:
-        """What may be computed with the values."""
+        """The operations on its values."""
         return NominalScale(variable=self.name, check=self.check, level=self.level)
 
     def check(self, value: object) -> str:
-        """A value that a user gave: one of the categories, or a word of the person's own, see `in_own_words`.
+        """Validate a user's value: a category, or the person's own word, see `in_own_words`.
 
         Raises:
-            InputError: if it is neither.
+            InputError: It is neither.
         """
         if isinstance(value, str):
             if value in self.categories:
@@ -205,13 +205,13 @@ class NominalVariable:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OrdinalVariable(NominalVariable):
-    """A variable whose values are words in an order, each a term of its own: ISCED's levels of education.
+    """An ordinal variable, whose ordered categories are terms: ISCED's levels of education.
 
-    A group stands for consecutive categories: `at least`, `at most` and `between` are what an order allows.
+    A group covers consecutive categories, such as `at least`, `at most` and `between`.
     """
 
     numbered_from: int | None = None
-    """The number of the first category where they are commonly numbered; a value may then be the number."""
+    """Number of the first category if they are commonly numbered; values may then be numbers."""
     level: Literal[Level.ORDINAL] = field(default=Level.ORDINAL, init=False)
 
     def __post_init__(self) -> None:
@@ -226,21 +226,21 @@ class OrdinalVariable(NominalVariable):
 
     @property
     def first_number(self) -> int:
-        """The number of the first category in a column of numbers."""
+        """Number of the first category in a numeric column."""
         return self.numbered_from or 0
 
     @property
     def scale(self) -> OrdinalScale[str]:
-        """What may be computed with the values."""
+        """The operations on its values."""
         return OrdinalScale(
             variable=self.name, check=self.check, level=self.level, rank=self.categories.index
         )
 
     def check(self, value: object) -> str:
-        """A value that a user gave, by name or by number, as one of the categories.
+        """Validate a user's value, by name or number, as one of the categories.
 
         Raises:
-            InputError: if it is none of them.
+            InputError: It is not a category.
         """
         numbers = {} if self.numbered_from is None else dict(enumerate(self.categories, self.numbered_from))
         number = _whole(value)
@@ -256,7 +256,7 @@ class OrdinalVariable(NominalVariable):
 
 
 def _whole(value: Any) -> int | None:
-    """A whole number, also where a file or a command line gave it as text or as 6.0."""
+    """An integer, also if given as text or as 6.0; None for anything else."""
     try:
         return int(value) if not isinstance(value, bool) and float(value) == int(value) else None
     except (TypeError, ValueError, OverflowError):
@@ -267,6 +267,6 @@ Variable = NumericVariable | NominalVariable
 
 
 def told_names(variables: Mapping[str, Variable]) -> frozenset[str]:
-    """The names under which something can be told: of variables, and of facts that they are derived from."""
+    """Names of all accepted inputs: variables, and facts from which variables are derived."""
     derivations = (variable.derived_from for variable in variables.values())
     return frozenset({*variables, *(one.fact for one in derivations if one)})
