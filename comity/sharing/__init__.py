@@ -1,1 +1,1 @@
-"""Data about people that may be passed on: pseudonyms, age bands, relative times, no free text."""
+"""Pseudonymised sharing of data about people: pseudonyms, age bands, relative times, no free text."""

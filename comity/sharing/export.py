@@ -1,4 +1,4 @@
-"""What is kept of a person, as it may be passed on: a profile file with what was learnt as comments."""
+"""Export of stored personal data: a pseudonymous profile file with what was learnt as comments."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ class Export:
 
     profile: dict[str, Any]
     learnt: list[dict[str, Any]]
-    """By days since the first."""
+    """Learnt data, by days since the first meeting."""
 
     @classmethod
     def of(
         cls, people: Filter, pseudonym: str, profile: Profile, day: date | None, learnt: Iterable[Learning]
     ) -> Export:
-        """What the filter lets through.
+        """Create from the data that the filter lets through.
 
         Raises:
-            InputError: for a pseudonym that no file can have everywhere.
+            InputError: for a pseudonym that is no portable file name.
         """
         if not PSEUDONYM.fullmatch(pseudonym):
             raise InputError(
@@ -49,12 +49,12 @@ class Export:
 
     @property
     def text(self) -> str:
-        """A profile file."""
+        """The content of the profile file."""
         lessons = dump_yaml({DISTANCE: self.learnt}, inline=True).splitlines() if self.learnt else []
         lines = ["", "What was learnt, by days since the first:", *lessons] if lessons else []
         comments = "".join(f"# {line}".rstrip() + "\n" for line in lines)
         return f"{EXPORT_MARK}, under a pseudonym.\n{dump_yaml(self.profile, inline=True)}{comments}"
 
     def as_json(self) -> dict[str, Any]:
-        """The same as data."""
+        """The export as JSON data."""
         return {"name": self.profile["name"], "profile": self.profile, "learnt": self.learnt}

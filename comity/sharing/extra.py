@@ -1,10 +1,10 @@
-"""What is passed on of people only where it is asked for."""
+"""Facts about people that are shared only on request."""
 
 from enum import StrEnum
 
 
 class Extra(StrEnum):
-    """A fact of its own."""
+    """A single optional fact."""
 
     CULTURE = "culture"
     GENDER = "gender"

@@ -1,4 +1,4 @@
-"""Everything in a run that a person gave a name, with the pseudonym that stands for it."""
+"""User-given names in a run, with their pseudonyms."""
 
 from __future__ import annotations
 
@@ -27,60 +27,60 @@ PROGRAM = frozenset({
     "front", "left", "right", "behind", "start", "here", "none",
     "verbal", "gestural", "both", "speaks", "moves", "robot",
 })
-"""Words of Comity's own that stand among names."""
+"""Comity's own words that occur among names."""
 IDENTIFIERS = frozenset({
     "person", "arguments", "people", "parameters", "other_parameters", "parameter", "value",
     "thing", "together_with", "node", "door", "planned", "inferred", "about", "already",
 })
-"""Fields of answers that hold names or words of a closed list."""
+"""Fields of answers with names or words of a closed vocabulary."""
 KEPT = frozenset({
     "act", "greeting", "action", "status", "outcome", "origin", "kind", "unit", "engine", "halt", "noticed",
     "fingerprint", "files", "trace_sha256", "interrupted_by",
 })
-"""Fields that hold words of the program, and of nobody."""
+"""Fields with program words only, never names."""
 # fmt: on
 NUMBERED = re.compile(r"[0-9.]+( [a-z/]+)?|passer-by [0-9]+")
-"""`3 s`, `0.8 m`, and people without a name of their own."""
+"""Quantities such as `3 s` or `0.8 m`, and people without a name."""
 STEP = re.compile(r"(?:no longer |instead )?[A-Z][A-Za-z_]*\(.*\)")
 ORDER = "in the order "
-"""What stands before the people of another plan."""
+"""Text before the people of another plan."""
 PLACED = frozenset({"arguments", "from_"})
-"""Names of which each has its place: one that is left out leaves an empty word."""
+"""Positional fields: an omitted name leaves an empty word."""
 EMPTIED = frozenset({"parts", "unmet", "notes", "wordings"})
-"""Fields that say where a person is from, what they speak, or what stands in their way, in words."""
+"""Prose fields about a person's origin, languages or obstacles, which are emptied."""
 KEPT_CAUSES = frozenset({"step", "parameter", "reading", "condition"})
-"""Causes that are told without their words; a rule, a variable and a source name culture and gender."""
+"""Causes that are kept without their text; rules, variables and sources reveal culture and gender."""
 
 
 @dataclass(frozen=True, slots=True)
 class RunNames:
-    """Names in a run; whatever has none here and is no word of the program's is left out."""
+    """Names in a run; any word that is neither a known name nor a program word is removed."""
 
     given: Mapping[str, str]
     """Pseudonyms by name."""
     words: Collection[str]
-    """Of the rulebook: parameters and what they can be; of the tree: actions."""
+    """Words of the rulebook (parameters and their values) and of the tree (actions)."""
     nodes: Mapping[str, str] = field(default_factory=dict)
-    """Names of nodes under other names, by name."""
+    """Pseudonymous names of nodes, by name."""
 
     def word(self, word: str) -> str:
-        """A name's pseudonym, a word of the program or the rulebook as it is, else nothing."""
+        """The pseudonym of a name, a program or rulebook word unchanged, or else an empty string."""
         if word in self.given:
             return self.given[word]
         return word if word in PROGRAM or word in self.words or NUMBERED.fullmatch(word) else ""
 
     def node(self, node: Node) -> Node:
-        """A node of the tree: its action as it is, and what it is about in other words."""
+        """A node of the tree with its action unchanged and its arguments pseudonymised."""
         person = None if node.person is None else self.word(node.person)
         renamed = replace(node, about=tuple(map(self.word, node.about)), person=person)
         return replace(renamed, name=NodeId(renamed.action, renamed.about, person).name)
 
     def with_nodes(self, nodes: Iterable[Node]) -> RunNames:
-        """The same, which also knows how the nodes of a trace are called."""
+        """A copy that also knows the node names of a trace."""
         return replace(self, nodes={node.name: self.node(node).name for node in nodes})
 
     def _step_text(self, text: str) -> str:
-        """A step of a plan in words, such as `Reach_user(robot, johanna, left)`."""
+        """A pseudonymised step of a plan, such as `Reach_user(robot, johanna, left)`."""
         head, bracket, inside = text.partition("(")
         for name in sorted(self.given, key=len, reverse=True):
             inside = re.sub(
@@ -95,7 +95,7 @@ class RunNames:
         return part if part in {", ", "(", ")"} else self.word(part)
 
     def answer(self, answer: Told) -> Told:
-        """An answer with numbers, names and words of closed lists; all prose is empty."""
+        """An answer with numbers, pseudonyms and closed vocabularies; all prose is emptied."""
         named = {field.name: getattr(answer, field.name) for field in fields(answer)}
         return replace(answer, **{name: self._value(name, value) for name, value in named.items()})
 
@@ -128,7 +128,7 @@ class RunNames:
         return self.word(value) if field in IDENTIFIERS else ""
 
     def cause(self, cause: Cause) -> Cause | None:
-        """A cause with its number and without its words; None for one that names a fact or a rule."""
+        """A cause with its number but no text; None if it names a fact or a rule."""
         from comity_executor import Cause
 
         if cause.kind not in KEPT_CAUSES:
@@ -141,7 +141,7 @@ class RunNames:
         return Cause(cause.kind, f"{self.word(name) or cause.kind} {shown}".strip(), value)
 
     def _step(self, text: str) -> str:
-        """A step of a plan, or what another plan does with it."""
+        """A pseudonymised step of a plan, or what another plan does with it."""
         if STEP.fullmatch(text):
             return self._step_text(text)
         _, order, people = text.partition(ORDER)
@@ -152,8 +152,8 @@ def names_in(scenario: Scenario, words: Collection[str]) -> RunNames:
     """All names of a resolved scenario.
 
     Args:
-        scenario: Whose.
-        words: Parameters of the rulebook and what they can be.
+        scenario: The resolved scenario.
+        words: Parameters of the rulebook and their values.
     """
     given: dict[str, str] = {}
     for kind, names in (*_of_place(scenario), *_of_goals(scenario)):
@@ -180,7 +180,7 @@ def _of_goals(scenario: Scenario) -> Iterator[tuple[str, Collection[str]]]:
 
 
 def goal_of(goal: Goal, names: RunNames) -> dict[str, Any]:
-    """A goal under other names."""
+    """A goal with pseudonyms."""
     told = goal.model_dump(mode="json", by_alias=True, exclude_none=True)
     return {
         key: names.word(value) if isinstance(value, str) and key != "until" else value

@@ -1,7 +1,7 @@
-"""One person as they may be passed on: the filter that runs, exports and tables of a study use.
+"""The privacy filter for one person, used by shared runs, exports and study tables.
 
-What is left are still personal data (GDPR, recital 26 and Article 4(5)): a reader with the list of names, or
-knows how the person moves, can tell who it is.
+The result is still personal data (GDPR, recital 26 and Article 4(5)): a reader who has the list of names, or
+knows how the person moves, can identify them.
 """
 
 from __future__ import annotations
@@ -21,9 +21,10 @@ if TYPE_CHECKING:
     from comity.people.profile import Profile
 
 OLDEST_BAND = 90
-"""Years: all above are one band, as in the HIPAA Privacy Rule (45 CFR 164.514(b)(2)(i)(C))."""
+"""Age from which all people share one band [years], as in the HIPAA Privacy Rule (45 CFR
+164.514(b)(2)(i)(C))."""
 BAND_YEARS = 10
-"""Our choice: people of ten years are told as one."""
+"""Width of an age band [years] (our choice)."""
 CLOSED: Mapping[str, frozenset[str]] = {
     "familiarity": frozenset({"stranger", "acquaintance", "close"}),
     "posture": frozenset({"standing", "seated", "lying"}),
@@ -32,22 +33,22 @@ CLOSED: Mapping[str, frozenset[str]] = {
     "occasion": frozenset({"informal", "formal"}),
     "touch_consent": frozenset({"given", "withheld"}),
 }
-"""Facts that are passed on, each with the words that it may be; any other word is the person's own."""
+"""Shared facts, each with its closed vocabulary; any other word is the person's own and is removed."""
 
 
 def pseudonyms(names: Iterable[str], kind: str = "person") -> dict[str, str]:
-    """`person_1`, `person_2` and so on, by name, in the order of the names.
+    """Pseudonyms `person_1`, `person_2` and so on, by name, in the order of the names.
 
-    For a table of several runs, give the names of all participants at once: each then has one pseudonym.
+    For a table of several runs, pass the names of all participants at once, so that each has one pseudonym.
     """
     return {name: f"{kind}_{i}" for i, name in enumerate(dict.fromkeys(names), start=1)}
 
 
 def age_band(age: float | Interval) -> str:
-    """`70 to 79`, `under 18`, `90 or more`; of an age that is known within a year, all that it may be.
+    """Age band: `70 to 79`, `under 18`, `90 or more`; for an age known within a year, all possible bands.
 
     Args:
-        age: Years.
+        age: Age [years].
     """
     low, high = (age.low, age.high) if isinstance(age, Interval) else (age, age)
     first, last = _band(low), _band(high)
@@ -59,7 +60,7 @@ def age_band(age: float | Interval) -> str:
 
 
 def _band(age: float) -> tuple[int, int]:
-    """The first year of a band, and the first after it."""
+    """First year of a band, and of the next one."""
     if age < ADULT:
         return 0, ADULT
     if age >= OLDEST_BAND:
@@ -70,19 +71,19 @@ def _band(age: float) -> tuple[int, int]:
 
 @dataclass(frozen=True, slots=True)
 class Filter:
-    """What is passed on of people, whatever the table or file."""
+    """Filter for shared data about people."""
 
     extras: frozenset[Extra] = frozenset()
-    """Asked for besides."""
+    """Additional facts shared on request."""
     words: Collection[str] = frozenset()
     """Categories of the rulebook: a wish in these words is no free text."""
 
     def facts(self, profile: Profile, day: date | None) -> dict[str, Any]:
-        """A person's facts on a day, by key: no name, date, free text, and nothing of a kind not listed here.
+        """A person's facts on a date, by key, without names, dates, free text, and kinds not listed here.
 
         Args:
-            profile: What they declared.
-            day: Needed where facts depend on it.
+            profile: The person's declarations.
+            day: Date, required if facts depend on it.
         """
         told = profile.facts(day)
         row: dict[str, Any] = {}
@@ -98,11 +99,11 @@ class Filter:
         return row
 
     def wishes(self, profile: Profile) -> dict[str, float | str]:
-        """What a person asked for, in numbers and in the words of the rulebook."""
+        """A person's requests, as numbers and words of the rulebook."""
         return {name: wish for name, wish in profile.settings.items() if self._is_plain(name, wish)}
 
     def profile(self, profile: Profile, day: date | None, pseudonym: str) -> dict[str, Any]:
-        """The same as a profile's file, under a pseudonym; the age band stands in `other`."""
+        """The filtered facts and wishes as a profile file, with a pseudonym; the age band is in `other`."""
         facts = self.facts(profile, day)
         other = {name: facts.pop(name) for name in ("age_band", "occasion") if name in facts}
         wishes = self.wishes(profile)
@@ -115,7 +116,7 @@ class Filter:
         }
 
     def learnt(self, learnt: Iterable[Learning]) -> list[dict[str, Any]]:
-        """What meetings taught, by days since the first, with the situation in closed words."""
+        """What was learnt from meetings, by days since the first, with the situation in closed vocabulary."""
         ordered = sorted(learnt, key=lambda one: one.day)
         return [self._lesson(one, (one.day - ordered[0].day).days) for one in ordered]
 
@@ -136,7 +137,7 @@ class Filter:
 
 
 def plain_words(*rulebooks: Any) -> frozenset[str]:
-    """The names of the parameters of rulebooks and of all that these can be."""
+    """Names of the parameters of rulebooks, and of all their values."""
     return frozenset(
         word for book in rulebooks for name, one in book.parameters.items() for word in (name, *one.terms)
     )

@@ -1,4 +1,4 @@
-"""A run that can be passed on, made of one that happened: the same files, told by the filter."""
+"""Pseudonymised copy of a run: the same files, with filtered content."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ if TYPE_CHECKING:
     from comity_executor import TraceEvent
 
 FOLDER = "shared"
-"""Without another name: `runs/shared-1` and so on, whatever the run is called."""
+"""Default folder: `runs/shared-1` and so on, independent of the run's name."""
 ABOUT = "A run with pseudonyms: its values are in run.json, and do not follow from these profiles."
 
 
 @dataclass(frozen=True, slots=True)
 class SharedRun:
-    """A run that can be passed on."""
+    """An pseudonymised run."""
 
     folder: RunFolder
     answer: RunAnswer
@@ -49,7 +49,7 @@ class SharedRun:
 
 @dataclass(frozen=True, slots=True)
 class _Original:
-    """A run as it happened, with the filter that is put before it."""
+    """The original run, with its filter."""
 
     folder: RunFolder
     account: RunAnswer
@@ -57,7 +57,7 @@ class _Original:
     names: RunNames
     people: Filter
     title: str
-    """The scenario's name, where it ships with Comity and is nobody's name."""
+    """Name of the scenario, if it ships with Comity and contains no person's name."""
 
     @property
     def scenario(self) -> Scenario:
@@ -70,19 +70,19 @@ def share(
     extras: Collection[Extra] = (),
     views: Collection[View] = VIEWS,
 ) -> SharedRun:
-    """Write a run beside one that happened, with pseudonyms, age bands, relative times and no free text.
+    """Write an pseudonymised copy of a run, with pseudonyms, age bands, relative times and no free text.
 
-    Times of a run count from its start, so they stay; its day does not. Rules, facts and words that were said
-    are left out; numbers, tracks and the tree stay, and are personal data still.
+    Times are relative to the run's start and are kept; the date is removed. Rules, facts and spoken words are
+    removed. Numbers, tracks and the tree are kept, and are still personal data.
 
     Args:
-        folder: The run that happened.
-        out: The folder; None for the next free `runs/shared-<n>`.
-        extras: What to tell besides: culture, gender.
-        views: What to make of it for people to look at.
+        folder: The original run.
+        out: Output folder; None for the next free `runs/shared-<n>`.
+        extras: Additional facts to share: culture, gender.
+        views: Views to create: page, picture, GIF.
 
     Raises:
-        InputError: if the run is damaged or goes on, or the folder cannot be used.
+        InputError: if the run is damaged or still in progress, or the folder cannot be used.
     """
     original = _read(folder, frozenset(extras))
     target = place_for(out, FOLDER)
@@ -105,17 +105,17 @@ def record_shared(
     views: Collection[View] = VIEWS,
     **options: Any,
 ) -> Recorded:
-    """Run an episode and keep only a run that can be passed on.
+    """Run an episode, and keep only its pseudonymised copy.
 
-    What happened stands in a private folder until the end, also one by Ctrl-C, and is removed then; a program
-    that is killed outright leaves it among the system's temporary files.
+    The original is kept in a private temporary folder until the end, and removed then, also after Ctrl-C; if
+    the program is killed, it remains among the system's temporary files.
 
     Args:
         prepared: The scenario with its plan.
-        out: The folder; None for the next free `runs/shared-<n>`.
-        extras: What to tell besides: culture, gender.
-        views: What to make of it for people to look at.
-        options: Of `record`.
+        out: Output folder; None for the next free `runs/shared-<n>`.
+        extras: Additional facts to share: culture, gender.
+        views: Views to create: page, picture, GIF.
+        options: Options of `record`.
     """
     place_for(out, FOLDER)
     with TemporaryDirectory(prefix="comity-") as private:
@@ -150,7 +150,7 @@ def _read(folder: RunFolder, extras: frozenset[Extra]) -> _Original:
 
 
 def _written(original: _Original, shared: RunFolder, views: Collection[View]) -> SharedRun:
-    """Write all files; what people look at is made of the others, as for any run."""
+    """Write all files; views are created from them, as for any run."""
     folder, names = original.folder, original.names
     shared.write(run_folder.SCENARIO, dump_yaml(_scenario(original)))
     for table in sorted((folder / run_folder.TABLES).glob("*.csv")):
@@ -204,7 +204,7 @@ def _event(event: TraceEvent, names: RunNames) -> TraceEvent:
 
 
 def _readings(path: Path, names: RunNames) -> str:
-    """The same numbers under other names.
+    """The readings of a file with pseudonyms.
 
     Raises:
         InputError: if the file is damaged.
@@ -218,7 +218,7 @@ def _readings(path: Path, names: RunNames) -> str:
 
 
 def _scenario(original: _Original) -> dict[str, Any]:
-    """The scenario with what a picture of the run needs of it."""
+    """The scenario, reduced to what a picture of the run needs."""
     scenario, names = original.scenario, original.names
     told = scenario.model_dump(
         mode="json",
@@ -242,7 +242,7 @@ def _scenario(original: _Original) -> dict[str, Any]:
 
 def _person(original: _Original, name: str) -> dict[str, Any]:
     person: PersonSpec = original.scenario.people[name]
-    assert isinstance(person.profile, Profile)  # a run writes it out
+    assert isinstance(person.profile, Profile)  # a run's scenario contains it
     kept = {"at_m", "at", "facing_deg", "posture", "radius_m", "carrying", "noise_db", "noisy"}
     told = person.model_dump(mode="json", exclude_none=True, include=kept)
     situation = {key: fact for key, fact in person.situation.items() if fact in CLOSED.get(key, ())}
@@ -256,7 +256,7 @@ def _person(original: _Original, name: str) -> dict[str, Any]:
 
 
 def _where(told: dict[str, Any], names: RunNames) -> dict[str, Any]:
-    """A person's place, robot or person, under other names."""
+    """A position with pseudonymised robot and person."""
     keys = [key for key in ("name", "at", "carrying") if isinstance(told.get(key), str)]
     named: dict[str, Any] = {key: names.word(told[key]) for key in keys}
     if isinstance(told.get("at"), dict):

@@ -1,1 +1,1 @@
-"""A scenario in the 2D world: the place, who stands where, and the changes and faults that happen there."""
+"""A scenario in the 2D world: its place, the poses of people, and changes and faults during the episode."""

@@ -1,4 +1,4 @@
-"""The faults of a scenario as they happen, each to the part of the world or of the robot that has it."""
+"""Execution of a scenario's faults, each in the part of the world or robot that it affects."""
 
 from __future__ import annotations
 
@@ -26,19 +26,21 @@ if TYPE_CHECKING:
 
 TURNS_DEG = (0, 30, -30, 60, -60, 90, -90)
 SHARES = (1.0, 0.75, 0.5, 0.25)
-"""Whoever walks off goes straight away from the robot, or as nearly so as there is room; where there is none
-for the whole way, they go a part of it."""
+"""Shares of the full distance that a person who walks off tries in turn: straight away from the robot, or as
+nearly so as there is space."""
 NOTICED_S = 1.0
-"""What is over is behind what the robot meets for so long: it takes a moment to notice."""
+"""Time after its end during which a fault still counts as a cause [s]: the robot needs a moment to notice."""
 PATIENCE_S = 2.0
-"""Whoever is held up by a person for so long stands where they are, or looks for another way (our choice)."""
+"""Time that a person waits for another one in their path before they stop there or choose another path [s]
+(our choice)."""
 AHEAD_M = 1.5
-"""Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
+"""Distance ahead of the robot at which an obstructing person stands [m]; if less of its path remains, the
+middle of that."""
 
 
 @dataclass(frozen=True, slots=True)
 class PartFails:
-    """A part of the robot does not work for some time."""
+    """Failure of a part of the robot for some time."""
 
     at_s: float
     for_s: float
@@ -46,25 +48,25 @@ class PartFails:
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """As long as it lasts."""
+        """Keep the part failing for the duration."""
         with _fault(stage.world, self.part, self.text):
             yield from _until(self.at_s + self.for_s, stage.world)
 
 
 @dataclass(frozen=True, slots=True)
 class WalkOff:
-    """A person walks away from the robot."""
+    """A person who walks away from the robot."""
 
     at_s: float
     person: str
     by_m: float
     heading_rad: float | None
-    """How they stand there; None: as they came."""
+    """Final heading [rad]; None to keep the direction of arrival."""
     speed_m_s: float
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Nothing, where they have nowhere to go."""
+        """Start the walk; no effect if there is nowhere to go."""
         to_m = self._whereto(stage.world)
         if to_m is None:
             return
@@ -88,9 +90,9 @@ class WalkOff:
 
 @dataclass(frozen=True, slots=True)
 class StandInTheWay:
-    """A person goes and stands on the robot's way, or as near to it as others let them, and goes back.
+    """A person who goes to stand on the robot's path, or as near to it as others allow, and returns later.
 
-    Whom something else sends elsewhere meanwhile goes there, and stands in the way no longer.
+    A person who is meanwhile sent elsewhere goes there, and no longer obstructs the robot.
     """
 
     at_s: float
@@ -100,7 +102,7 @@ class StandInTheWay:
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Once the robot is under way; nothing, where nobody can get onto its way."""
+        """Start once the robot is moving; no effect if nobody can get onto its path."""
         world = stage.world
         while (goal := world.robot.goal) is None:
             yield
@@ -110,7 +112,7 @@ class StandInTheWay:
         lead = self._lead(world)
         with _fault(world, active_faults.person(self.person), self.text), leading(lead, world) as was_led:
             if was_led:
-                yield  # they may have made a step in this tick
+                yield  # they may already have moved in this tick
             walk = WalkStart(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
             yield from walk.steps(lead, stage)
             yield from _until(world.time_s + self.for_s, world, lead)
@@ -118,7 +120,7 @@ class StandInTheWay:
             yield from self._go_back(back, lead, stage)
 
     def _lead(self, world: World) -> Lead:
-        """They belong where they stand, or where they were being sent."""
+        """The guidance of the person; their home is where they stand, or where they were being sent."""
         sent = world.leads.of(self.person)
         if sent is not None:
             return replace(sent)
@@ -126,7 +128,7 @@ class StandInTheWay:
         return Lead(self.person, person.xy, person.heading_rad, stays=False)
 
     def _go_back(self, back: WalkStart, lead: Lead, stage: Stage) -> Iterator[None]:
-        """As they came, or round whoever stands there: as soon as there is a way."""
+        """Return on the same path, or around people who stand there, as soon as there is a path."""
         world = stage.world
         for round_people in cycle((False, True)):
             yield from replace(back, round_people=round_people).steps(lead, stage)
@@ -138,19 +140,19 @@ class StandInTheWay:
 
 @dataclass(frozen=True, slots=True)
 class DoorTurns:
-    """A door is shut or opened."""
+    """A door that is shut or opened."""
 
     at_s: float
     door: str
     opens: bool
     for_s: float | None
-    """After so long it is turned back; None: it stays until something else turns it."""
+    """Time after which it is turned back [s]; None: it stays until something else turns it."""
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """A door that a person stands in is shut when they have left it; the trace tells whom it waits for.
+        """Turn the door; if a person stands in it, wait until they have left, as recorded in the trace.
 
-        One that was so already, and not by a fault, stays so: there is nothing to turn back.
+        A door already in that state, other than by a fault, is left alone and not turned back.
         """
         world = stage.world
         was_so = _is_open(self.door, world) == self.opens and world.faults.of(self._subject) is None
@@ -178,7 +180,7 @@ class DoorTurns:
             yield from _until(world.time_s + NOTICED_S, world)
 
     def _until_over(self, world: World) -> Iterator[None]:
-        """Until it is turned back, or something else turns it."""
+        """Wait until the time is over, or something else turns the door."""
         end_s = math.inf if self.for_s is None else world.time_s + self.for_s
         while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
             yield
@@ -194,21 +196,21 @@ class DoorTurns:
 
 @dataclass(frozen=True, slots=True)
 class PlannerBreaksDown:
-    """The planner raises an exception instead of an answer."""
+    """Planner calls that raise an exception."""
 
     at_s: float
     calls: int
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """In its next calls."""
+        """Make the next calls fail."""
         stage.planner.break_down(FaultError(self.text), self.calls)
         yield from ()
 
 
 @dataclass(frozen=True, slots=True)
 class LeafBreaksDown:
-    """A leaf raises an exception."""
+    """A leaf that raises an exception."""
 
     at_s: float
     leaf: str
@@ -216,7 +218,7 @@ class LeafBreaksDown:
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """In its next ticks."""
+        """Make the next ticks fail."""
         stage.tree.raise_in(self.leaf, FaultError(self.text), times=self.times)
         yield from ()
 
@@ -251,7 +253,7 @@ def _is_open(door: str, world: World) -> bool:
 
 
 def _refused(door: str, opens: bool, world: World) -> str | None:
-    """Turn a door; why it could not be turned, as it cannot be shut while a person stands in it."""
+    """Turn a door; returns why it failed, since a door cannot be shut while a person stands in it."""
     try:
         world.set_door(door, open=opens)
     except ValueError as error:

@@ -1,4 +1,4 @@
-"""From the changes that a scenario writes down to happenings, checked before anything moves."""
+"""Conversion of a scenario's changes to happenings, checked before execution."""
 
 from __future__ import annotations
 
@@ -34,19 +34,19 @@ class Changes:
     """The changes of one scenario.
 
     Args:
-        cast: Its people, with the rules and the day.
-        scene: Where everybody starts.
+        cast: Its people, with the rulebook and the date.
+        scene: The initial scene.
     """
 
     cast: Cast
     scene: Scene
 
     def happenings(self) -> tuple[Happening, ...]:
-        """All of them, by time.
+        """All happenings, by time.
 
         Raises:
-            InputError: for a place that nobody can walk to, a wish that cannot be granted, or a fact that no
-                rulebook knows; with its line.
+            InputError: with its line, for an unreachable place, a wish that cannot be granted, or a fact
+                unknown to every rulebook.
         """
         return tuple(self._happenings())
 
@@ -66,7 +66,7 @@ class Changes:
                 yield Announced(told, "message" if change.says else "change", name, told.text)
 
     def _passable(self, i: int, change: ValuesChange) -> ValuesChange:
-        """The same, once it is known that the robot can keep to it on its way."""
+        """The change, once checked that the robot can comply with it while driving."""
         person = find_person(self.scene.people, change.person)
         try:
             replace(
@@ -102,12 +102,12 @@ class Changes:
 
 
 def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:
-    """What everybody's parameters become on the way, by the change's place in the file, in order of time.
+    """Later parameters of everybody, by the change's index in the file, in order of time.
 
-    What a person asks for is added to what they asked for before.
+    Requests of a person accumulate.
 
     Raises:
-        InputError: for a wish that cannot be granted, or a fact that no rulebook knows; with its line.
+        InputError: with its line, for a wish that cannot be granted, or a fact unknown to every rulebook.
     """
     found: dict[int, ValuesChange] = {}
     for i, change, declared, situation in _said(cast.file, cast.declared):
@@ -118,13 +118,13 @@ def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:
 
 
 def said_by(file: ScenarioFile, declared: Declared, name: str, t: float) -> tuple[Declared, dict[str, Fact]]:
-    """What a person asked for and what holds around them at a time of the episode [s].
+    """A person's requests, and the facts of their situation, at a time of the episode [s].
 
     Args:
         file: The scenario.
-        declared: What the person had declared at its start.
-        name: Who.
-        t: What is said then counts already.
+        declared: The person's initial declarations.
+        name: Name of the person.
+        t: The time; statements at that time count.
     """
     now = declared, situation_of(file.scenario.people[name])
     for _, change, asking, situation in _said(file, {name: declared}):
@@ -136,7 +136,7 @@ def said_by(file: ScenarioFile, declared: Declared, name: str, t: float) -> tupl
 def _said(
     file: ScenarioFile, people: Mapping[str, Declared]
 ) -> Iterator[tuple[int, Change, Declared, Mapping[str, Fact]]]:
-    """Every change of what some people say, by time, with what they declare and what holds from then on."""
+    """Every change with statements, by time, with the person's declarations and situation from then on."""
     declared = dict(people)
     situations = {name: situation_of(file.scenario.people[name]) for name in people}
     for i, change in _by_time(file):
@@ -160,7 +160,7 @@ def _values(cast: Cast, i: int, name: str, declared: Declared, situation: Mappin
 
 
 def _asking(declared: Declared, says: Mapping[str, Fact]) -> Declared:
-    """The same person with further settings; a complaint about them is not one about the profile's file."""
+    """The person with further settings; errors in them do not refer to the profile's file."""
     if not says:
         return declared
     settings = {**declared.profile.settings, **says}

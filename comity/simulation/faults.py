@@ -1,4 +1,4 @@
-"""From the faults that a scenario writes down to happenings, checked before anything moves."""
+"""Conversion of a scenario's faults to happenings, checked before execution."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ class Faults:
 
     Args:
         file: The scenario.
-        scene: With its doors.
-        leaves: Those of the plan's tree.
+        scene: The scene, with its doors.
+        leaves: Leaves of the plan's tree.
     """
 
     file: ScenarioFile
@@ -59,18 +59,18 @@ class Faults:
     leaves: Collection[NodeId]
 
     def happenings(self) -> tuple[Happening, ...]:
-        """All of them, in the order of the file.
+        """All happenings, in the order of the file.
 
         Raises:
-            InputError: for a leaf that the tree does not have; doors are the business of `require_doors`.
+            InputError: for a leaf that is not in the tree; `require_doors` checks doors.
         """
         return tuple(self._happenings())
 
     def require_doors(self) -> None:
-        """Refuse doors that are not there, have no leaf or cannot be shut for furniture; it takes no plan.
+        """Refuse missing doors, doors without a leaf, and doors blocked by furniture; needs no plan.
 
         Raises:
-            InputError: for the first.
+            InputError: for the first such door.
         """
         for i, fault in enumerate(self.file.scenario.faults):
             if isinstance(fault, DoorCloses | DoorOpens):
@@ -117,7 +117,7 @@ class Faults:
 
 
 def _about(fault: Fault) -> str:
-    """The person, door, leaf or part of the robot that has a fault."""
+    """The person, door, leaf or robot part with a fault."""
     match fault:
         case PersonWalksOff() | PersonInTheWay():
             return fault.person

@@ -1,4 +1,4 @@
-"""The changes of a scenario as they happen: a person walks or wants something else, the robot is stopped."""
+"""Execution of a scenario's changes: walks, new wishes, and emergency stops."""
 
 from __future__ import annotations
 
@@ -23,27 +23,27 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.door import Door
 
 GAP_M = 0.10
-"""Whoever walks stops so far from the robot and from others, and waits."""
+"""Distance from the robot and from others at which a walking person stops and waits [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class ValuesChange:
-    """A person's parameters are others from a time on."""
+    """A change of a person's parameters."""
 
     at_s: float
     person: str
     values: Inference
     text: str
-    """What happened, in words."""
+    """Description of the change."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Tell the planner, once."""
+        """Inform the planner, once."""
         stage.planner.tell(self.person, self.values, self.text)
         yield from ()
 
 
 def told(happenings: Iterable[Happening]) -> Iterator[Happening]:
-    """Those of which people tell the robot; all others touch the simulated world."""
+    """Happenings that people tell the robot about; all others affect the simulated world."""
     for happening in happenings:
         inner = happening.happening if isinstance(happening, Announced) else happening
         if isinstance(inner, ValuesChange):
@@ -52,14 +52,14 @@ def told(happenings: Iterable[Happening]) -> Iterator[Happening]:
 
 @dataclass(frozen=True, slots=True)
 class EmergencyStopPressed:
-    """The robot's emergency stop is pressed for some time."""
+    """The robot's emergency stop, pressed for some time."""
 
     at_s: float
     for_s: float
     reason: str = "the emergency stop is pressed"
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Hold it down, and let it go."""
+        """Press it, then release it."""
         button = stage.world.robot.emergency_stop
         button.press(self.reason)
         while stage.world.time_s < self.at_s + self.for_s - 1e-9:
@@ -69,37 +69,38 @@ class EmergencyStopPressed:
 
 @dataclass(frozen=True, slots=True)
 class WalkStart:
-    """A person walks somewhere, around walls and furniture, and waits for whoever stands in their way.
+    """A walk around walls and furniture, which waits for people in its path.
 
-    A door that bars every way is waited for, too, however long.
+    It also waits for a door that blocks every path, however long.
     """
 
     at_s: float
     person: str
     to_m: tuple[float, float]
     heading_rad: float | None
-    """How they stand there; None: as they came."""
+    """Final heading [rad]; None to keep the direction of arrival."""
     speed_m_s: float
     round_people: bool = False
-    """Whether they go round others and the robot as they stand when they set out, rather than wait."""
+    """Whether the path avoids others and the robot at their initial positions, rather than waiting for
+    them."""
     patience_s: float = math.inf
-    """How long they wait for people in their way; then they stay where they are."""
+    """Time that they wait for people in their path [s]; then they stay where they are."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Until something else sends them elsewhere; nothing happens where no way leads there by now."""
+        """Walk until sent elsewhere; no effect if there is no longer a path."""
         world = stage.world
         if self._way(world) is None:
             return
         lead = Lead(self.person, self.to_m, self.heading_rad)
         with leading(lead, world) as was_led:
             if was_led:
-                yield  # they may have made a step in this tick
+                yield  # they may already have moved in this tick
             yield from self.steps(lead, stage)
 
     def steps(self, lead: Lead, stage: Stage) -> Iterator[None]:
-        """From where they are, step by step, for as long as they are led so.
+        """Walk step by step, while they are guided by `lead`.
 
-        Whenever a door turns they look for their way again; before one that bars every way they wait for it.
+        Whenever a door turns they search for a new path; if a door blocks every path, they wait for it.
         """
         world, waits_for = stage.world, None
         doors, way = world.doors, self._way(world)
@@ -139,7 +140,7 @@ class WalkStart:
     def _tell_of_turn(
         self, rest: Route, way: SentWay | None, waits_for: Door | None, stage: Stage
     ) -> Door | None:
-        """What comes of a door that turned, if anything; the door that they wait for still."""
+        """React to a turned door; returns the door that they still wait for, if any."""
         if way is None or way.door is not None:
             return waits_for
         barred = up_to_a_door(rest, stage.world.doors, find_person(stage.world.people, self.person).radius_m)
@@ -152,7 +153,7 @@ class WalkStart:
 
     @property
     def there(self) -> str:
-        """Where they are sent, in words."""
+        """Their destination, in words."""
         return f"({self.to_m[0]:g}, {self.to_m[1]:g})"
 
     def _stand(self, route: Route, gone_m: float, world: World) -> None:
@@ -165,7 +166,7 @@ class WalkStart:
 
 @contextmanager
 def leading(lead: Lead, world: World) -> Iterator[bool]:
-    """Lead a person; it is said whether something else did until now."""
+    """Guide a person; yields whether something else has guided them until now."""
     was_led = world.leads.begin(lead)
     try:
         yield was_led
@@ -178,7 +179,7 @@ def _note(door: Door, text: str, stage: Stage) -> None:
 
 
 def _others(person: Person, world: World) -> tuple[Person, ...]:
-    """Everybody else, with the robot as one of them."""
+    """Everybody else, including the robot."""
     body, pose = world.scene.robot, world.robot.pose
     robot = Person(body.name, pose.x_m, pose.y_m, pose.heading_rad, body.radius_m)
     return (robot, *(other for other in world.people if other.name != person.name))

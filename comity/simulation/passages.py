@@ -1,4 +1,4 @@
-"""Passages at the reduced margin, read off where bodies were, and those that people gave way for in vain."""
+"""Passages at the reduced margin, detected from poses, and those that people gave way for in vain."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     from comity_sim2d.robot.margins import MarginDecision
 
 SLACK_M = 1e-3
-"""Nearer than the full margin by less is the precision of its routes."""
+"""Tolerance of the full margin [m]: the precision of routes."""
 
 
 def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Disturbance]:
-    """Each passage nearer than the full margin, and each answer that did not lead to one, with why.
+    """Passages nearer than the full margin, and answers that led to none, each with its reason.
 
     Args:
-        frames: Where all bodies were.
-        decisions: About the people who let the robot pass, in order.
+        frames: Poses of all bodies.
+        decisions: Decisions about people who let the robot pass, in order.
     """
     gaps, time_s = clearances_m(frames), frames.time_s
     for one in decisions:

@@ -1,4 +1,4 @@
-"""Where a scenario happens, as a map; every complaint names its line."""
+"""The place of a scenario, as a map; every error names its line."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from comity_fis.validation.yaml_file import YamlFile
 
 ROOM = "room"
-"""What the only room of a place without a map is called."""
+"""Name of the only room of a place without a map."""
 
 
 def map_of(file: ScenarioFile) -> PlaceMap:
-    """The place of a scenario, its doors as the scenario has them.
+    """The map of a scenario, with doors in the scenario's states.
 
     Raises:
-        InputError: if the map cannot be used; a place without a map is checked with the people in it.
+        InputError: if the map cannot be used; a place without a map is checked together with its people.
     """
     place = file.scenario.place
     if not isinstance(place, MapPlace):
@@ -44,10 +44,10 @@ def map_of(file: ScenarioFile) -> PlaceMap:
 
 
 def written_map(file: ScenarioFile, name: str) -> tuple[YamlFile, MapFile]:
-    """The map that a scenario names: a shipped one, or a file beside it.
+    """The map named by a scenario: a shipped one, or a file next to it.
 
     Raises:
-        InputError: if there is none, or it is no map.
+        InputError: if it does not exist, or is no map.
     """
     where, path = file.where("place", "map"), file.folder / name
     if name not in shipped_maps() and looks_like_a_file(name, path):

@@ -1,4 +1,4 @@
-"""A point for the robot and everybody who is put at a named place, or at a random one drawn with the seed."""
+"""Positions of the robot and of people placed at named places, or at random ones drawn with the seed."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ if TYPE_CHECKING:
 
 PlacementT = TypeVar("PlacementT", bound=Placement)
 STREAM = 2
-"""Keeps what is drawn here apart from the sensors' noise and from what people show."""
+"""Random stream of placement, separate from sensor noise and people's reactions."""
 
 
 def placed(file: ScenarioFile, seed: int = 0) -> ScenarioFile:
-    """The scenario with a point and a facing for everybody, and with its map written out.
+    """The scenario with a position and heading for everybody, and with its map written out.
 
     Args:
         file: The scenario.
-        seed: For random places. They are drawn in the order of the scenario, the robot's first.
+        seed: Seed of random places, which are drawn in the order of the scenario, the robot's first.
 
     Raises:
-        InputError: if a place that is named does not exist, or there is no room for a person.
+        InputError: if a named place does not exist, or there is no space for a person.
     """
     scenario, stage = file.scenario, _Stage(file, seed)
     robot = stage.named(scenario.robot, "robot")
@@ -57,7 +57,7 @@ def _with_map(file: ScenarioFile) -> Place | MapPlace:
 
 
 class _Stage:
-    """The place while it fills."""
+    """The place while it is filled with people."""
 
     def __init__(self, file: ScenarioFile, seed: int) -> None:
         self._file = file
@@ -71,12 +71,12 @@ class _Stage:
         return floor_plan_of(place.room, place.walls, place.furniture, place.doors)
 
     def occupy(self, standing: Placement, radius_m: float) -> None:
-        """Let nobody be drawn into a person whose place is known."""
+        """Reserve the position of a person, so that no random place overlaps it."""
         if standing.at_m is not None:
             self._bodies.append((standing.at_m, radius_m))
 
     def named(self, standing: PlacementT, *section: str) -> PlacementT:
-        """The same at its point, unless that is still to be drawn."""
+        """The placement with its position, unless it is still to be drawn."""
         at, facing = standing.at, standing.facing_deg
         if isinstance(at, RandomPlace) or at == ANYWHERE:
             return standing
@@ -89,7 +89,7 @@ class _Stage:
         return standing.model_copy(update={"at_m": spot.xy, "at": None, "facing_deg": facing})
 
     def drawn(self, standing: PlacementT, radius_m: float, *section: str) -> PlacementT:
-        """The same at its point: where that is random, drawn now."""
+        """The placement with its position; a random one is drawn now."""
         if standing.at is None:
             return standing
         room = None
@@ -100,7 +100,7 @@ class _Stage:
         facing = float(self._rng.uniform(-180.0, 180.0))
         if spot is None:
             raise self._full(room, *section)
-        # To the millimetre and the degree: what a run writes of it reads like what people write.
+        # To the millimetre and the degree: a run's files then read like those written by people.
         at_m = (round(spot[0], 3), round(spot[1], 3))
         self._bodies.append((at_m, radius_m))
         kept = round(facing) if standing.facing_deg is None else standing.facing_deg

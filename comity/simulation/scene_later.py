@@ -1,4 +1,4 @@
-"""The scene as it was at a moment of an episode."""
+"""The scene at a given time of an episode."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ def scene_at(
     turns: Sequence[DoorTurn] = (),
     own_m: Mapping[str, float | None] | None = None,
 ) -> Scene:
-    """Robot and people where they were at a time, standing, and doors as they were.
+    """The scene at a time, with robot and people standing at their positions, and doors in their states.
 
     Args:
-        scene: At the start.
-        frames: What happened.
+        scene: The initial scene.
+        frames: The recorded poses.
         t: The time [s].
-        turns: Doors that were opened or shut.
-        own_m: The distance that each person likes by then, by name; None: as at the start.
+        turns: Door movements.
+        own_m: Preferred distance of each person at that time [m], by name; None: as at the start.
     """
     robot = pose_at(frames, scene.robot.name, t)
     poses = {person.name: pose_at(frames, person.name, t) for person in scene.people}

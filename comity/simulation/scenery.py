@@ -1,4 +1,4 @@
-"""From the scenario's place and people to the world's scene, with the file's lines in every complaint."""
+"""Conversion of a scenario's place and people to the world's scene; every error names its line."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ def scene_of(
     """The scene that a scenario describes.
 
     Args:
-        file: The scenario, with everybody placed.
-        values: Everybody's parameters: they say how robots should move near each person.
-        seed: Of the episode, which draws where passers-by start: whether there is room depends on it.
-        margin_facts: What people declared of being passed at a reduced margin, by name.
+        file: The scenario, after placement.
+        values: Parameters by person, which determine how robots move near them.
+        seed: Seed of the episode, which determines where passers-by start, and so whether there is space.
+        margin_facts: Declarations of people about being passed at a reduced margin, by name.
 
     Raises:
-        InputError: if something cannot stand where it is put, naming its line.
+        InputError: with its line, if something cannot stand at its position.
     """
     robot = file.scenario.robot
     place = map_of(file)
@@ -91,10 +91,10 @@ def scene_of(
 
 
 def require_margin(file: ScenarioFile, scene: Scene) -> None:
-    """Refuse a margin that the simulated robot cannot keep; of a real one its own numbers count.
+    """Refuse a margin below that of the simulated robot; a real robot has its own limit.
 
     Raises:
-        InputError: It is lower, with its line.
+        InputError: with its line, if it is too low.
     """
     if file.real_robot:
         return
@@ -105,7 +105,7 @@ def require_margin(file: ScenarioFile, scene: Scene) -> None:
 
 
 def _pose(standing: written.Placement) -> tuple[float, float, float]:
-    """x, y and heading."""
+    """Position x, y [m] and heading [rad]."""
     assert standing.at_m is not None  # placed before
     return (*standing.at_m, math.radians(standing.facing_deg or 0.0))
 
@@ -157,7 +157,7 @@ def _passers_by(file: ScenarioFile) -> PassersBy | None:
 
 
 def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
-    """Where in the file that stands which the scene complains of."""
+    """Position in the file of the object that the error concerns."""
     scenario, entity = file.scenario, error.entity
     if (entity, error.field) == ("scene", "people"):
         return ("people",)

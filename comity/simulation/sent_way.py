@@ -1,4 +1,4 @@
-"""The way of a person who is sent somewhere: all of it, or up to a door that is shut."""
+"""The path of a person who is sent somewhere: all of it, or up to a closed door."""
 
 from __future__ import annotations
 
@@ -18,23 +18,24 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.door import Door
 
 DOOR_GAP_M = 0.10
-"""Whoever waits for a door stands so far from its leaf, unless it was shut before their nose (our choice)."""
+"""Distance from a door's leaf at which a person waits [m], unless it was shut right before them (our
+choice)."""
 BRUSHES_M = 0.04
-"""Who would come nearer to a leaf than this gets through it: ways keep a little farther off."""
+"""Minimum clearance to a leaf [m] below which a person is blocked by it; paths keep slightly more."""
 STEP_M = 0.01
-"""A way is held against the leaves of doors at points so far apart."""
+"""Spacing of the points at which a path is checked against door leaves [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class SentWay:
-    """A way, and how much of it is open."""
+    """A path, and its open part."""
 
     route: Route
-    """To where they are sent, around walls and furniture."""
+    """Path to the destination, around walls and furniture."""
     open_m: float
-    """So far they get."""
+    """Length of the open part [m]."""
     door: Door | None = None
-    """What they wait for there; None: it is open to its end."""
+    """The closed door at its end; None if the path is open."""
 
 
 def sent_way(
@@ -45,20 +46,20 @@ def sent_way(
     others: tuple[Person, ...] = (),
     before: Iterable[XY] = (),
 ) -> SentWay | None:
-    """The way of a person from where they are, with the doors as they are now.
+    """The path of a person from their position, with the present states of doors.
 
-    Where shut doors bar every way, it is the one that they were going, or would if no door had turned since
-    the start, up to the first door on it that is shut.
+    If closed doors block every path, it is the previous path, or that with the initial states of doors, up to
+    the first closed door.
 
     Args:
-        person: Who is sent, where they stand now.
-        to_m: Where to.
-        world: With its doors.
-        others: Who is gone around, too; all others and the robot are waited for.
-        before: What is left of the way that they were going: its points.
+        person: The person, at their present position.
+        to_m: Destination [m].
+        world: The world, with its doors.
+        others: People to walk around; for all others and the robot they wait.
+        before: Points of the rest of the previous path [m].
 
     Returns:
-        None where no way leads there that only doors bar.
+        None if something other than closed doors blocks every path.
     """
     plan = floor_plan(world.scene, world.doors)
     route = way_of(person, to_m, plan, others)
@@ -72,12 +73,12 @@ def sent_way(
 
 
 def up_to_a_door(route: Route, doors: Iterable[Door], radius_m: float) -> SentWay | None:
-    """As much of a way as is open before the first shut door on it; None where none is on it.
+    """The part of a path before its first closed door; None without one.
 
     Args:
-        route: That may lead through doors.
-        doors: As they are.
-        radius_m: Of who goes there.
+        route: A path, possibly through doors.
+        doors: Doors in their present states.
+        radius_m: Radius of the person [m].
     """
     from shapely import LineString, distance, points
 
@@ -86,7 +87,7 @@ def up_to_a_door(route: Route, doors: Iterable[Door], radius_m: float) -> SentWa
     found: tuple[int, int, Door] | None = None
     for door in (door for door in doors if not door.is_open):
         gaps_m = distance(at, LineString([door.start, door.end])) - door.thickness_m / 2 - radius_m
-        through = np.flatnonzero((gaps_m < BRUSHES_M) & (gaps_m < gaps_m[0]))  # who is near may go away
+        through = np.flatnonzero((gaps_m < BRUSHES_M) & (gaps_m < gaps_m[0]))  # may walk away from it
         if through.size and (found is None or through[0] < found[0]):
             clear = np.flatnonzero(gaps_m[: through[0]] >= DOOR_GAP_M)
             found = int(through[0]), int(clear[-1]) if clear.size else 0, door
@@ -94,15 +95,15 @@ def up_to_a_door(route: Route, doors: Iterable[Door], radius_m: float) -> SentWa
 
 
 def way_of(person: Person, to_m: XY, plan: FloorPlan, others: tuple[Person, ...] = ()) -> Route | None:
-    """The way of a person through a place; None where there is none.
+    """The path of a person through a place; None if there is none.
 
     Args:
-        person: Who walks, from where they stand.
-        to_m: Where to.
-        plan: Its walls and furniture are gone around.
-        others: Who is gone around, too; all others and the robot are waited for.
+        person: The person, at their present position.
+        to_m: Destination [m].
+        plan: The floor plan, with its walls and furniture.
+        others: People to walk around; for all others and the robot they wait.
     """
     route = RouteMap(Surroundings(plan, others, person.radius_m)).route(person.xy, to_m)
     if route is None or plan.wall_between(*route.points[:2]) is not None:
-        return None  # who stands in a margin is led to the nearest free place, on the other side even
+        return None  # a start in a margin is moved to the nearest free point, even on the other side
     return route

@@ -1,4 +1,4 @@
-"""The walks of people, read off where they were, whatever set them walking."""
+"""Walks of people, detected from their positions, whatever caused them."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ if TYPE_CHECKING:
     from comity_sim2d import Frames
 
 MOVES_M_S = 0.05
-"""A person who is slower stands."""
+"""Minimum speed of a walk [m/s]; slower people count as standing."""
 PAUSE_S = 1.0
-"""Two walks with a shorter stop between them are one: the person waited for another."""
+"""Two walks with a shorter pause between them [s] count as one: the person waited for another."""
 
 
 def walks(frames: Frames, people: Iterable[str]) -> Iterator[Disturbance]:
-    """Every walk of these people: when it began, where it led, when it was over.
+    """Every walk of these people, with its start, destination and end.
 
     Args:
-        frames: Where all people were.
-        people: Names of the scenario's people; others only pass by.
+        frames: Poses of all people.
+        people: Names of the scenario's people, without passers-by.
     """
     time_s = frames.time_s
     for name in people:
