@@ -12,7 +12,7 @@ from comity_executor.speech.utterance import Utterance
 
 
 class Act(BodyAct):
-    """Speak or gesture once; the visit remembers an act that came to its end.
+    """Speak or gesture once; the visit's memory records a completed act.
 
     Args:
         meeting: Context of the visit.

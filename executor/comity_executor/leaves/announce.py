@@ -40,7 +40,8 @@ def is_announced(meeting: VisitContext) -> bool:
 def halting_m(meeting: VisitContext, speed_m_s: float) -> float:
     """Distance at which a robot of this speed must brake to rest `SPOKEN_TO_M` before the person [m].
 
-    The sum of that distance, the path during the base's latency, v^2 / (2 a) of braking, and a margin [m].
+    The sum of that distance, the distance covered during the base's latency, v^2 / (2 a) for braking, and a
+    margin.
     """
     base = meeting.robot.capabilities
     braking_m = speed_m_s**2 / (2.0 * base.braking_m_s2)
@@ -48,7 +49,7 @@ def halting_m(meeting: VisitContext, speed_m_s: float) -> float:
 
 
 class IsComingTold(Condition):
-    """`coming_told?`: has the approach been announced, and has the robot not been far away since?"""
+    """`coming_told?`: was the approach announced, and has the robot not been far away since?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("coming_told?", meeting.person), meeting.reach_grounds)
@@ -145,7 +146,7 @@ class SayComing(Announcement):
         super().__init__("Say_coming", meeting)
 
     def words(self) -> Utterance:
-        """In the person's language."""
+        """The announcement in the person's language."""
         return self._meeting.speaker.coming(self._meeting.person, self._meeting.values)
 
     def remember(self) -> None:
@@ -173,7 +174,7 @@ class SayStopped(Announcement):
 
 
 class IsStopTold(Condition):
-    """`stop_told?`: has it been announced that, and where, the robot has stopped?"""
+    """`stop_told?`: was it announced that the robot has stopped, and where?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("stop_told?", meeting.person), meeting.reach_grounds)
@@ -213,7 +214,7 @@ class IsLeaveTold(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Who is not left."""
+        """The person who is not left."""
         return {"goes_to": self._goes_to or ""}
 
     def check(self) -> bool:
@@ -254,7 +255,7 @@ class SayLeaving(Action):
 
     @property
     def ports(self) -> Ports:
-        """Before whose visit."""
+        """The person visited next."""
         return {"goes_to": self._meeting.person}
 
     def begin(self) -> None:
@@ -276,7 +277,7 @@ class SayLeaving(Action):
         return Status.SUCCESS
 
     def end(self) -> None:
-        """Fall silent, unless all is said."""
+        """Stop speaking, unless all is said."""
         self._performing.end()
 
     def explain(self) -> Account | None:

@@ -1,4 +1,4 @@
-"""Speech, gestures, handing over: started once, and recorded once any leaf notices the end."""
+"""Speech, gestures and handovers: started once, and recorded when a leaf notices the end."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from comity_fis.listing import listed
 
 
 class IsDocked(Condition):
-    """`docked?`: does the robot rest at its pose, or hold it within the loose band since?"""
+    """`docked?`: does the robot rest at its pose, or has it stayed within the loose band since docking?"""
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("docked?", meeting.person), meeting.reach_grounds)

@@ -56,7 +56,7 @@ class CustomAct(Decorator):
         return {"act": self._act, "person": self._of.person}
 
     def update(self) -> Status:
-        """Pass the result on."""
+        """Return the child's status."""
         if self.decorated.status is Status.SUCCESS:
             self._of.note_done(self._act)
         return self.decorated.status
@@ -72,7 +72,7 @@ class _Guard:
         vars(node).update(initialise=self.begin, update=self.step, terminate=self.end)
 
     def begin(self) -> None:
-        """Begin; where that raises, the next step is a FAILURE."""
+        """Initialise the behaviour; if that raises, the next step is a FAILURE."""
         self._error = None
         try:
             self._initialise()
@@ -80,7 +80,7 @@ class _Guard:
             self._note(error)
 
     def step(self) -> Status:
-        """Take a step, unless beginning failed."""
+        """Tick the behaviour, unless its initialisation failed."""
         if self._error is None:
             try:
                 if (status := self._update()) in _RESULTS:
@@ -91,13 +91,13 @@ class _Guard:
         return Status.FAILURE
 
     def end(self, new_status: Status) -> None:
-        """End."""
+        """Terminate the behaviour."""
         try:
             self._terminate(new_status)
         except Exception as error:
             self._note(error)
 
     def _note(self, error: Exception) -> None:
-        if self._error is None:  # the first one is the reason for the others
+        if self._error is None:  # the first error causes the others
             self._error = error
             self._node.feedback_message = raised(error)

@@ -13,26 +13,26 @@ from comity_executor.robots.robot import Reading
 
 
 class DockToUser(MotionAction):
-    """Move finely onto the chosen pose, at the person's own speed, and come to rest there.
+    """Move precisely onto the chosen pose, at the person's preferred speed, and come to rest there.
 
-    Its numbers are behaviour parameters: distance, bearing and speed may be updated while it runs.
+    Its values are behaviour parameters: distance, bearing and speed may be updated while it runs.
     """
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Dock_to_user", meeting.person), meeting, reads=POSE)
         self._band: DockingBand
-        """Around the pose that it was told last."""
+        """The band around the last commanded pose."""
         self._rested_s: float | None = None
 
     def begin(self) -> None:
-        """Approach the pose that Navigate_to_user chose: the wanted one, or what stands in for it."""
+        """Approach the pose that Navigate_to_user chose: the target pose or its replacement."""
         super().begin()
         self._dock()
 
     def step(self) -> Status:
-        """SUCCESS at rest on the pose, by the robot's reading and not by its word.
+        """SUCCESS at rest on the pose, judged by the reading rather than by the robot's report.
 
-        FAILURE when stuck, or at rest elsewhere: what the reading has outside the band is the reason.
+        FAILURE if stuck, or at rest elsewhere; the reason is the quantity outside the band.
         """
         if self.is_outdated():
             self._dock()
@@ -50,7 +50,7 @@ class DockToUser(MotionAction):
         return Status.FAILURE
 
     def _has_come_to_rest(self, reading: Reading) -> bool:
-        """Whether the base has stood where it says that it docked, for so long that it will not move on."""
+        """Whether the base has stood long enough since it reported docking that it will not move on."""
         if self.motion().state != "succeeded" or reading.speed_m_s >= self._band.speed_m_s:
             self._rested_s = None
             return False

@@ -1,7 +1,7 @@
 """Bands around a docking pose: tight to enter, loose to leave (hysteresis).
 
-The tolerance stated by the robot widens them outwards, never inwards: too near is worse than too far. Due to
-the hysteresis a docked robot stays docked while the person shuffles or the sensor is noisy.
+The robot's stated tolerance widens them only outwards: too near is worse than too far. Due to the hysteresis
+a docked robot stays docked while the person shuffles or the sensor is noisy.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class DockingBand:
         return self.contains_place(reading) and reading.facing_error_deg <= self.facing_deg
 
     def account(self, reading: Reading) -> Account:
-        """The first quantity outside the band, or the distance and the angles where all are inside."""
+        """The first quantity outside the band; the distance and the angles if all are inside."""
         distance, bearing, wanted = reading.distance_m, reading.bearing_deg, self.pose
         if not self.nearest_m <= distance <= self.farthest_m:
             band = f"{self.nearest_m:.2f}..{self.farthest_m:.2f} around {wanted.distance_m:.2f}"

@@ -6,10 +6,9 @@
     |  '- Stand_still           always RUNNING
     '- Goal
 
-Goal is halted in the tick in which `emergency?` turns true, with all that runs below it: every leaf stops
-what it began. A stop latches: it stays true when the stop is released, until `Execution.resume`. Goal starts
-again then, and as its conditions read the world and the visits' memory, it goes on where it was: what was
-done is not done again.
+Goal is halted in the tick in which `emergency?` turns true, with its whole subtree: every leaf stops what it
+started. A stop latches: it stays true after its release, until `Execution.resume`. Goal then starts again; as
+its conditions read the world and the visits' memory, it continues where it was and repeats nothing.
 """
 
 from __future__ import annotations
@@ -73,10 +72,10 @@ class IsEmergency(Condition):
 
 
 class StandStill(Action):
-    """Always RUNNING: the base is taken from the leaf that had it, and stays at rest.
+    """Always RUNNING: takes the base from the leaf that held it, and keeps it at rest.
 
-    It never fails, so that nothing of the goal is ticked while the stop is pressed. The stop is commanded
-    again in every tick until the base says that it has stopped, and whenever it no longer has.
+    It never fails, so that nothing below the goal is ticked during a stop. It commands the stop in every tick
+    until the base reports that it has stopped, and whenever the base moves again.
     """
 
     def __init__(self, robot: Robot, senses: Senses, memory: SharedMemory) -> None:
@@ -88,18 +87,18 @@ class StandStill(Action):
         self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
 
     def begin(self) -> None:
-        """Whatever the base says, the first stop is still to come."""
+        """Reset, so that the first stop is commanded whatever the base reports."""
         self._told_s = None
 
     def step(self) -> Status:
-        """Stop, until the robot may go on."""
+        """Command the stop until the robot may continue."""
         if self._told_s is None or not has_stopped(self._robot, self._told_s):
             self._told_s = self._senses.now_s() if self._told_s is None else self._told_s
             self._drive.stop(self)
         return Status.RUNNING
 
     def update(self) -> Status:
-        """Take a step; what raised is tried again in the next tick."""
+        """Take a step; after an exception it is retried in the next tick."""
         self._error = None
         super().update()
         return Status.RUNNING

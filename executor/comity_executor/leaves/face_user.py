@@ -16,15 +16,15 @@ class FaceUser(MotionAction):
     """The last part of Reach_user.
 
     `docked?` is checked before it in every tick, so it usually ends early, once that is true. It fails if the
-    robot, which does not hold its position while turning, has lost the pose, or has turned and is off the
-    pose for longer than `blocked_s`: then Reach_user is retried.
+    robot, which does not hold its position while turning, has lost the pose, or has finished turning but is
+    off the pose for longer than `blocked_s`; Reach_user is then retried.
     """
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("Face_user", meeting.person), meeting, reads=POSE)
 
     def begin(self) -> None:
-        """Turn."""
+        """Start turning."""
         super().begin()
         pose, limits = self.meeting.pose, self.meeting.limits
         self._docked, self._lost = enter_band(pose, limits), lost_band(pose, limits)
@@ -48,7 +48,7 @@ class FaceUser(MotionAction):
         return Status.FAILURE
 
     def _has_turned(self, reading: Reading) -> bool:
-        """Whether it looks at the person and stands, for so long that turning on would change nothing."""
+        """Whether it faces the person and has stood long enough that turning further would change nothing."""
         if reading.facing_error_deg > self._docked.facing_deg or reading.speed_m_s >= self._docked.speed_m_s:
             self._turned_s = None
             return False

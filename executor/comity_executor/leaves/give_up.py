@@ -26,7 +26,7 @@ class GiveUp(Action):
         self._failed = failed
 
     def step(self) -> Status:
-        """Remember why."""
+        """Record the reason."""
         self._memory.given_up = True
         self._memory.failure = why_failed(self._failed) or f"{self._failed.name} failed"
         return Status.SUCCESS
@@ -37,7 +37,7 @@ class GiveUp(Action):
 
 
 def why_failed(node: Behaviour) -> str | None:
-    """The account of the node that made a branch fail, down to where no child failed."""
+    """The account of the deepest node that made a branch fail."""
     failed = [child for child in node.children if child.status == Status.FAILURE]
     if failed:
         # The first failure ends a parallel; a fallback fails with its last child.

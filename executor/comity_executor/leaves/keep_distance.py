@@ -27,7 +27,7 @@ class KeepDistance(MotionAction):
         """Whether it holds the pose; otherwise it stands and turns."""
 
     def begin(self) -> None:
-        """Hold, or stand."""
+        """Hold the pose, or stand."""
         super().begin()
         self._granted = None
         self._command(holds=self.meeting.limits.attend_s == 0.0)
@@ -59,7 +59,7 @@ class KeepDistance(MotionAction):
     def _command(self, *, holds: bool) -> None:
         meeting = self.meeting
         self._holds = holds
-        with suppress(Exception):  # it is commanded again
+        with suppress(Exception):  # it is retried
             if holds:
                 self.go(MotionGoal("dock", meeting.person, meeting.pose, meeting.approach_speed_m_s))
             else:

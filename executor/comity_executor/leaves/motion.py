@@ -40,7 +40,7 @@ class MotionAction(Action):
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
         self._blocked_by: str | None = None
-        """The fault present when it was blocked; it may end before the patience does."""
+        """The fault present when the motion was blocked; it may end before `blocked_s` is over."""
         self._bindings = 0
         self._goal: GoalId | None = None
         self.commanded_s = 0.0
@@ -88,7 +88,7 @@ class MotionAction(Action):
         self._account = account
 
     def trouble(self, *parts: str) -> str | None:
-        """The fault of the robot or its path, among these parts; None if there is none."""
+        """The fault of the robot or obstruction of its path, among these parts; None if there is none."""
         return trouble_of(self.meeting.robot, *parts)
 
     def is_outdated(self) -> bool:
@@ -97,7 +97,7 @@ class MotionAction(Action):
         return before != self._bindings
 
     def is_stuck(self, *, unasked: bool = False) -> bool:
-        """Whether the motion has been blocked for longer than `blocked_s`, or is declined.
+        """Whether the motion has been blocked for longer than `blocked_s`, or was declined.
 
         Args:
             unasked: Whether blocking people count because no one asks them to make way; otherwise `passing`
@@ -108,7 +108,7 @@ class MotionAction(Action):
         """
         motion = self.motion()
         if motion.state == DECLINED:
-            self.meeting.memory.declined = motion.text  # `given_up?` shuts the branch in the next tick
+            self.meeting.memory.declined = motion.text  # `given_up?` ends the branch in the next tick
             self.say(Account(motion.text))
             return True
         if not motion.is_blocked or (motion.blocked_by and not unasked):

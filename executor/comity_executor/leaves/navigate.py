@@ -13,9 +13,9 @@ from comity_executor.robots.goals import MotionGoal
 
 
 class NavigateToUser(MotionAction):
-    """The first part of Reach_user: the pose is chosen again in every attempt, the robot finds the route.
+    """The first part of Reach_user: each attempt chooses the pose again; the robot finds the route.
 
-    If it is stuck, the pose is chosen once more: a place in front of a walking person may not stay free.
+    If it is stuck, the pose is chosen once more: a spot in front of a walking person may not stay free.
     """
 
     def __init__(self, meeting: VisitContext, *, verb: str = "Navigate_to_user") -> None:
@@ -27,7 +27,7 @@ class NavigateToUser(MotionAction):
         )
 
     def begin(self) -> None:
-        """Choose the pose and set out; without a pose there is nowhere to go."""
+        """Choose the pose and set out; fail without a pose."""
         super().begin()
         self.meeting.choose_pose()
         self._go()
@@ -50,7 +50,7 @@ class NavigateToUser(MotionAction):
         return Status.SUCCESS
 
     def _goes_elsewhere(self) -> bool:
-        """Set out to another pose, if there is one by now."""
+        """Set out to another pose, if one is available."""
         before = self.meeting.memory.pose
         self.meeting.choose_pose()
         if self.meeting.memory.pose is None or self.meeting.memory.pose == before:

@@ -1,4 +1,4 @@
-"""An act of the robot as a leaf follows it: begun, asked for and stopped by its id."""
+"""An act of the robot as seen by a leaf: started, polled and stopped by its identifier."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class Performing:
         self._state = ""
         self._is_in_doubt = False
         self.goal: GoalId | None = None
-        """What the robot calls the act; None before it has begun."""
+        """Identifier of the act; None before it starts."""
 
     def begin(self, act: ActGoal, values: Inference | None) -> None:
-        """Have the robot begin, unless the act before, of which it could not say how it ended, was done.
+        """Start the act, unless the previous act, whose end was unknown, turns out to be done.
 
         Args:
-            act: What to do.
-            values: The parameters of the person whom it is for.
+            act: The act.
+            values: The addressee's parameters.
         """
         if self._is_in_doubt:
             self.look()
@@ -42,7 +42,7 @@ class Performing:
         )
 
     def look(self) -> None:
-        """Ask the robot how the act goes.
+        """Poll the progress of the act.
 
         Raises:
             StateError: The state is an unknown word.
@@ -51,22 +51,22 @@ class Performing:
             self._state = known_performance(self._robot, self.goal).state
 
     def end(self) -> None:
-        """Break the act off unless it is over; it may have ended since the last tick."""
+        """Abort the act unless it is over; it may have ended since the last tick."""
         if self.goal is None or self.is_done:
             return
         try:
             self.look()
-        except Exception:  # a robot that cannot say how the act goes is told to stop it
+        except Exception:  # a robot that cannot report the act's progress is told to stop it
             self._is_in_doubt = True
         if not self.is_done:
             self._robot.stop(self.goal)
 
     @property
     def is_done(self) -> bool:
-        """Whether it came to its end."""
+        """Whether it was completed."""
         return self._state == "succeeded"
 
     @property
     def is_lost(self) -> bool:
-        """Whether it was refused or broken off."""
+        """Whether it was rejected or aborted."""
         return self._state in LOST

@@ -8,17 +8,17 @@ from comity_executor.nodes.leaf import Condition
 
 
 class DoesPlanHold(Condition):
-    """Does the plan still hold? The planner decides."""
+    """Whether the plan is still valid, as decided by the planner."""
 
     def __init__(self, memory: SharedMemory) -> None:
         super().__init__("plan_holds?")
         self._memory = memory.seen_by(self, reads=("outdated",))
 
     def check(self) -> bool:
-        """Whether nobody has said otherwise."""
+        """True unless the planner has invalidated the plan."""
         return self._memory.outdated is None
 
     def explain(self) -> Account | None:
-        """Why it does not."""
+        """Why the plan is invalid."""
         outdated = self._memory.outdated
         return Account(outdated) if outdated else None

@@ -1,4 +1,4 @@
-"""The acts of an agenda: what is said, shown and handed over, and the pause that is waited for."""
+"""The acts of an agenda: speech, gestures, handovers, and pauses."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from comity_executor.speech.utterance import Utterance
 
 
 class TaskAct(BodyAct):
-    """Speak, gesture or hand something over once; the task remembers an act that came to its end."""
+    """Speak, gesture or hand something over once; the task's memory records a completed act."""
 
     def __init__(self, task: Task, act: str) -> None:
         super().__init__(NodeId.of(act, *task.about), task.meeting, act, task.provenance)
@@ -32,15 +32,15 @@ class TaskAct(BodyAct):
 
     @property
     def ports(self) -> Ports:
-        """The act, and what is handed over in it."""
+        """The act, and the object handed over."""
         return {**super().ports, **self._task.ports, "text": self.text}
 
     def words(self) -> Utterance | str | None:
-        """Only an utterance has words."""
+        """The utterance; None for other acts."""
         return self._task.words if self._act == SAY_ACT else None
 
     def goal(self) -> ActGoal:
-        """An object goes from hand to hand."""
+        """The goal for the robot; a handover names its object."""
         task, words, manner = self._task, self.words(), self._task.meeting.manner
         if words is not None:
             return speech(self._act, task.person, words, manner=manner)
@@ -54,19 +54,19 @@ class TaskAct(BodyAct):
         )
 
     def begin(self) -> None:
-        """Start the act; what is being handed over is on its way from the robot's hands."""
+        """Start the act; an object being handed over counts as leaving the robot's hands."""
         super().begin()
         if self._act == HAND_OVER:
             self._task.memory.handing_over = self._performing.goal
 
     def remember(self) -> None:
-        """In the memory of the task, which is over with its last act."""
+        """Record the act in the task's memory; the last act completes the task."""
         if self._tells:
             self._shared.announced = None
         self._task.note_done(self._act)
 
     def explain(self) -> Account | None:
-        """That the act is over, or was broken off, and which values shaped it."""
+        """Whether the act is over or was aborted, and which parameters shaped it."""
         text = self.how_it_went()
         if self._act == HAND_OVER:
             return Account(text, parameter="conversational_distance")
@@ -79,7 +79,7 @@ class TaskAct(BodyAct):
 
 
 class WaitBefore(Action):
-    """Stay until the time is over, or until the person does what is waited for."""
+    """Wait until the time is over, or the person does what the pause waits for."""
 
     def __init__(self, task: Task) -> None:
         super().__init__(NodeId.of("Wait_before", task.person), task.provenance)
@@ -91,11 +91,11 @@ class WaitBefore(Action):
 
     @property
     def ports(self) -> Ports:
-        """What ends it."""
+        """The events that end it."""
         return {"person": self._task.person, "cap_s": self._cap_s, "until": str(self._until or "time")}
 
     def begin(self) -> None:
-        """Note how things are; a pause that was interrupted is not waited for from the start again."""
+        """Record the initial reading; an interrupted pause is continued, not restarted."""
         meeting, memory = self._task.meeting, self._task.memory
         if memory.began_s is None:
             memory.began_s = meeting.senses.now_s()
@@ -103,9 +103,9 @@ class WaitBefore(Action):
         self._first = None
 
     def step(self) -> Status:
-        """SUCCESS when it is over."""
+        """SUCCESS when the pause is over."""
         meeting, began_s = self._task.meeting, self._task.memory.began_s
-        assert began_s is not None  # begin has run
+        assert began_s is not None  # set by begin
         waited_s = meeting.senses.now_s() - began_s
         seen = self._happened()
         if seen is None and waited_s < self._cap_s - 1e-9:
@@ -115,11 +115,11 @@ class WaitBefore(Action):
         return Status.SUCCESS
 
     def explain(self) -> Account | None:
-        """What ended it."""
+        """The event that ended it."""
         return Account(self._text) if self._text else None
 
     def _happened(self) -> str | None:
-        """What the person did, if that ends the pause."""
+        """The person's action, if it ends the pause."""
         meeting = self._task.meeting
         if self._until == "speaks":
             words = meeting.robot.heard(meeting.person)[self._task.memory.heard_before :]

@@ -1,4 +1,4 @@
-"""The questions of the tree about what is on the agenda of a visit."""
+"""The conditions of the tree on the agenda of a visit."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from comity_fis.listing import listed
 
 
 class IsServed(Condition):
-    """`served?`: is the person greeted, and all of the agenda done?"""
+    """`served?`: is the person greeted, and the whole agenda done?"""
 
     def __init__(self, meeting: VisitContext, tasks: Sequence[Task]) -> None:
         super().__init__(NodeId.of("served?", meeting.person), meeting.greet_grounds)
@@ -21,12 +21,12 @@ class IsServed(Condition):
         self._tasks = [task.seen_by(self, reads=("done_s",)) for task in tasks]
 
     def check(self) -> bool:
-        """What was done stays done."""
+        """Once true, it stays true."""
         greeted = all(map(self._meeting.is_done, self._meeting.acts)) and self._meeting.is_attended
         return greeted and all(task.memory.done_s is not None for task in self._tasks)
 
     def explain(self) -> Account | None:
-        """What comes next."""
+        """The next task."""
         left = [task.step.action for task in self._tasks if task.memory.done_s is None]
         return Account(f"still to do: {', '.join(left)}" if left else "all is done")
 
@@ -40,32 +40,32 @@ class IsTaskDone(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Which task."""
+        """The task."""
         return self._task.ports
 
     def check(self) -> bool:
-        """What was done stays done."""
+        """Once true, it stays true."""
         return self._task.memory.done_s is not None
 
     def explain(self) -> Account | None:
-        """Since when."""
+        """Time at which the task was done."""
         done_s = self._task.memory.done_s
         return Account("not done yet" if done_s is None else f"done since {done_s:.2f} s", done_s)
 
 
 class AreActsDone(Condition):
-    """`taken_leave?`: is everything said and shown that a farewell consists of?"""
+    """`taken_leave?`: are all acts of the farewell done?"""
 
     def __init__(self, task: Task) -> None:
         super().__init__(NodeId.of("taken_leave?", *task.about), task.provenance)
         self._task = task.seen_by(self, reads=("performed",))
 
     def check(self) -> bool:
-        """What was done stays done."""
+        """Once true, it stays true."""
         return all(act in self._task.memory.performed for act in self._task.acts)
 
     def explain(self) -> Account | None:
-        """What is missing."""
+        """The missing acts."""
         missing = [act for act in self._task.acts if act not in self._task.memory.performed]
         text = f"{listed(missing)} not done yet" if missing else f"{listed(self._task.acts)} done"
         return Account(text, parameter="greeting_modality")
@@ -81,11 +81,11 @@ class IsTaskActDone(Condition):
 
     @property
     def ports(self) -> Ports:
-        """Which act of which task."""
+        """The act and its task."""
         return {**self._task.ports, "act": self._act}
 
     def check(self) -> bool:
-        """An act that was done stays done."""
+        """Once true, it stays true."""
         return self._act in self._task.memory.performed
 
     def explain(self) -> Account | None:
@@ -94,7 +94,7 @@ class IsTaskActDone(Condition):
 
 
 class IsTaken(Condition):
-    """`taken?`: does the robot hold what it is to hand over, or has it handed it over?"""
+    """`taken?`: does the robot hold the object to hand over, or has it handed it over?"""
 
     def __init__(self, task: Task) -> None:
         super().__init__(NodeId.of("taken?", *task.about), task.fetch_provenance)
@@ -102,13 +102,13 @@ class IsTaken(Condition):
 
     @property
     def ports(self) -> Ports:
-        """What, and for whom."""
+        """The object, and the person it is for."""
         return {"thing": self._task.thing, "person": self._task.person}
 
     def check(self) -> bool:
-        """Look at the hands."""
+        """Check the robot's hands."""
         return self._task.is_taken()
 
     def explain(self) -> Account | None:
-        """What is in them."""
+        """The object in the hands."""
         return Account(f"the robot holds {self._task.carrier.carried() or 'nothing'}")

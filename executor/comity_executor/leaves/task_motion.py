@@ -1,4 +1,4 @@
-"""The motions of an agenda: to where something is kept, and a step away from the person at the end."""
+"""The motions of an agenda: to the location of an object, and a step away at the end."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from comity_executor.robots.goals import ActGoal, MotionGoal, PlannedPose
 from comity_fis.listing import with_verb
 
 STEP_AWAY_M = 0.30
-"""So much farther than before the robot stands after a farewell (our choice: no source speaks of it)."""
+"""Distance that the robot adds by stepping away after a farewell [m] (our choice; we found no source)."""
 STEPPED_M = 0.05
-"""So near to that is far enough."""
+"""Tolerance within which the step away counts as done [m]."""
 
 
 class GoTo(MotionAction):
-    """The first part of Fetch."""
+    """Go to the object's location: the first part of Fetch."""
 
     def __init__(self, task: Task) -> None:
-        assert task.fetch is not None  # only what is handed over is fetched
+        assert task.fetch is not None  # only objects to hand over are fetched
         self._place = str(task.fetch.parameters["place"])
         node_id = NodeId("Go_to", (self._place,), task.person)
         super().__init__(node_id, task.meeting, reads=("asked", "in_vain"))
@@ -36,7 +36,7 @@ class GoTo(MotionAction):
 
     @property
     def ports(self) -> Ports:
-        """Where to."""
+        """The location."""
         return {"place": self._place}
 
     def begin(self) -> None:
@@ -47,7 +47,7 @@ class GoTo(MotionAction):
         self.go(MotionGoal("go_to", self._place, speed_m_s=speed_m_s, detour_m=detour_m))
 
     def step(self) -> Status:
-        """SUCCESS there; FAILURE when stuck."""
+        """SUCCESS at the location; FAILURE if stuck."""
         if self.is_stuck():
             return Status.FAILURE
         if self.motion().state != "succeeded":
@@ -57,7 +57,7 @@ class GoTo(MotionAction):
 
 
 class PickUp(Action):
-    """The second part of Fetch."""
+    """Pick up the object: the second part of Fetch."""
 
     def __init__(self, task: Task) -> None:
         assert task.fetch is not None  # as above
@@ -68,36 +68,36 @@ class PickUp(Action):
 
     @property
     def ports(self) -> Ports:
-        """What, and where."""
+        """The object and its location."""
         return {"thing": self._task.thing, "place": self._place}
 
     def begin(self) -> None:
-        """Reach out."""
+        """Start picking up."""
         self._performing.begin(
             ActGoal(PICK_UP, self._place, thing=self._task.thing), self._task.meeting.values
         )
 
     def step(self) -> Status:
-        """SUCCESS when the robot holds it, FAILURE when it was broken off from elsewhere."""
+        """SUCCESS if the robot holds it, FAILURE if interrupted by another program."""
         self._performing.look()
         if self._performing.is_lost:
             return Status.FAILURE
         return Status.SUCCESS if self._performing.is_done and self._task.is_taken() else Status.RUNNING
 
     def end(self) -> None:
-        """Let go unless it is over."""
+        """Abort picking up unless it is over."""
         self._performing.end()
 
     def explain(self) -> Account | None:
-        """What is in the hands."""
+        """The object in the hands."""
         return Account(f"the robot holds {self._task.carrier.carried() or 'nothing'}")
 
 
 class StepAway(MotionAction):
-    """The end of Take_leave: back from the person, facing them, at the speed that suits them.
+    """The end of Take_leave: back away from the person, facing them, at their preferred speed.
 
-    Where there is no room for it, also because of a person behind the robot, or it takes longer than an act
-    may, the visit ends where the robot stands: people are not asked to make room for so little.
+    If there is no room for it, for example because of a person behind the robot, or it takes longer than an
+    act may, the visit ends where the robot stands: people are not asked to make way for so little.
     """
 
     def __init__(self, task: Task) -> None:
@@ -107,7 +107,7 @@ class StepAway(MotionAction):
 
     @property
     def ports(self) -> Ports:
-        """From whom, how far and how fast."""
+        """The person, the distance and the speed."""
         meeting = self.meeting
         return {"person": meeting.person, "by_m": STEP_AWAY_M, "approach_speed": meeting.approach_speed_m_s}
 
@@ -121,7 +121,7 @@ class StepAway(MotionAction):
         self.go(MotionGoal("dock", meeting.person, away, meeting.approach_speed_m_s))
 
     def step(self) -> Status:
-        """SUCCESS when the robot is far enough away, or can go no farther."""
+        """SUCCESS if the robot is far enough away, or cannot move further."""
         meeting, patience_s = self.meeting, self.meeting.limits.act_timeout_s
         reading = meeting.senses.read(meeting.person)
         away = reading is not None and reading.distance_m >= self._distance_m - STEPPED_M
@@ -139,7 +139,7 @@ class StepAway(MotionAction):
 
     @property
     def _obstruction(self) -> str:
-        """What keeps the robot there, in words: people by their names, as it does not go to anybody."""
+        """The obstruction, in words, with people's names, as the robot is not going to anybody."""
         motion = self.meeting.robot.motion()
         who = motion.blocked_by
         return f"{with_verb(who, 'is', 'are')} in the way" if who else motion.text

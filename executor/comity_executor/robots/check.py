@@ -121,7 +121,7 @@ def _distance_m(inference: Inference) -> float:
 def call_problem(
     robot: object, name: str, arguments: tuple[object, ...], named: Mapping[str, object]
 ) -> str | None:
-    """What is wrong with a call before it is made with such arguments; None: nothing."""
+    """What is wrong with calling a method with these arguments; None if nothing is."""
     call = getattr(robot, name, None)
     shown = ", ".join([*(type(each).__name__ for each in arguments), *named])
     if not callable(call):
@@ -131,13 +131,13 @@ def call_problem(
         inspect.signature(call).bind(*arguments, **named)
     except TypeError as error:
         return f"{name}: expected a method that takes ({shown}), got {name}{inspect.signature(call)}: {error}"
-    except ValueError:  # a call of an extension module, whose arguments are not known
+    except ValueError:  # a method of an extension module, whose signature is unknown
         return None
     return None
 
 
 def form_problems(robot: object, people: Iterable[str] = ()) -> list[str | None]:
-    """What is wrong with what is returned; a call that raises now may work later."""
+    """What is wrong with the returned values; a call that raises now may work later."""
     robot = cast("Robot", robot)
     return [
         _checked(robot.emergency, _emergency_problem),
@@ -184,7 +184,7 @@ def capability_problems(robot: object) -> list[str]:
     found = []
     for field in fields(CapabilityValues):
         if field.name == "reduced_margin":
-            continue  # looked at where a scenario asks for it
+            continue  # checked where a scenario requires it
         value = getattr(stated, field.name, None)
         if field.name == "lease_s":
             found += _lease_problem(value)

@@ -23,10 +23,10 @@ GoalState = Literal[
 STATES: tuple[str, ...] = get_args(GoalState)
 """Allowed states of a goal or an act.
 
-`accepted`: it will begin. `running`. `succeeded`: it is reached; a docked robot goes on holding its pose, and
-runs again where it has to follow the person. `declined`: the person whom it was to reach does not want it.
-`rejected`: it never began. `aborted`: the robot gave it up.
-`preempted`: another goal took its place. `stopped`: it was told to stop, and has.
+`accepted`: it will begin. `running`. `succeeded`: it is reached; a docked robot keeps holding its pose, and
+is `running` again when it has to follow the person. `declined`: the person to be reached does not want it.
+`rejected`: it never began. `aborted`: the robot gave it up. `preempted`: another goal replaced it. `stopped`:
+it was stopped on command.
 """
 DECLINED: GoalState = "declined"
 LOST = ("rejected", "aborted", "preempted", "stopped")
@@ -34,16 +34,16 @@ LOST = ("rejected", "aborted", "preempted", "stopped")
 
 
 class RelativePose(Protocol):
-    """A place to stand near a person, relative to that person, so that it moves along."""
+    """A docking pose relative to a person, so that it moves along with them."""
 
     @property
     def distance_m(self) -> float:
-        """Between the nearest points of the two bodies."""
+        """Distance between the nearest points of the two bodies [m]."""
         ...
 
     @property
     def bearing_deg(self) -> float:
-        """In (-180, 180], positive to the person's left."""
+        """Bearing in (-180, 180], positive to the person's left [deg]."""
         ...
 
     @property
@@ -79,16 +79,16 @@ def unverified(pose: RelativePose | None) -> str | None:
 class MotionGoal:
     """A motion goal for the base.
 
-    `navigate`: go along the shortest route until close to the pose. `dock`: move finely onto the pose and
-    hold it, following the person. `face`: turn on the spot towards the person. `go_to`: go where something is
-    kept, and turn to it.
+    `navigate`: take the shortest route until close to the pose. `dock`: move precisely onto the pose and hold
+    it, following the person. `face`: turn on the spot towards the person. `go_to`: go to the location of an
+    object, and face it.
     """
 
     kind: Literal["navigate", "dock", "face", "go_to"]
     to: str
-    """A person; of `go_to` a place."""
+    """A person; for `go_to`, a place."""
     pose: RelativePose | None = None
-    """Where to stand near the person, for `navigate` and `dock`: any pose, not only a chosen one."""
+    """Pose near the person, for `navigate` and `dock`: any pose, not only a chosen one."""
     speed_m_s: float = inf
     """Maximum speed [m/s]; infinite for `face`, which does not travel."""
     near_m_s: float = inf
@@ -123,7 +123,7 @@ class ActGoal:
 
     @property
     def language(self) -> str | None:
-        """The language of the text by its BCP 47 tag; None where it is not known."""
+        """The language of the text as a BCP 47 tag; None if unknown."""
         return self.utterance.language if self.utterance else None
 
     @property
@@ -133,11 +133,11 @@ class ActGoal:
 
     @property
     def spoken(self) -> str | None:
-        """The text for a synthesiser: with the pronunciation that a person stated in place of their name."""
+        """The text for a speech synthesiser, with the pronunciation that a person gave for their name."""
         return self.utterance.spoken if self.utterance else self.text
 
     def without(self, people: Collection[str]) -> ActGoal:
-        """The same where some people are not to be named."""
+        """A copy that does not name these people."""
         if self.utterance is None:
             return self if self.text is None else replace(self, text=without_names(self.text, people))
         utterance = self.utterance.without(people)
@@ -147,14 +147,14 @@ class ActGoal:
 def speech(
     act: str, to: str, words: Utterance | str, *, thing: str | None = None, manner: Manner = NORMAL
 ) -> ActGoal:
-    """An act of speech.
+    """Make a goal for an act of speech.
 
     Args:
         act: `say` or `ask_to_pass`.
-        to: The person whom the robot turns to.
-        words: What is said; a text where the plan has one of its own.
-        thing: What is handed over with it.
-        manner: How.
+        to: The addressee.
+        words: The utterance, or the plan's own text.
+        thing: The object handed over with it.
+        manner: Volume and rate.
     """
     if isinstance(words, str):
         return ActGoal(act, to, words, thing, manner)
@@ -162,35 +162,35 @@ def speech(
 
 
 class GoalStatus(Protocol):
-    """How a goal or an act goes."""
+    """The progress of a goal or an act."""
 
     @property
     def goal(self) -> GoalId | None:
-        """Which; None where there has been none yet."""
+        """Identifier; None if there has been no goal yet."""
         ...
 
     @property
     def state(self) -> str:
-        """One of `STATES`; any other word is an error that names them."""
+        """One of `STATES`; any other word is an error."""
         ...
 
     @property
     def text(self) -> str:
-        """A reason for a reader, above all where it is held up or lost; may be empty."""
+        """A reason for readers, in particular if it is blocked or lost; may be empty."""
         ...
 
 
 class Motion(GoalStatus, Protocol):
-    """How the newest motion goal goes."""
+    """The progress of the newest motion goal."""
 
     @property
     def stamp_s(self) -> float:
-        """When the base last said so, by the robot's clock: what is too old is not believed."""
+        """Time of the base's last report, by the robot's clock [s]; outdated reports are ignored."""
         ...
 
     @property
     def remaining_m(self) -> float | None:
-        """The way that is left; None where the base does not know."""
+        """Length of the remaining path [m]; None if unknown."""
         ...
 
     @property
@@ -200,18 +200,18 @@ class Motion(GoalStatus, Protocol):
 
     @property
     def blocked_by(self) -> Sequence[str]:
-        """The people who are in the way, by name, all who are to be asked; empty where only things are."""
+        """Names of all obstructing people to ask; empty if only objects obstruct the path."""
         ...
 
     @property
     def is_at_rest(self) -> bool:
-        """Whether the base stands and does not turn, by its own measurement."""
+        """Whether the base neither moves nor turns, by its own measurement."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class ActStatus:
-    """A `GoalStatus` for robots that have none of their own."""
+    """A `GoalStatus` for robots without a class of their own."""
 
     goal: GoalId | None
     state: GoalState
@@ -220,7 +220,7 @@ class ActStatus:
 
 @dataclass(frozen=True, slots=True)
 class MotionStatus:
-    """A `Motion` for robots that have none of their own."""
+    """A `Motion` for robots without a class of their own."""
 
     goal: GoalId | None
     state: GoalState

@@ -1,8 +1,8 @@
-"""What a robot that stands before a person notices of how they take it: from its readings and its ears.
+"""Detects a person's reaction to the robot in front of them, from readings and speech.
 
-Until something is noticed the robot stands still, so that every change of the distance and the bearing is the
-person's own doing. Thresholds are this project's own choice: well above what noise of 3 cm leaves in a
-filtered reading, well below a step.
+Until something is noticed the robot stands still, so that every change of distance and bearing is the
+person's own motion. The thresholds are our choice: well above the effect of 3 cm noise on a filtered reading,
+well below a step.
 """
 
 from __future__ import annotations
@@ -15,35 +15,35 @@ from comity_executor.robots.robot import Reading, Words
 from comity_fis.learning.signals import WORDS, Signal
 
 BACK_M, IN_M, TURNED_DEG = 0.09, 0.07, 25.0
-"""So much farther, nearer or turned than at first is a step back, a leaning in, or a turning away."""
+"""Changes from the first reading that count as a step back [m], leaning in [m] or turning away [deg]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Noticed:
-    """One signal of a person, as the robot understood it."""
+    """A person's signal, as the robot understood it."""
 
     t: float
-    """When it was noticed."""
+    """Time at which it was noticed [s]."""
     kind: Signal
     distance_m: float
-    """Where the robot stood when it was shown, between the nearest points of the two bodies."""
+    """Distance between the nearest points of the two bodies at that time [m]."""
 
 
 def noticed(first: Reading, now: Reading, words: Iterable[Words], t: float) -> Noticed | None:
-    """The signal that a person shows, if any.
+    """The signal that a person shows; None if there is none.
 
     Args:
-        first: What the robot read when it had come to rest before the person.
-        now: What it reads now, having stood still since.
+        first: The reading when the robot came to rest next to the person.
+        now: The current reading; the robot has not moved since the first.
         words: What the person has said since.
-        t: The time now.
+        t: The current time [s].
     """
     kind = _heard(words) or _seen(first, now)
     return Noticed(t, kind, first.distance_m) if kind else None
 
 
 def _heard(words: Iterable[Words]) -> Signal | None:
-    """The first request; the words are those of the scenario's people, whatever their capitals."""
+    """The first request; case is ignored in the phrases of the scenario's people."""
     requests: dict[str, Signal] = {text.casefold(): signal for signal, text in WORDS.items()}
     for said in words:
         if said.text.casefold() in requests:

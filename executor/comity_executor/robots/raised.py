@@ -1,4 +1,4 @@
-"""An exception in words, with the place in the user's own code where it was raised."""
+"""Describes an exception, with the location in the user's code where it was raised."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ if TYPE_CHECKING:
     from types import FrameType
 
 OURS = ("comity", "comity_domain", "comity_executor", "comity_fis", "comity_sim2d", "py_trees")
-"""Packages whose frames are not the user's; nor are those of the standard library."""
+"""Packages whose frames do not count as user code, as those of the standard library."""
 
 
 def raised(error: BaseException) -> str:
-    """Type and text of an exception; where the user's code raised it, with its file, line and call.
+    """Type and text of an exception, and where the user's code raised it: file, line and call.
 
     The call is the one that Comity made, such as `motion` of a robot. The line is the last one in that call's
-    file, so that an exception deep in a library names the line of the user that led there.
+    file, so that for an exception deep in a library it is the user's line that led there.
 
     Args:
-        error: As it was caught.
+        error: The caught exception.
     """
     return f"{type(error).__name__}: {error}{raised_at(error)}"
 
 
 def raised_at(error: BaseException) -> str:
-    """The place alone, as ` (my_robot.py:41, in motion)`; empty where only Comity's code was involved."""
+    """The location alone, as ` (my_robot.py:41, in motion)`; empty if only Comity's code was involved."""
     frames = list(walk_tb(error.__traceback__))
     at = next((i for i, (frame, _) in enumerate(frames) if _is_users(frame)), None)
     if at is None:
@@ -39,7 +39,7 @@ def raised_at(error: BaseException) -> str:
 
 
 def _is_users(frame: FrameType) -> bool:
-    # The package, not the name: a module that runs as `__main__` has its own package still.
+    # The package, not the name: a module that runs as `__main__` still has its package.
     where = frame.f_globals
     package = where.get("__package__") or where.get("__name__") or ""
     top = str(package).partition(".")[0]

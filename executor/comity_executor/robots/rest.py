@@ -1,4 +1,4 @@
-"""Whether a base that was told to stop comes to rest, by its own word and in time."""
+"""Monitors whether a base that was told to stop comes to rest in time, by its own report."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from comity_executor.robots.robot import Robot
 from comity_executor.robots.status import has_stopped
 
 LEAST_BRAKING_S = 2.0
-"""A base has twice the braking time that it states, but at least this (our choice)."""
+"""Minimum time for coming to rest [s]; otherwise twice the braking time that the base states (our choice)."""
 
 
 class Rest:
-    """Watches one base.
+    """Monitors one base.
 
     Args:
-        robot: It states how late it acts and how hard it brakes.
-        top_speed_m_s: The most that it is ever told to go.
+        robot: It states its latency and deceleration.
+        top_speed_m_s: Maximum speed it is ever commanded [m/s].
     """
 
     def __init__(self, robot: Robot, top_speed_m_s: float) -> None:
@@ -22,18 +22,18 @@ class Rest:
         can = robot.capabilities
         braking_s = can.latency_s + top_speed_m_s / can.braking_m_s2
         self.patience_s = max(LEAST_BRAKING_S, 2.0 * braking_s)
-        """So long it may take to come to rest."""
+        """Maximum time for coming to rest [s]."""
         self._told_s: float | None = None
-        """Since when it has to rest."""
+        """Time since when it should rest [s]."""
         self._moves_since_s = 0.0
-        """Since when it does not say that it does."""
+        """Time since when it has not reported rest [s]."""
         self.is_confirmed = False
-        """Whether it had to rest when it was looked at last, and said that it did."""
+        """Whether at the last check it had to rest and reported rest."""
         self.is_overdue = False
         """Whether it has not come to rest in time."""
 
     def look(self, t: float, *, has_to_rest: bool) -> None:
-        """Ask the base, where it has to rest at a time [s]."""
+        """Check the base at time `t` [s]."""
         if not has_to_rest:
             self._told_s, self.is_confirmed, self.is_overdue = None, False, False
             return

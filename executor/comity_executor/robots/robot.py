@@ -3,9 +3,9 @@
 The protocols are structural: an implementation need not import this module. Units are metres, seconds and
 degrees.
 
-Words: the *distance* is between the nearest points of the two bodies, robot and person. The *bearing* is the
-    angle from where the person faces to where the robot's centre stands, seen from the person's centre,
-    positive to the person's left, in (-180, 180].
+The *distance* is between the nearest points of the two bodies, robot and person. The *bearing* is the angle
+from the person's heading to the robot's centre, seen from the person's centre, positive to the person's left,
+in (-180, 180].
 """
 
 from __future__ import annotations
@@ -103,11 +103,11 @@ class Robot(Protocol):
         ...
 
     def read(self, person: str) -> Reading | None:
-        """The newest reading of a person; None where the person is not seen."""
+        """The newest reading of a person; None if the person is not seen."""
         ...
 
     def heard(self, person: str) -> Sequence[Words]:
-        """All that a person has said to the robot, in order; asked for only while it attends to them."""
+        """All that a person has said to the robot, in order; called only while the robot attends to them."""
         ...
 
     def choose_pose(
@@ -177,10 +177,10 @@ class Robot(Protocol):
         ...
 
     def emergency(self) -> str | bool:
-        """Why the robot must stand still and do nothing: a stop button, a bump; False while it need not.
+        """Why the robot must stand still and do nothing (a stop button, a bump); False if it need not.
 
-        It is read first in every tick, and stops all that runs. None, any other value or an exception counts
-        as pressed. A stop latches: when this is False again, the robot stands until `Execution.resume`. A
+        It is read first in every tick, and stops everything. None, any other value or an exception counts as
+        pressed. A stop latches: after this is False again, the robot stands until `Execution.resume`. A
         robot's own stop need not wait for the tree: it may cut the motors at once.
         """
         ...

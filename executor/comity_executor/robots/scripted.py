@@ -1,7 +1,7 @@
-"""The smallest robot that satisfies the protocol: no physics and no room, only how far away people are.
+"""A minimal robot that implements the protocol: no physics and no map, only distances to people.
 
-It is an example for connecting a real robot, and enough to try a plan's tree: it comes straight up to
-people at the speed it was told, turns at once, and does every act in a fixed time.
+It is an example for connecting a real robot, and enough to try a plan's tree: it moves straight towards
+people at the commanded speed, turns instantly, and does every act in a fixed time.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from comity_executor.robots.robot import Words
 from comity_fis.defuzzification.curve import Curve
 
 CLOSE_M = 0.5
-"""So much before the pose, navigation has arrived."""
+"""Remaining distance at which navigation succeeds [m]."""
 BODIES_M = 0.45
-"""The two radii together: what lies between centre distance and distance."""
+"""Sum of the two body radii: centre distance minus distance [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class ScriptedReading:
-    """What it knows of a person; it is always right."""
+    """The reading of a person, without error."""
 
     distance_m: float
     centre_distance_m: float
@@ -43,13 +43,13 @@ class ScriptedReading:
 
 
 class ScriptedRobot:
-    """A robot that is only numbers; `step` is its world.
+    """A robot simulated by numbers only; `step` advances its world.
 
     Args:
-        people: How far away each person is at the start, between the bodies [m].
-        name: As in the plan.
-        step_s: The length of a step.
-        act_s: How long every utterance and gesture takes.
+        people: Initial distance of each person, between the bodies [m].
+        name: Name in the plan.
+        step_s: Duration of a step [s].
+        act_s: Duration of every utterance and gesture [s].
     """
 
     def __init__(
@@ -62,28 +62,28 @@ class ScriptedRobot:
         self._away_m = dict(people)
         self._bearing_deg = dict.fromkeys(people, 0.0)
         self._goal: MotionGoal | None = None
-        """What it was told; None once it has stopped."""
+        """The current goal; None once stopped."""
         self._goals = 0
-        """So many it has been given: the newest one is called by that number."""
+        """Number of goals so far, which identifies the newest one."""
         self._renewed_s = 0.0
-        """When the goal was given, or renewed last."""
+        """Time at which the goal was given or last renewed [s]."""
         self._speed_m_s = 0.0
         self._faces: str | None = None
         self._acts: list[ActGoal] = []
-        """All that it was told to do, in order: the first is called `act 1`."""
+        """All acts so far, in order: the first is called `act 1`."""
         self._ends: list[int | None] = []
-        """In which step each of them is over; None: it was stopped."""
+        """The step in which each act ends; None if it was stopped."""
         self.in_the_way: str | None = None
-        """A person who blocks every way; the script says who, and until when."""
+        """A person who blocks every path; set by the script."""
         self.emergency_stop: str | None = None
-        """Why the emergency stop is pressed; None while it is not."""
+        """Why the emergency stop is pressed; None if it is not."""
 
     def step(self) -> None:
-        """Let a step of time pass."""
+        """Advance time by one step."""
         self._steps += 1
         self._speed_m_s = 0.0
         if self.now_s() - self._renewed_s > self.capabilities.lease_s:
-            self._goal = None  # the sender is silent
+            self._goal = None  # the lease has expired
         goal = self._goal
         if goal is None or goal.pose is None or self.in_the_way or self.emergency_stop:
             return
@@ -98,20 +98,20 @@ class ScriptedRobot:
 
     @property
     def name(self) -> str:
-        """Its name in the plan."""
+        """Name in the plan."""
         return self._name
 
     @property
     def capabilities(self) -> CapabilityValues:
-        """Exact, and at once."""
+        """Exact and without latency."""
         return CapabilityValues(lease_s=LONGEST_LEASE_S)
 
     def now_s(self) -> float:
-        """Steps times their length."""
+        """Number of steps times their duration [s]."""
         return self._steps * self._step_s
 
     def read(self, person: str) -> ScriptedReading | None:
-        """What is so; None for a stranger."""
+        """The true reading; None for an unknown person."""
         if person not in self._away_m:
             return None
         away_m, bearing_deg = self._away_m[person], self._bearing_deg[person]
@@ -138,22 +138,22 @@ class ScriptedRobot:
         distance_desirability: Curve,
         direction_desirability: Curve,
     ) -> RelativePose | None:
-        """The wanted pose: nothing is ever in the way."""
+        """The target pose: there are no obstacles."""
         return PlannedPose(distance_m, bearing_deg)
 
     def go(self, goal: MotionGoal) -> GoalId:
-        """Come closer, or turn and be at a place in no time: it knows no places."""
+        """Approach the person, or turn or reach a place instantly: it has no positions of places."""
         self._goal, self._faces, self._goals = goal, goal.to, self._goals + 1
         self._renewed_s = self.now_s()
         return self._goals
 
     def renew(self, goal: GoalId) -> None:
-        """Note when."""
+        """Record the time of renewal."""
         if goal == self._goals:
             self._renewed_s = self.now_s()
 
     def motion(self) -> MotionStatus:
-        """Succeeded where the way that is left is short enough."""
+        """Succeeded once the remaining path is short enough."""
         newest, goal = self._goals or None, self._goal
         if goal is None:
             return MotionStatus(newest, "stopped", stamp_s=self.now_s(), is_at_rest=True)
@@ -172,18 +172,18 @@ class ScriptedRobot:
         )
 
     def stop(self, goal: GoalId | None = None) -> None:
-        """Stand, at once, or break an act off."""
+        """Stop at once, or abort an act."""
         if isinstance(goal, str):
             self._break_off(goal)
         elif goal in (None, self._goals):
             self._goal, self._speed_m_s = None, 0.0
 
     def emergency(self) -> str | bool:
-        """What the script says."""
+        """What the script has set."""
         return self.emergency_stop or False
 
     def perform(self, act: ActGoal) -> GoalId:
-        """Note when it will be over."""
+        """Record when the act will be over."""
         self._acts.append(act)
         self._ends.append(self._steps + self._act_steps)
         return f"act {len(self._acts)}"
@@ -196,7 +196,7 @@ class ScriptedRobot:
         return ActStatus(act, "succeeded" if self._steps >= end else "running")
 
     def carried(self) -> str | None:
-        """What it has taken up and not handed over."""
+        """The object picked up and not handed over."""
         held: str | None = None
         for act, end in zip(self._acts, self._ends, strict=True):
             if end is not None and self._steps >= end and act.act in (PICK_UP, HAND_OVER):
@@ -209,5 +209,5 @@ class ScriptedRobot:
 
 
 def _place(act: GoalId) -> int:
-    """The place of an act in the list: `act 1` is the first."""
+    """Index of the act in the list: `act 1` is the first."""
     return int(str(act).removeprefix("act ")) - 1

@@ -1,7 +1,7 @@
-"""The robot's readings, taken at most once per person and tick, and kept.
+"""The robot's readings: taken at most once per person and tick, and recorded.
 
-All conditions of one tick see the same reading, so that they cannot contradict each other; and the series
-holds exactly what the tree has seen, no more.
+All conditions of one tick use the same reading, so that they cannot contradict each other; the recorded
+series contains exactly what the tree has used.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ COLUMNS = ("t", "distance_m", "centre_distance_m", "bearing_deg", "facing_error_
 
 
 class ReadingSeries:
-    """Every reading of an execution: 64 bytes a row."""
+    """Every reading of an execution; 64 bytes per row."""
 
     def __init__(self) -> None:
         self.people: list[str] = []
-        """In the order in which they were first seen."""
+        """Names in order of first reading."""
         self.who = array("q")
         """Per row, the index into `people`."""
         self._values = array("d")
-        """One row of `COLUMNS` after the other."""
+        """Rows of `COLUMNS`, flattened."""
 
     def append(self, t: float, person: str, reading: Reading) -> None:
-        """Add one reading, taken at time t."""
+        """Append a reading taken at time `t` [s]."""
         if person not in self.people:
             self.people.append(person)
         self.who.append(self.people.index(person))
@@ -54,7 +54,7 @@ class ReadingSeries:
         return len(self.who)
 
     def rows(self, since: int = 0) -> Iterator[tuple[str, dict[str, float]]]:
-        """In the order of reading, without as many of the first ones as `since` says."""
+        """Rows in chronological order, starting at index `since`."""
         width = len(COLUMNS)
         for row in range(since, len(self.who)):
             values = self._values[row * width : (row + 1) * width]
@@ -62,10 +62,10 @@ class ReadingSeries:
 
 
 class ReadingsFile:
-    """Readings on disk that grow while the tree runs: one row each, numbers to a millionth as in the trace.
+    """A readings file that grows while the tree runs: one row per reading, rounded to 1e-6 as in the trace.
 
     Args:
-        path: Where to write; what is there is replaced.
+        path: The file; it is overwritten.
     """
 
     def __init__(self, path: Path) -> None:
@@ -75,7 +75,7 @@ class ReadingsFile:
         self._written = 0
 
     def keep(self, readings: ReadingSeries) -> None:
-        """Write down those that are not yet."""
+        """Write the readings that are not in the file yet."""
         for person, row in readings.rows(self._written):
             self._writer.writerow((person, *(round(value, 6) + 0.0 for value in row.values())))
         self._file.flush()
@@ -91,18 +91,18 @@ class ReadingsFile:
 
 
 class ClockError(ValueError):
-    """A robot's clock by which nothing can be timed."""
+    """A robot's clock is unusable for timing."""
 
 
 class StaleError(Exception):
-    """What a tick has read is too old to begin anything by it."""
+    """The readings of a tick are too old to start anything."""
 
 
 def time_after(last_s: float, now_s: object) -> float:
-    """What a clock says, as a number.
+    """The clock's time as a number [s].
 
     Raises:
-        ClockError: It is no finite number, or before the last one.
+        ClockError: It is not a finite number, or before the last time.
     """
     if isinstance(now_s, bool) or not isinstance(now_s, SupportsFloat) or not isfinite(now := float(now_s)):
         raise ClockError(f"now_s: expected the time as a finite number of seconds, got {now_s!r}")
@@ -115,22 +115,22 @@ def time_after(last_s: float, now_s: object) -> float:
 
 
 class Senses:
-    """What the nodes of one tree read of the world; everything is as of the start of the tick."""
+    """All that one tree's nodes read of the world, as of the start of the tick."""
 
     def __init__(self, robot: Robot, emergency: Callable[[], object] | None = None) -> None:
         self.series = ReadingSeries()
         self.stop_button = StopButton(emergency or robot.emergency)
-        """Read before all else, as of the start of the tick."""
+        """The emergency stop, read before all else."""
         self._robot = robot
         self._now_s, self._last_s = 0.0, -inf
         self._taken: dict[str, Reading | None] = {}
         self._taken_before: dict[str, Reading | None] = {}
 
     def begin_tick(self) -> float:
-        """Read the stop, and forget the readings of the last tick but one; the time of this tick.
+        """Start a tick: read the stop, discard old readings; returns the time of this tick [s].
 
         Raises:
-            ClockError: The robot's clock goes back, or gives no time.
+            ClockError: The clock goes backwards, or gives no time.
         """
         self.stop_button.look()
         self._taken, self._taken_before = {}, self._taken
@@ -138,32 +138,32 @@ class Senses:
         return self._now_s
 
     def require_fresh(self) -> None:
-        """Refuse to begin anything in a tick that has been held up, such as by a call that took its time.
+        """Reject starting anything in a delayed tick, for example after a slow call.
 
         Raises:
-            StaleError: The tick began longer ago than a goal holds by itself.
-            ClockError: The robot's clock goes back, or gives no time.
+            StaleError: The tick began longer ago than a goal's lease.
+            ClockError: The clock goes backwards, or gives no time.
         """
         age_s = time_after(self._now_s, self._robot.now_s()) - self._now_s
         if age_s > LONGEST_LEASE_S:
             raise StaleError(f"nothing begins in a tick that has read the stop and people {age_s:.2f} s ago")
 
     def look_at_clock(self) -> float:
-        """The time now, within a tick or after it; the last known one where the clock cannot be read."""
+        """The current time, during or after a tick; the last known one if the clock cannot be read [s]."""
         with suppress(Exception):
             self._now_s = self._last_s = time_after(self._last_s, self._robot.now_s())
         return self._now_s
 
     def hold(self, person: str) -> None:
-        """In this tick the reading of a person is that of the last one, whatever the robot sees."""
+        """Reuse the person's last reading in this tick, whatever the robot sees."""
         self._taken[person] = self._taken_before.get(person)
 
     def now_s(self) -> float:
-        """The time of this tick."""
+        """The time of this tick [s]."""
         return self._now_s
 
     def read(self, person: str) -> Reading | None:
-        """The reading of this tick; None where the person is not seen."""
+        """The reading of this tick; None if the person is not seen."""
         if person not in self._taken:
             reading = self._taken[person] = self._robot.read(person)
             if reading is not None:

@@ -1,4 +1,4 @@
-"""What a robot says of its goals, held against the words that it may use."""
+"""Validates a robot's reports on goals and acts."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ from comity_executor.robots.map_robot import MapRobot
 from comity_executor.robots.robot import Robot
 
 FORMS = {form: tuple(field.name for field in fields(form)) for form in (MotionStatus, ActStatus)}
-"""What an answer about a goal, and one about an act, has."""
+"""Fields of a report on a goal, and of one on an act."""
 
 
 class StateError(ValueError):
-    """A robot says of a goal what it may not."""
+    """A robot reports an invalid state of a goal."""
 
 
 class GoalLostError(Exception):
-    """A goal that will not be reached: the base refused it, gave it up, was stopped or is silent."""
+    """A goal will not be reached: the base rejected or aborted it, was stopped, or stopped reporting."""
 
 
 def known_motion(robot: Robot | MapRobot) -> Motion:
-    """How the newest motion goal goes.
+    """The progress of the newest motion goal.
 
     Raises:
-        StateError: The answer lacks something, or its state is an unknown word.
+        StateError: The report lacks a field, or its state is unknown.
     """
     motion = robot.motion()
     _check("motion", motion, MotionStatus)
@@ -43,10 +43,10 @@ def known_motion(robot: Robot | MapRobot) -> Motion:
 
 
 def known_performance(robot: Robot | MapRobot, act: GoalId) -> GoalStatus:
-    """How an act goes.
+    """The progress of an act.
 
     Raises:
-        StateError: The answer lacks something, or its state is an unknown word.
+        StateError: The report lacks a field, or its state is unknown.
     """
     status = robot.performance(act)
     _check("performance", status, ActStatus)
@@ -54,17 +54,17 @@ def known_performance(robot: Robot | MapRobot, act: GoalId) -> GoalStatus:
 
 
 def missing_in(status: object, form: type[MotionStatus | ActStatus]) -> Sequence[str]:
-    """What the answer of a robot lacks of a form."""
+    """The fields missing from a robot's report."""
     return [name for name in FORMS[form] if not hasattr(status, name)]
 
 
 def has_stopped(robot: Robot, told_s: float = -inf) -> bool:
-    """Whether the base says that it stands and has no goal any more; one that cannot say is taken to move.
+    """Whether the base reports that it stands without a goal; a base that cannot report counts as moving.
 
     Args:
         robot: The robot.
-        told_s: When it was told to stop, by its own clock [s]. What it said before the latency that it states
-            is over does not count: it may not have heard of the newest goal then, nor of the stop.
+        told_s: Time of the stop command, by the robot's clock [s]. Reports before the stated latency has
+            passed do not count: they may precede the newest goal and the stop.
     """
     try:
         motion = robot.motion()

@@ -1,4 +1,4 @@
-"""The robot's stop as it is obeyed: it takes effect at once, and only a person's word ends it."""
+"""The robot's latching emergency stop: effective at once, and ended only by a person."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ class StopButton:
     """A stop that latches.
 
     Args:
-        read: Says why the robot must stand still; only an explicit False is "not pressed". None, any other
-            value and an exception are pressed.
+        read: Returns why the robot must stand still. Only an explicit False means "not pressed"; None, any
+            other value and an exception count as pressed.
     """
 
     def __init__(self, read: Callable[[], object]) -> None:
@@ -21,7 +21,7 @@ class StopButton:
         self._latched: str | None = None
 
     def look(self) -> None:
-        """Read it: once in every tick, before anything else."""
+        """Read the stop: once in every tick, before anything else."""
         try:
             said = self._read()
         except Exception as error:
@@ -31,11 +31,11 @@ class StopButton:
 
     @property
     def reason(self) -> str | None:
-        """Why the robot stands still; None where it may go."""
+        """Why the robot stands still; None if it may move."""
         return self._latched
 
     def resume(self) -> bool:
-        """Let the robot go on after a stop that was released, and is still; whether it may."""
+        """Resume after a released stop, if it is still released; returns whether the robot may move."""
         self.look()
         if self._pressed is None:
             self._latched = None
