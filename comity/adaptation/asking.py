@@ -1,4 +1,4 @@
-"""The one question to a person, and the two ways in which their answer may count."""
+"""Asking a person how near they like the robot, and the two ways to use their answer."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from comity_fis import ParameterValue
 
 CountsAs = Literal["setting", "observation"]
-"""A setting goes before everything but safety; an observation is weighed with what the person shows."""
+"""A setting overrides everything but safety; an observation is weighed with what the person shows."""
 
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Who is asked, and in which situation the answer holds, should it be an observation."""
+    """The person asked, and the situation in which the answer holds if it is an observation."""
 
     name: str
     judges: Books
@@ -39,27 +39,27 @@ class Question:
         Store().require(self.name)
 
     def setting(self, said: str) -> float | None:
-        """Keep the answer as the person's wish; `unknown` takes a wish back.
+        """Store the answer as the person's setting; `unknown` removes it.
 
         Returns:
-            The wish [m].
+            The setting [m].
 
         Raises:
-            InputError: for an answer that cannot be granted; nothing is changed.
+            InputError: The answer cannot be granted; nothing is changed.
         """
         words = {f"settings.{DISTANCE}": said}
         wish = keep_edited(self.name, words, self.judges).settings.get(DISTANCE)
         return None if wish is None else float(wish)
 
     def observation(self, said: str) -> float | None:
-        """Keep the answer beside what meetings taught; `unknown` forgets all answers in this situation.
+        """Store the answer as an observation; `unknown` removes all answers in this situation.
 
         Returns:
-            What they named [m].
+            The stated distance [m].
 
         Raises:
-            InputError: for an answer that could not be granted as a wish either, or of a person who did not
-                agree that meetings teach about them; nothing is changed.
+            InputError: The answer could not be granted as a setting either, or the person does not consent to
+                learning; nothing is changed.
         """
         document = edited({"name": self.name}, {f"settings.{DISTANCE}": said}, self.judges)
         wish = checked(document, self.judges, self.day).settings.get(DISTANCE)
@@ -78,20 +78,20 @@ class Question:
         return stated.likes_m
 
     def _prior(self) -> ParameterValue:
-        """What culture and situation give, without a wish."""
+        """The value by culture and situation, without a setting."""
         without = _without_wish(load_profile(self.name))
         return met_at(without, self.judges.first, self.situation, self.day)
 
     def met_at(self) -> ParameterValue:
-        """How near the robot comes in this situation from now on, with what that is made of."""
+        """The distance that the robot now keeps in this situation, with its contributions."""
         return met_at(load_profile(self.name), self.judges.first, self.situation, self.day)
 
 
 def ask_in(name: str, judges: Books, day: date, told: Mapping[str, Fact]) -> Question:
-    """The question to a person who is kept, in their usual situation but for what is told of it.
+    """The question for a stored person, in their usual situation updated by the given facts.
 
     Raises:
-        InputError: if nobody of that name is kept, or their profile is damaged.
+        InputError: No person of that name is stored, or their profile is damaged.
     """
     Store().require(name)
     return Question(name, judges, day, {**usual_situation(load_profile(name), day), **told})

@@ -1,4 +1,4 @@
-"""From words such as `age=71` or `distance=0.9` to a checked profile, or to nothing at all."""
+"""Edits a stored profile by words such as `age=71` or `distance=0.9`; all changes are validated."""
 
 from __future__ import annotations
 
@@ -37,26 +37,26 @@ FRIENDLY = {
     "volume": "voice_volume",
     "rate": "speech_rate",
 }
-"""What people call the parameters that they may ask for."""
+"""Everyday names of parameters that a person may set."""
 
 METRES = {"m": 1.0, "cm": 0.01}
 ASIDE = ("schema_version", "name", "settings", "other")
-"""Keys of a profile that are no answer to a question."""
+"""Keys of a profile that are not facts."""
 
 Document = dict[str, Any]
 
 
 def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books) -> Document:
-    """A profile's document with some keys changed; `unknown` takes one back.
+    """A profile's document with some keys changed; `unknown` removes one.
 
     Args:
-        document: As it is kept; empty for a new person.
-        words: `KEY=VALUE`: a key of the profile, `settings.PARAMETER` or a friendly word for one,
+        document: The stored document; empty for a new person.
+        words: `KEY=VALUE`: a key of the profile, `settings.PARAMETER` or its everyday name, or
             `other.VARIABLE`. Values are YAML.
-        judges: They know which parameters there are.
+        judges: The rulebooks, which define the parameters.
 
     Raises:
-        InputError: for a key that there is not, or two that mean the same.
+        InputError: A key does not exist, or two mean the same.
     """
     new: Document = {
         key: dict(value) if isinstance(value, dict) else value for key, value in document.items()
@@ -84,16 +84,16 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
 
 
 def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
-    """Change some keys of what is kept of a person; nobody else changes it meanwhile.
+    """Change some keys of a stored profile, under a lock.
 
     Args:
-        name: Of the person; a new person is kept from now on.
+        name: Name of the person; a new person is stored from now on.
         words: As for `edited`.
-        judges: They know which parameters there are, and which wishes can be granted.
+        judges: The rulebooks, which define the parameters and the settings that can be granted.
 
     Raises:
-        InputError: if the profile cannot be used with the change, or the person did not agree to be kept or
-            touched; nothing is written.
+        InputError: The changed profile is invalid, or the person does not consent to being stored or touched;
+            nothing is written.
     """
     lapse(name)
     require_consent(name, "remember")
@@ -112,10 +112,10 @@ def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
 
 
 def kept_document(name: str, file: YamlFile | None) -> Document:
-    """What a person's file holds, checked to be a profile; of a new person, their name.
+    """The validated profile document of a person's file; for a new person, only their name.
 
     Raises:
-        InputError: if the file in the store was damaged.
+        InputError: The stored file is damaged.
     """
     if file is None:
         return {"schema_version": 1, "name": name}
@@ -126,17 +126,17 @@ def kept_document(name: str, file: YamlFile | None) -> Document:
 def checked(
     document: Mapping[str, Any], judges: Books, at: date | None = None, *, asked: Collection[str] = ()
 ) -> Profile:
-    """The profile that a document holds, every fact usable and every wish one that can be granted.
+    """The profile of a document, after validating every fact and every setting.
 
     Args:
-        document: As it is to be kept.
+        document: The document to be stored.
         judges: The rulebooks.
-        at: On which day; today where it is None and the facts depend on it.
-        asked: The wishes that are new, by parameter: they are refused where consent is missing. One that was
-            granted before rests instead, so that consent can be taken back at any time.
+        at: The day; None: today if facts depend on it.
+        asked: Parameters of the new settings, which are rejected without the required consent. An earlier
+            setting is suspended instead, so that consent can be withdrawn at any time.
 
     Raises:
-        InputError: if it is not; nothing has been written.
+        InputError: It is invalid; nothing has been written.
     """
     name = str(document.get("name"))
     try:
@@ -144,7 +144,7 @@ def checked(
         profile = file.check(Profile)
         judges.judge(profile, day_for(at, profile), asked)
         return profile
-    except InputError as error:  # lines of a document that nobody has seen yet would mislead
+    except InputError as error:  # line numbers of an unsaved document would mislead
         raise InputError(
             expected=error.expected, got=error.got, remedy=error.remedy, where=Where(f"profile {name}")
         ) from None
@@ -152,17 +152,17 @@ def checked(
 
 @dataclass(frozen=True, slots=True)
 class Books:
-    """The rulebooks that may judge a wish."""
+    """The rulebooks that may validate a setting."""
 
     first: Rulebook
     others: tuple[str, ...]
-    """Asked about what the first does not decide; by name, because they are seldom needed."""
+    """Names of further rulebooks, for settings that the first does not define; loaded on demand."""
 
     def judge(self, profile: Profile, day: date | None, asked: Collection[str]) -> None:
-        """Look at all facts and wishes: each wish by the first rulebook that knows it.
+        """Validate all facts and settings: each setting by the first rulebook that defines it.
 
         Raises:
-            InputError: if a fact cannot be used, or a wish cannot be granted.
+            InputError: A fact is invalid, or a setting cannot be granted.
         """
         for name, wish in profile.settings.items():
             book = self._knowing(name) or self.first
@@ -175,7 +175,7 @@ class Books:
                 refuse_resting(asked, case.rests)
 
     def _about(self, profile: Profile, book: Rulebook) -> Profile:
-        """What one of the other rulebooks is asked about: no variable or wish that is not its to judge."""
+        """The profile reduced to the variables and settings that this further rulebook validates."""
         other = {name: fact for name, fact in profile.other.items() if name in book.variables}
         settings = {
             name: wish
@@ -185,11 +185,11 @@ class Books:
         return profile.model_copy(update={"other": other, "settings": settings})
 
     def knows(self, parameter: str) -> bool:
-        """Whether some rulebook has a parameter."""
+        """Whether some rulebook defines a parameter."""
         return self._knowing(parameter) is not None
 
     def in_their_case(self, parameter: str, wish: Any) -> Any:
-        """A wish in words as the rulebook that judges it writes them, where only capitals differ."""
+        """A setting in words, with the capitalisation of the rulebook that defines it."""
         book = self._knowing(parameter)
         terms = book.parameters[parameter].terms if book and isinstance(wish, str) else ()
         return next((term for term in terms if term.casefold() == wish.casefold()), wish)
@@ -202,7 +202,7 @@ class Books:
 
 
 def _refuse_unsafe(wish: Any, parameter: Parameter) -> None:
-    """Refuse a number that safety would change: what is promised has to be kept."""
+    """Reject a number that safety would change: an accepted setting has to be kept."""
     if not isinstance(parameter, NumericParameter) or parameter.check(wish) in parameter.safe:
         return
     nearest = parameter.safe.clamp(float(wish))
@@ -214,7 +214,7 @@ def _refuse_unsafe(wish: Any, parameter: Parameter) -> None:
 
 
 def books(name: str | None = None) -> Books:
-    """One rulebook by name or file; without one that of runs with people who are kept, then the others."""
+    """The given rulebook; None: the default one for stored people, then the others."""
     others = () if name else tuple(other for other in shipped_rulebooks() if other != EVIDENCE)
     return Books(load_rulebook(name or EVIDENCE), others)
 
@@ -251,6 +251,6 @@ def _value(text: str, key: str) -> Any:
 
 
 def metres(value: Any) -> Any:
-    """`90 cm` and `0.9 m` as metres; anything else as it came."""
+    """`90 cm` and `0.9 m` as metres; anything else unchanged."""
     found = re.fullmatch(r"([0-9.]+) ?(m|cm)", value) if isinstance(value, str) else None
     return round(float(found[1]) * METRES[found[2]], 6) if found else value

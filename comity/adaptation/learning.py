@@ -1,4 +1,4 @@
-"""What a run with `--learn` adds to what is known of the people whom it visited."""
+"""Learning in a run with `--learn`: what it adds about the visited people."""
 
 from __future__ import annotations
 
@@ -20,15 +20,14 @@ if TYPE_CHECKING:
 
 
 def refuse_nobody_kept(visited: Sequence[str], kept_as: Mapping[str, str | None]) -> None:
-    """Refuse to learn where no person who is visited has a stored profile that agrees to it.
+    """Reject learning if no visited person has a stored profile that consents to it.
 
     Args:
-        visited: Names of the people of the scenario who are visited.
-        kept_as: By person, the name under which the profile is stored; None where it is not.
+        visited: Names of the visited people of the scenario.
+        kept_as: By person, the name of the stored profile; None if not stored.
 
     Raises:
-        InputError: if all who are visited have profiles that describe nobody in particular, or none of those
-            who are kept agrees to it.
+        InputError: No visited person is stored, or none of the stored ones consents.
     """
     kept = [name for person in visited if (name := kept_as[person])]
     if kept and not any(is_covered(name, "learn") for name in kept):
@@ -43,11 +42,11 @@ def refuse_nobody_kept(visited: Sequence[str], kept_as: Mapping[str, str | None]
 
 
 def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
-    """What was noticed of those with whom anything is learnt, by the names under which they are kept.
+    """The signals noticed of people with consent to learning, by stored name.
 
     Args:
         episode: The run.
-        day: When it was; None for today.
+        day: Day of the run; None: today.
     """
     prepared, found = episode.prepared, {}
     for visit in episode.visits:
@@ -67,22 +66,22 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
 
 
 def _is_adult(prepared: PlannedEpisode, person: str, *, in_earnest: bool) -> bool:
-    """Whether anything may be learnt: about no child, and in earnest about nobody who may be one."""
+    """Whether learning is allowed: not about children; in real runs only about known adults."""
     is_child = is_under_age(prepared.profiles[person], prepared.day)
     return not is_child and (is_child is False or not in_earnest or prepared.file.scenario.adults_only)
 
 
 def keep(seen: Mapping[str, Observation]) -> frozenset[str]:
-    """Remember what was observed, by the names under which people are kept.
+    """Store observations, by stored name.
 
     Returns:
-        Those of whom it is remembered: not people who were deleted meanwhile.
+        The people for whom they were stored: not those deleted meanwhile.
     """
     return frozenset(name for name, one in seen.items() if remember(name, [one]))
 
 
 def in_words(seen: Mapping[str, Observation], kept: Container[str]) -> Iterator[str]:
-    """What is remembered, a line for each person."""
+    """What is stored, one line per person."""
     for name, one in seen.items():
         if name in kept:
             yield f"Learnt   {name} {SAID[one.signal]} at {one.distance_m:.2f} m"

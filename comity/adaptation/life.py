@@ -1,6 +1,6 @@
-"""One life over the years: the mapping evaluated again as the person changes.
+"""A person's parameters over the years: inference repeated as the person changes.
 
-Longitudinal adaptation, as Bruno et al. (2017) call it: the same person, the same rules, another day.
+Longitudinal adaptation (Bruno et al. 2017): the same person and rules on different days.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ MOST_YEARS = 120
 
 @dataclass(frozen=True, slots=True)
 class Year:
-    """The end of one year."""
+    """The state at the end of a year."""
 
     day: date
-    """31 December, so that all that happened in the year has."""
+    """31 December, so that it includes all changes of the year."""
     inference: Inference
     changed: tuple[str, ...]
-    """Facts that are others than a year before, in words; empty in the first year."""
+    """Facts that changed within the year, in words; empty in the first year."""
 
 
 def life(declared: Declared, rulebook: Rulebook, first: int, last: int) -> tuple[Year, ...]:
     """A person's parameters at the end of every year.
 
     Raises:
-        InputError: if a fact cannot be used on one of the days.
+        InputError: A fact is invalid on one of the days.
     """
     days = [date(year, 12, 31) for year in range(first, last + 1)]
     answers = [infer_for(declared, rulebook, at=day) for day in days]
@@ -50,7 +50,7 @@ def years_in_words(words: str) -> tuple[int, int]:
     """`2005..2025` as the first and the last year.
 
     Raises:
-        InputError: if it is nothing like that, or too much.
+        InputError: It is not such a range, or the range is too long.
     """
     first, dots, last = words.partition("..")
     usable = dots and all(re.fullmatch("[0-9]{4}", year) and int(year) for year in (first, last))
@@ -65,7 +65,7 @@ def years_in_words(words: str) -> tuple[int, int]:
 
 
 def _changes(profile: Profile, before: date, after: date) -> Iterator[str]:
-    """What became another; that a year has passed is no news."""
+    """The facts that changed, other than the age."""
     old, new = profile.facts(before), profile.facts(after)
     for name in sorted((old.keys() | new.keys()) - {"age"}):
         if old.get(name) != new.get(name):

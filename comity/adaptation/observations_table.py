@@ -1,4 +1,4 @@
-"""Observations of many meetings in a CSV file."""
+"""Reads observations of many encounters from a CSV file."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ MOST_ROWS = 10_000
 OF_STUDIES = frozenset(
     {*REQUIRED, *OPTIONAL, *Profile.model_fields, "group", "condition", "order", "trial", "medium", "read_by"}
 )
-"""Columns that `comity study collect` writes for other commands: passed over."""
+"""Columns that `comity study collect` writes for other commands: ignored here."""
 
 
 def read_sights(
     path: Path, rulebook: Rulebook, *, name: str | None = None, day: date | None = None
 ) -> tuple[ObservedSignal, ...]:
-    """The rows of a CSV file: `signal`, `distance_m`, and `name`, `date` and situations where they are told.
+    """The rows of a CSV file: `signal`, `distance_m`, and optionally `name`, `date` and situation variables.
 
     Args:
-        path: Of the file.
-        rulebook: Its variables that describe a situation may be headings.
-        name: The person of every row, where the table has no column of names.
-        day: Of rows without a date; None for today.
+        path: The file.
+        rulebook: Its situation variables may be headings.
+        name: Name of the person in every row, if the table has no column of names.
+        day: Day of rows without a date; None: today.
 
     Raises:
-        InputError: with the line of whatever cannot be used.
+        InputError: A row is invalid; with its line.
     """
     situations = [key for key, variable in rulebook.variables.items() if variable.kind == "situation"]
     known = [*NEEDED, "name", "date", *situations]

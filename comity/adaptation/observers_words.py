@@ -1,4 +1,4 @@
-"""What an observer writes down of a meeting: a signal, a distance, a situation."""
+"""Parses an observer's notes of an encounter: a signal, a distance, a situation."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ PAST: Mapping[str, Signal] = {
     "asked_closer": "ask_closer",
     "showed_nothing": "nothing",
 }
-"""How an observer writes down what a person did; the words of `learnt.yaml` are understood, too."""
+"""Past-tense names of signals in an observer's notes; the names of `learnt.yaml` are accepted, too."""
 FARTHEST_M = 20.0
 
 
 def signal_in_words(words: str, where: Where | None = None) -> Signal:
-    """A signal as an observer writes it.
+    """Parse a signal.
 
     Raises:
         InputError: The words name no signal.
@@ -49,10 +49,10 @@ def signal_in_words(words: str, where: Where | None = None) -> Signal:
 
 
 def distance(given: object, where: Where | None = None) -> float:
-    """A distance as an observer writes it: 0.8, `0.8 m` or `80 cm`.
+    """Parse a distance: 0.8, `0.8 m` or `80 cm`.
 
     Raises:
-        InputError: It is no distance, or one at which nobody is met.
+        InputError: It is not a distance, or one too far for an encounter.
     """
     found = metres(given.strip() if isinstance(given, str) else given)
     try:
@@ -72,10 +72,10 @@ def distance(given: object, where: Where | None = None) -> float:
 def situation_told(
     words: Mapping[str, object], rulebook: Rulebook, where: Where | None = None
 ) -> dict[str, Fact]:
-    """A situation in words, in the rulebook's own.
+    """Convert a situation to variables and categories of the rulebook.
 
     Raises:
-        InputError: for what is no situation, or no word or number for it.
+        InputError: A variable is not a situation variable, or a value is invalid for it.
     """
     told: dict[str, Fact] = {}
     if not isinstance(words, Mapping):
@@ -99,7 +99,7 @@ def situation_told(
             )
         try:
             is_text = isinstance(fact, str) and not isinstance(variable, NominalVariable)
-            value = float(str(fact)) if is_text else fact  # a cell or an option is text
+            value = float(str(fact)) if is_text else fact  # cells and options are text
             told[name] = variable.check(in_the_rulebooks_case(value, name, rulebook))
         except ValueError:
             raise InputError(

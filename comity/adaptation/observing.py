@@ -1,4 +1,4 @@
-"""What was seen and heard at real meetings: checked, and weighed like what a robot notices."""
+"""Observations from real encounters: validated, and weighed like those of a robot."""
 
 from __future__ import annotations
 
@@ -26,30 +26,30 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ObservedSignal:
-    """One thing that was seen or heard of a person."""
+    """One observed signal of a person."""
 
     name: str
     signal: Signal
     distance_m: float
-    """Where the robot stood, between the nearest points of the bodies."""
+    """Distance of the robot, between the nearest points of the bodies [m]."""
     day: date | None = None
-    """None for today."""
+    """Day of the observation; None: today."""
     situation: Mapping[str, Fact] | None = None
-    """What held then, by variable; for what is left out, the person's usual situation."""
+    """Situation, by variable; missing variables are as in the person's usual situation."""
     where: Where | None = None
-    """Of the row that says so."""
+    """Location of the row."""
 
 
 def observe(sights: Iterable[ObservedSignal], rulebook: Rulebook) -> tuple[Observation, ...]:
-    """Write down what was seen and heard of people, all or nothing; of each person it is undone at once.
+    """Store observations of people, all or none; for each person they can be undone together.
 
     Args:
-        sights: In any order.
-        rulebook: It says what culture and situation alone gave.
+        sights: The observations, in any order.
+        rulebook: Gives the values by culture and situation alone.
 
     Raises:
-        InputError: if a person did not agree to it, asks for a distance of their own, is a child, or a
-            situation cannot be used; nothing is written.
+        InputError: A person does not consent, has a setting for the distance, or is a child, or a situation
+            is invalid; nothing is written.
     """
     checked = [(sight.name, _observation(sight, rulebook)) for sight in sights]
     for name in dict.fromkeys(name for name, _ in checked):

@@ -1,4 +1,4 @@
-"""Back to what the rules say, in one step: forget what a person asked for, and what was learnt with them."""
+"""Resets a person to the rules: deletes their settings and what was learnt about them."""
 
 from __future__ import annotations
 
@@ -14,20 +14,19 @@ LEARNT = "what was learnt"
 
 
 def reset(name: str, parameter: str | None = None) -> tuple[str, ...]:
-    """Forget what a person asked for and what was learnt with them; the facts stay.
+    """Delete a person's settings and what was learnt about them; facts are kept.
 
-    A file of what was learnt that is damaged is forgotten like any other.
+    Damaged files of learnt data are deleted, too.
 
     Args:
-        name: Of a person who is kept.
-        parameter: Only this one, by its name or the friendly word for it; everything when None.
+        name: Name of a stored person.
+        parameter: Only this parameter, by its name or everyday name; None: all.
 
     Returns:
-        What was forgotten, in words.
+        What was deleted, in words.
 
     Raises:
-        InputError: if nobody of that name is kept, their profile is damaged, or there is nothing of the kind
-            to forget.
+        InputError: No person of that name is stored, their profile is damaged, or there is nothing to delete.
     """
     store = Store()
     store.require(name)
@@ -54,7 +53,7 @@ def _wishes(document: Mapping[str, object]) -> Document:
 
 
 def _without(document: Document, wanted: str | None) -> Document:
-    """The document without one wish, or without any where it is None."""
+    """The document without one setting, or without any (None)."""
     kept = {key: wish for key, wish in _wishes(document).items() if wanted not in (None, key)}
     rest = {key: value for key, value in document.items() if key != "settings"}
     return {**rest, "settings": kept} if kept else rest

@@ -1,4 +1,4 @@
-"""A stored person for programs: what was observed of them at real meetings is added, and taken back."""
+"""A stored person, for use by programs: add and undo observations of real encounters."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ if TYPE_CHECKING:
 class StoredProfile:
     """A stored person, for programs: `comity.profile("amal")`.
 
-    What is observed is kept for later meetings, in the store; it needs the person's consent to `learn`.
+    Observations are stored for later encounters; this requires the person's consent to `learn`.
     """
 
     name: str
     rulebook: str = EVIDENCE
-    """What runs with a stored person go by."""
+    """The rulebook of runs with a stored person."""
 
     def __post_init__(self) -> None:
         Store().require(self.name)
@@ -42,21 +42,21 @@ class StoredProfile:
         at: date | str | None = None,
         situation: Mapping[str, Fact] | None = None,
     ) -> Observation:
-        """Write down what a person did when the robot stood before them.
+        """Store a person's reaction to the robot in front of them.
 
         Args:
-            signal: `stepped_back`, `turned_away`, `leaned_in` or `showed_nothing` is seen, `asked_farther`
-                and `asked_closer` are said.
-            distance_m: Where the robot stood, between the nearest points of the bodies, 0 to 20.
-            at: The day, as a date or YYYY-MM-DD; None for today.
-            situation: What held then, as in `{"posture": "seated"}`; None for the person's usual one.
+            signal: Observed: `stepped_back`, `turned_away`, `leaned_in` or `showed_nothing`; said:
+                `asked_farther` or `asked_closer`.
+            distance_m: Distance of the robot, between the nearest points of the bodies, 0 to 20 [m].
+            at: The day, as a date or YYYY-MM-DD; None: today.
+            situation: The situation, such as `{"posture": "seated"}`; None: the person's usual one.
 
         Returns:
-            What was written down, with what culture and situation alone gave then.
+            The stored observation, with the value by culture and situation alone.
 
         Raises:
-            InputError: if the person did not agree to it, asks for a distance of their own, is a child, or
-                something given cannot be used; nothing is written.
+            InputError: The person does not consent, has a setting for the distance, or is a child, or an
+                argument is invalid; nothing is written.
         """
         sight = ObservedSignal(
             self.name, signal_in_words(signal), distance(distance_m), day_given(at), situation
@@ -65,5 +65,5 @@ class StoredProfile:
         return seen
 
     def undo(self) -> tuple[Observation, ...]:
-        """Forget what was written down last; again for what was before. What runs saw stays."""
+        """Remove the last stored entry; repeatable. Observations from runs are kept."""
         return undo(self.name)

@@ -1,4 +1,4 @@
-"""Meeting one person again and again: every visit is an episode in the world, and teaches something."""
+"""Repeated visits to one simulated person: each is an episode from which the robot learns."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from comity_fis.learning.signals import Signal
 
 STAGE, PERSON = "acquaintance", "guest"
-"""The shipped scenario in which people are met, and who is met there."""
+"""The built-in scenario for the visits, and the visited person in it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,43 +33,43 @@ class VisitRecord:
     """One visit, and what was known before it."""
 
     days: int
-    """Since the first."""
+    """Days since the first visit."""
     model_m: float
-    """What culture and situation gave."""
+    """Distance by culture and situation [m]."""
     interval_m: tuple[float, float]
-    """Where the middle of the person's comfort interval lay with 90 % probability, as the robot saw it; no
-    nearer than safety allows."""
+    """The robot's 90 % credible interval for the middle of the person's comfort interval, at least the safe
+    distance [m]."""
     wanted_m: float
-    """Where the robot wanted to stop."""
+    """The robot's target distance [m]."""
     reached_m: float | None
-    """Where it stood in truth when it docked."""
+    """The true distance at docking [m]."""
     shown: Signal | None
-    """What the person truly did; None where the robot never came to stand before them."""
+    """The person's true signal; None if the robot never reached them."""
     seen: Observation | None
-    """What the robot made of it."""
+    """The robot's observation."""
 
 
 @dataclass(frozen=True, slots=True)
 class Acquaintance:
-    """A simulated person and how often the robot goes there."""
+    """A simulated person, and how often the robot visits."""
 
     profile: str
-    """A shipped or kept name, or a file."""
+    """A built-in or stored name, or a file."""
     rulebook: str
     every_days: int
     begin: date
     seed: int
-    """For what the person likes, where that is not given, for what they show, and for the sensors."""
+    """Seed for the comfort interval (if not given), the person's signals, and the sensors."""
     known: tuple[Learning, ...] = ()
-    """From earlier meetings."""
+    """Observations from earlier encounters."""
 
     def prepared(
         self, comfort: ComfortSpec | None = None, day: date | None = None, learnt: Learnt | None = None
     ) -> PlannedEpisode:
-        """The scenario with this person in it, planned.
+        """The scenario with this person, planned.
 
         Raises:
-            InputError: if the profile or the rulebook cannot be used, or leaves nothing to learn.
+            InputError: The profile or the rulebook is invalid, or leaves nothing to learn.
         """
         _parameter(load_rulebook(self.rulebook))
         prepared = prepare(
@@ -86,21 +86,21 @@ class Acquaintance:
 def acquainted(
     profile: str, rulebook: str | None, *, every_days: int, begin: date | None, seed: int
 ) -> tuple[Acquaintance, str | None]:
-    """How a person is going to be met, with what is remembered of them.
+    """Set up repeated visits to a person, with what was learnt about them.
 
     Args:
-        profile: A shipped or kept name, or a file.
-        rulebook: A shipped name or a file; without it the right one for the person.
-        every_days: Between two visits.
-        begin: Of the first visit; when None, today or the day of the last
-            simulated one that is kept. What is remembered of later days is left out.
-        seed: For all that is drawn.
+        profile: A built-in or stored name, or a file.
+        rulebook: A built-in name or a file; None: the suitable one for the person.
+        every_days: Days between two visits.
+        begin: Day of the first visit; None: today, or the day of the last stored simulated visit. Later
+            observations are ignored.
+        seed: Seed of all random numbers.
 
     Returns:
-        That, and the name under which the person is kept on this machine; None where they are not.
+        The setup, and the person's name in the store; None if not stored.
 
     Raises:
-        InputError: if there is no such profile, or what is remembered was damaged.
+        InputError: There is no such profile, or the learnt data are damaged.
     """
     declared = load_profile(profile)
     kept_as = declared.kept_as
@@ -114,10 +114,10 @@ def acquainted(
 
 
 def interval_in_words(words: str) -> ComfortSpec:
-    """`0.5..0.8` as the comfort interval of a simulated person.
+    """Parse `0.5..0.8` as the comfort interval of a simulated person.
 
     Raises:
-        InputError: if it is none.
+        InputError: It is not an interval.
     """
     low, dots, high = words.partition("..")
     try:
@@ -135,7 +135,7 @@ def interval_in_words(words: str) -> ComfortSpec:
 
 
 def likes(acquaintance: Acquaintance) -> ComfortSpec:
-    """The comfort interval of one of the many people whom the model's value and spread describe."""
+    """A random comfort interval from the population described by the model's value and spread."""
     import numpy as np
 
     prepared = acquaintance.prepared()
@@ -148,15 +148,15 @@ def likes(acquaintance: Acquaintance) -> ComfortSpec:
 
 
 def meet(acquaintance: Acquaintance, comfort: ComfortSpec, times: int) -> Iterator[VisitRecord]:
-    """Visit a person again and again.
+    """Visit a person repeatedly.
 
     Args:
-        acquaintance: The people met, and how often.
-        comfort: What the person likes; the robot does not know it.
-        times: How many visits.
+        acquaintance: The simulated person, and how often the robot visits.
+        comfort: The person's true comfort interval, unknown to the robot.
+        times: Number of visits.
 
     Raises:
-        InputError: if the last visit would be after the last day of the calendar.
+        InputError: The last visit would be after the calendar's last day.
     """
     _require_days(acquaintance, times)
     person = load_scenario(STAGE).scenario.people[PERSON]
@@ -211,7 +211,7 @@ def _meet(
 
 
 def _with(file: ScenarioFile, comfort: ComfortSpec | None) -> ScenarioFile:
-    """The stage, with a person who likes just that."""
+    """The scenario, with a person of this comfort interval."""
     if comfort is None:
         return file
     person = file.scenario.people[PERSON].model_copy(update={"comfort": comfort})
@@ -220,10 +220,10 @@ def _with(file: ScenarioFile, comfort: ComfortSpec | None) -> ScenarioFile:
 
 
 def _parameter(rulebook: Rulebook) -> NumericParameter:
-    """What is learnt about.
+    """The parameter that is learnt.
 
     Raises:
-        InputError: if the rulebook does not have it.
+        InputError: The rulebook does not have it.
     """
     parameter = rulebook.parameters.get(DISTANCE)
     if isinstance(parameter, NumericParameter):

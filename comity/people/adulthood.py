@@ -1,4 +1,4 @@
-"""Whether a person is an adult: no rule here was made for children or tested with them."""
+"""Whether a person is an adult: no rule here was made for or tested with children."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ if TYPE_CHECKING:
     from comity.people.profile import Profile
 
 ADULT = 18
-"""Years. The Convention on the Rights of the Child (1989), Article 1, calls younger people children."""
+"""Age of adulthood [years]: the Convention on the Rights of the Child (1989), Article 1."""
 AGE_BAND, NO_ADULT = "age_band", f"under {ADULT}"
-"""What a run that is passed on says of a child in place of the age."""
+"""Replaces a child's age in a run that is shared."""
 NOTE = f"under {ADULT}: no rule was made for children or tested with them"
 
 
 def is_under_age(profile: Profile, day: date | None, told: object = None) -> bool | None:
-    """Whether a person is a child; None where their age is not disclosed.
+    """Whether a person is a child; None if their age is unknown.
 
     Args:
-        profile: What they declared.
-        day: On which.
-        told: Their age, where it is told here and now: it goes before the profile.
+        profile: Their declared profile.
+        day: The day in question.
+        told: Their age, if given directly: it takes precedence over the profile.
     """
     age = told if told is not None else profile.facts(day or date.today()).get("age")
     if age is None and profile.other.get(AGE_BAND) == NO_ADULT:
@@ -34,14 +34,14 @@ def is_under_age(profile: Profile, day: date | None, told: object = None) -> boo
 
 
 def require_adult(profile: Profile, day: date | None = None) -> None:
-    """Refuse to learn about a child.
+    """Reject learning about a child.
 
     Args:
-        profile: What they declared.
-        day: On which; today where it is None.
+        profile: Their declared profile.
+        day: The day in question; None: today.
 
     Raises:
-        InputError: They are under 18 then.
+        InputError: They are under 18 on that day.
     """
     if is_under_age(profile, day):
         raise InputError(

@@ -1,7 +1,7 @@
-"""What a person agreed to: for what, from when until when, who recorded it; and what goes when it ends.
+"""A person's consents: scope, period, who recorded them; and deletion when they end.
 
-Consent is asked about by the day of the machine's clock. What it does not cover is not kept: where it ended
-or was withdrawn, what it covered is deleted with the next use of the person's name.
+Consent is checked for today by the machine's clock. Data without consent are not stored: once consent has
+ended or was withdrawn, the data it covered are deleted at the next use of the person's name.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ COVERS: Mapping[Scope, str] = {
     "record": "runs with them are written",
     "touch": "`touch_consent: given` may stand in their profile",
 }
-"""What each allows; `remember` goes before all others."""
+"""What each scope allows; `remember` is required for all others."""
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
 class Consent(BaseModel):
-    """One thing that a person agreed to."""
+    """One consent of a person."""
 
     model_config = _FILE
 
@@ -57,7 +57,7 @@ class Consent(BaseModel):
         return self.from_ <= day and not (self.until and day >= self.until) and self.withdrawn is None
 
     def covered(self, day: date) -> bool:
-        """Whether what was on a day had been agreed to then, also where that ended since."""
+        """Whether data from a day were covered by consent then, even if it has ended since."""
         ends = [end for end in (self.until, self.withdrawn) if end]
         return self.from_ <= day < min(ends, default=date.max)
 
@@ -71,7 +71,7 @@ class Consent(BaseModel):
 
 
 class ConsentFile(BaseModel):
-    """`consent.yaml`: all that a person agreed to, also what they took back."""
+    """`consent.yaml`: all consents of a person, including withdrawn ones."""
 
     model_config = ConfigDict(
         frozen=True, extra="forbid", allow_inf_nan=False, title="What a person agreed to"
@@ -82,38 +82,38 @@ class ConsentFile(BaseModel):
     consents: Annotated[tuple[Consent, ...], Field(max_length=1000)] = ()
 
     def holding(self, day: date) -> frozenset[Scope]:
-        """What is in force; without `remember` nothing is."""
+        """The scopes in force; none without `remember`."""
         scopes: frozenset[Scope] = frozenset(one.scope for one in self.consents if one.holds(day))
         return scopes if "remember" in scopes else frozenset()
 
 
 def consents_of(name: str) -> ConsentFile | None:
-    """What a person agreed to; None where nothing was ever recorded.
+    """A person's consents; None if none were ever recorded.
 
     Raises:
-        InputError: if the file in the store was damaged, with its line.
+        InputError: The stored file is damaged; with the line.
     """
     file = Store().consent_file(name)
     return None if file is None else file.check(ConsentFile)
 
 
 def is_covered(name: str, scope: Scope) -> bool:
-    """Whether a person agrees to something today."""
+    """Whether a person's consent to a scope is in force today."""
     known = consents_of(name)
     return known is not None and scope in known.holding(date.today())
 
 
 def was_covered(name: str, scope: Scope, day: date) -> bool:
-    """Whether a person had agreed to something on a day."""
+    """Whether a person's consent to a scope was in force on a day."""
     known = consents_of(name)
     return known is not None and any(one.scope == scope and one.covered(day) for one in known.consents)
 
 
 def require_consent(name: str, scope: Scope) -> None:
-    """Refuse to keep what a person did not agree to, or no more.
+    """Reject storing data without consent.
 
     Raises:
-        InputError: with how their consent is recorded.
+        InputError: There is no consent; with how to record it.
     """
     if is_covered(name, scope):
         return
@@ -130,17 +130,17 @@ def require_consent(name: str, scope: Scope) -> None:
 def give(
     name: str, scopes: Iterable[Scope], *, by: str, day: date | None = None, until: date | None = None
 ) -> ConsentFile:
-    """Record what a person agreed to; who agrees to be remembered is kept from now on.
+    """Record consents; a person who consents to `remember` is stored from now on.
 
     Args:
-        name: Of the person.
-        scopes: What they agreed to.
-        by: Who records it.
-        day: When they agreed; None for today.
-        until: The first day on which it holds no more; None where there is no end.
+        name: Name of the person.
+        scopes: What they consented to.
+        by: Name of whoever records it.
+        day: Day of the consent; None: today.
+        until: First day on which it is no longer in force; None: no end.
 
     Raises:
-        InputError: for a name that cannot be kept, an end before the beginning, or no consent to `remember`.
+        InputError: The name cannot be stored, the end is before the beginning, or `remember` is missing.
     """
     refuse_name(name)
     lapse(name)
@@ -163,18 +163,18 @@ def give(
 
 
 def withdraw(name: str, scopes: Collection[Scope], day: date | None = None) -> tuple[str, ...]:
-    """Take consent back, and delete what it covered.
+    """Withdraw consents, and delete the data they covered.
 
     Args:
-        name: Of the person.
-        scopes: What they agree to no more; everything where it is empty, or `remember` is among it.
-        day: When they said so; None for today.
+        name: Name of the person.
+        scopes: The scopes to withdraw; everything if empty or if `remember` is included.
+        day: Day of the withdrawal; None: today.
 
     Returns:
         What was deleted, in words.
 
     Raises:
-        InputError: if nobody of that name is kept.
+        InputError: No person of that name is stored.
     """
     Store().require(name)
     if not scopes or "remember" in scopes:
@@ -195,13 +195,13 @@ def withdraw(name: str, scopes: Collection[Scope], day: date | None = None) -> t
 
 
 def lapse(name: str) -> tuple[str, ...]:
-    """Delete what a person agreed to no more; nothing where nothing was ever recorded.
+    """Delete a person's data without consent in force; nothing if no consent was ever recorded.
 
     Returns:
         What was deleted, in words.
 
     Raises:
-        InputError: if the file in the store was damaged, or the system does not let us delete.
+        InputError: The stored file is damaged, or the system prevents deletion.
     """
     known = consents_of(name)
     today = date.today()
@@ -215,7 +215,7 @@ def lapse(name: str) -> tuple[str, ...]:
 
 
 def _deleted(name: str, holding: Collection[Scope]) -> tuple[str, ...]:
-    """Delete what only the other scopes covered."""
+    """Delete the data covered only by scopes no longer in force."""
     deleted = []
     if "learn" not in holding and Store().forget_learnt(name):
         deleted.append("what was learnt")
@@ -225,7 +225,7 @@ def _deleted(name: str, holding: Collection[Scope]) -> tuple[str, ...]:
 
 
 def _consent(scope: Scope, day: date, by: str, until: date | None) -> Consent:
-    """One that is checked, with the command line named in complaints."""
+    """A validated consent; errors refer to the command line."""
     from pydantic import ValidationError
 
     if until is not None and until <= day:

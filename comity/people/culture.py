@@ -46,7 +46,7 @@ class Culture(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _what_is_told(cls, written: Any) -> Any:
-        """What is unknown of a culture is as if it did not stand there."""
+        """Drop unknown fields of a culture."""
         if not isinstance(written, Mapping):
             return written
         return {key: value for key, value in written.items() if value != UNKNOWN or key == "name"}
@@ -63,7 +63,7 @@ class Culture(BaseModel):
         return {name: value for name, value in given.items() if value}
 
     def counts(self, day: date | None) -> bool:
-        """Whether it belongs to the person on a day."""
+        """Whether it applies to the person on a day."""
         if not self.dated:
             return True
         assert day is not None
@@ -71,7 +71,7 @@ class Culture(BaseModel):
 
     @property
     def dated(self) -> bool:
-        """Whether it depends on the day."""
+        """Whether it applies only on some days."""
         return self.from_ is not None or self.until is not None
 
 
@@ -85,22 +85,22 @@ Cultures = (
 
 @dataclass(frozen=True, slots=True)
 class Belonging:
-    """A culture that counts on the day in question."""
+    """A culture that applies on a given day."""
 
     words: str
-    """What the person calls it."""
+    """Name of the culture in the person's words."""
     weight: float = 1.0
     role: str = ""
     region: str | None = None
-    """What the person lets stand for it."""
+    """Region that the person accepts as its substitute."""
     otherwise: str | None = None
-    """What the person lets stand for it if it has no score of its own."""
+    """Region that the person accepts if the culture has no score of its own."""
     location: tuple[str | int, ...] = ("culture",)
-    """Where a profile says so."""
+    """Location in the profile's file."""
 
     @property
     def disclosed(self) -> bool:
-        """Whether it says anything."""
+        """Whether the culture is known."""
         return self.words != UNKNOWN
 
     def label(self, region: str | None) -> str:
@@ -111,12 +111,12 @@ class Belonging:
 
 
 def belongings(cultures: Cultures | None, region: str | None, day: date | None) -> Iterator[Belonging]:
-    """The cultures that count on a day.
+    """The cultures that apply on a day.
 
     Args:
-        cultures: As declared.
-        region: What stands for those that have no score of their own.
-        day: Needed where one has dates.
+        cultures: The declared cultures.
+        region: Substitute for those that have no score of their own.
+        day: The day; required if a culture has dates.
     """
     if isinstance(cultures, str):
         yield Belonging(cultures, otherwise=region)

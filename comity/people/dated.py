@@ -1,4 +1,4 @@
-"""Facts that change over a life: a value, or several with the day from which each holds."""
+"""Facts that change over a life: a single value, or several with the first day of each."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from comity_fis.validation.day import read_day
 T = TypeVar("T")
 
 OLDEST = 122
-"""Years: the highest age that anybody is known to have reached (Jeanne Calment, 1875 to 1997)."""
+"""The highest known age of any person [years] (Jeanne Calment, 1875 to 1997)."""
 
 UNKNOWN = "unknown"
-"""What anybody may write instead of a fact."""
+"""Accepted in place of any fact."""
 
 
 def read_day_or_year(words: object) -> date:
-    """A day as facts are dated: 2004-07-01, or 2004 for its first day.
+    """A day as in dated facts: 2004-07-01, or 2004 for its first day.
 
     Raises:
-        WrongValueError: if it is none.
+        WrongValueError: It is neither.
     """
     try:
         if isinstance(words, int) and not isinstance(words, bool):
@@ -41,7 +41,7 @@ def read_day_or_year(words: object) -> date:
         if isinstance(words, str) and len(words) == 4:
             return date(int(words), 1, 1)
         return read_day(words)
-    except (ValueError, OverflowError):  # `WrongValueError` too, which knows nothing of years
+    except (ValueError, OverflowError):  # includes `WrongValueError`, whose message does not mention years
         raise WrongValueError(
             expected="a day as YYYY-MM-DD, or a year",
             got=repr(words),
@@ -50,10 +50,10 @@ def read_day_or_year(words: object) -> date:
 
 
 def day_in_words(words: str, where: Where) -> date:
-    """The day that an option, an argument or a cell of a table gives.
+    """A day from an option, an argument or a table cell.
 
     Raises:
-        InputError: if it is none.
+        InputError: It is not a day.
     """
     try:
         return read_day_or_year(words)
@@ -62,7 +62,7 @@ def day_in_words(words: str, where: Where) -> date:
 
 
 def require_some_time(from_: date | None, until: date | None) -> None:
-    """Refuse a time that ends before it begins.
+    """Reject a period that ends before it begins.
 
     Raises:
         WrongValueError: `until` is not after `from`.
@@ -76,10 +76,10 @@ def require_some_time(from_: date | None, until: date | None) -> None:
 
 
 def day_given(at: object) -> date | None:
-    """The day that a program gives: a date, also with a time, or words; None stays None.
+    """A day given by a program: a date, a datetime, or text; None stays None.
 
     Raises:
-        InputError: for anything else.
+        InputError: It is anything else.
     """
     if at is None or type(at) is date:
         return at
@@ -103,7 +103,7 @@ Day = Annotated[
 
 
 class Since(BaseModel, Generic[T]):
-    """A value and the day from which it holds, until the next one does."""
+    """A value and the first day on which it holds, until the next value does."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -122,10 +122,10 @@ class Since(BaseModel, Generic[T]):
 
 
 def in_order(value: Any) -> Any:
-    """The same fact, where its dated values go from the oldest to the newest.
+    """The fact, after checking that its dated values are in chronological order.
 
     Raises:
-        WrongValueError: if they do not, or there are none.
+        WrongValueError: They are not, or there are none.
     """
     if value == ():
         raise WrongValueError(
@@ -146,11 +146,11 @@ def in_order(value: Any) -> Any:
 
 
 def held(dated: Any, day: date | None) -> tuple[Any, int | None]:
-    """What holds on a day, and its number in the list; None before the first day.
+    """The value on a day, and its index in the list; None before the first day.
 
     Args:
-        dated: A value, or dated ones.
-        day: Needed where there are dated ones.
+        dated: A value, or dated values.
+        day: The day; required for dated values.
     """
     if not is_dated(dated):
         return dated, None
@@ -165,10 +165,10 @@ def is_dated(value: object) -> bool:
 
 
 def age_on(day: date, born: date | int) -> float | Interval:
-    """Years since a birth; of a year of birth alone, the two that it may be.
+    """Age on a day [years]; for a year of birth alone, the interval of the two possible ages.
 
     Raises:
-        WrongValueError: for a day before it.
+        WrongValueError: The day is before the birth.
     """
     if day < (first := read_day_or_year(born)):
         raise WrongValueError(
@@ -189,7 +189,7 @@ def age_on(day: date, born: date | int) -> float | Interval:
 
 
 def undated(name: str) -> InputError:
-    """The refusal to take facts that depend on the date without one."""
+    """The error for dated facts without a given day."""
     return InputError(
         expected=f"the day on which to take the facts of {name}",
         got="none",

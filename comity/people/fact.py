@@ -1,4 +1,4 @@
-"""The kinds of facts in a profile, each alone and with the day from which it holds."""
+"""Types of facts in a profile, each as a single value or with the first day on which it holds."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from comity.people.language import read_language
 from comity_fis.validation.one_line import one_line
 
 Number = Annotated[float, Field(strict=True)]
-"""No text that looks like one, and neither true nor false."""
+"""A number; neither text that looks like one nor a Boolean."""
 
 Word = Annotated[str, StringConstraints(min_length=1, max_length=200), AfterValidator(one_line)]
-"""On one line and printable, as it reaches the terminal."""
+"""Printable text in one line, as it is shown in the terminal."""
 Fact = Word | Number
 Level = Annotated[int, Field(strict=True, ge=0, le=8)]
 Latitude = Annotated[Number, Field(ge=-90, le=90)]
@@ -28,24 +28,24 @@ Languages = Annotated[
 
 
 class WordSince(Since[Word]):
-    """A word, and the day from which it holds."""
+    """A word, and the first day on which it holds."""
 
 
 class FactSince(Since[Fact]):
-    """A word or a number, and the day from which it holds."""
+    """A word or a number, and the first day on which it holds."""
 
 
 class LevelSince(Since[Level]):
-    """A level of education, and the day from which it holds."""
+    """A level of education, and the first day on which it holds."""
 
 
 class LatitudeSince(Since[Latitude]):
-    """A latitude, and the day from which it holds."""
+    """A latitude, and the first day on which it holds."""
 
 
 class ConsentSince(Since[Consent]):
-    """Consent or its refusal, and the day from which it holds."""
+    """Consent or its refusal, and the first day on which it holds."""
 
 
 class LanguagesSince(Since[Languages]):
-    """Languages, and the day from which it holds."""
+    """Languages, and the first day on which they hold."""

@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from comity_fis.errors import WrongValueError
 
 CODE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{1,8})*")
-"""The shape of a language tag of BCP 47 (RFC 5646) that begins with an ISO 639 code: `swe`, `sv`, `de-AT`."""
+"""Form of a BCP 47 language tag (RFC 5646) that begins with an ISO 639 code: `swe`, `sv`, `de-AT`."""
 JOINING = " '\u2019-"
-"""What may stand between the letters of a name, which are of any script."""
+"""Characters allowed between the letters of a name; letters may be of any script."""
 
 ALSO: Mapping[str, tuple[str, ...]] = {
     "eng": ("en", "english"),
@@ -20,14 +20,14 @@ ALSO: Mapping[str, tuple[str, ...]] = {
     "jpn": ("ja", "japanese"),
     "swe": ("sv", "swedish"),
 }
-"""The languages that the robot has phrases in, by ISO 639-3 code: other codes, and the English name."""
+"""Languages with phrases for the robot, by ISO 639-3 code: other codes, and the English name."""
 
 
 def read_language(words: str) -> str:
-    """A language as a person wrote it, if it can be one; which languages there are is not asked.
+    """Validate the form of a language code or name; whether the language exists is not checked.
 
     Raises:
-        WrongValueError: if it has neither the shape of a code nor that of a name.
+        WrongValueError: It has the form of neither.
     """
     if CODE.fullmatch(words) or _is_name(words):
         return words
@@ -39,9 +39,9 @@ def read_language(words: str) -> str:
 
 
 def iso639(words: str) -> str:
-    """The ISO 639-3 code of a language that the robot has phrases in; any other as it came, in small letters.
+    """ISO 639-3 code of a language with phrases for the robot; any other text in lower case.
 
-    What a tag says beyond the language, such as the country, is left aside: `de-AT` is `deu`.
+    Subtags, such as the country, are dropped: `de-AT` becomes `deu`.
     """
     said = words.casefold()
     language = said.partition("-")[0] if CODE.fullmatch(said) else said
@@ -49,6 +49,6 @@ def iso639(words: str) -> str:
 
 
 def _is_name(words: str) -> bool:
-    """Two letters or more, with the signs that belong to them in scripts such as Devanagari."""
+    """Two letters or more, with the combining marks of scripts such as Devanagari."""
     kinds = [unicodedata.category(character)[0] for character in words if character not in JOINING]
     return set(kinds) <= {"L", "M"} and kinds.count("L") > 1

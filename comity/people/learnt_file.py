@@ -1,4 +1,4 @@
-"""What meetings with one person taught: the observations themselves, and what follows from them."""
+"""What was learnt in encounters with a person: the observations, and what follows from them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _Metres = Annotated[Number, Field(ge=0, le=20)]
 
 
 class _Dated(BaseModel):
-    """What was learnt on one day in one situation."""
+    """An observation made on one day in one situation."""
 
     model_config = _FILE
 
@@ -36,7 +36,7 @@ class _Dated(BaseModel):
 
 
 class Observation(_Dated):
-    """How a person took the robot's coming, once."""
+    """A person's reaction to the robot's approach, once."""
 
     distance_m: _Metres = Field(
         description="Where the robot stood, between the nearest points of the bodies."
@@ -55,41 +55,41 @@ class Observation(_Dated):
 
     @property
     def how(self) -> Literal["said", "seen"]:
-        """Whether the person put it in words, or an observer saw it."""
+        """Whether the person said it, or it was observed."""
         return "said" if self.signal in WORDS else "seen"
 
     def added_to(self, known: ComfortPosterior) -> ComfortPosterior:
-        """What is known of the person's comfort interval with this."""
+        """The posterior of the person's comfort interval, updated by this."""
         return known.after(self.signal, self.distance_m - self.model_m)
 
     @property
     def caution(self) -> tuple[bool, str, float, float]:
-        """Of two on one day the larger counts last: an invitation does not outweigh a step back."""
+        """Sort key within a day: the most cautious counts last, as a step back outweighs an invitation."""
         return self.signal in AWAY, self.signal, self.distance_m, self.model_m
 
 
 class Stated(_Dated):
-    """What a person said who was asked how near they like the robot, and wanted it weighed like the rest."""
+    """A person's answer to the question how near they like the robot, weighed like other observations."""
 
     likes_m: _Metres = Field(description="The distance that they named, between the bodies.")
 
     @property
     def how(self) -> Literal["said", "seen"]:
-        """They put it in words."""
+        """The person said it."""
         return "said"
 
     def added_to(self, known: ComfortPosterior) -> ComfortPosterior:
-        """What is known of the person's comfort interval with this."""
+        """The posterior of the person's comfort interval, updated by this."""
         return known.after_answer(self.likes_m - self.model_m)
 
     @property
     def caution(self) -> tuple[bool, str, float, float]:
-        """Between an invitation and a step back; the farther of two answers counts last."""
+        """Sort key: between an invitation and a step back; the larger distance counts last."""
         return True, "", self.likes_m, self.model_m
 
 
 def _kind(data: Any) -> str:
-    """Which of the two stands in a file: only who was asked names what they like."""
+    """The type of a stored observation: only answers have a preferred distance."""
     asked = "likes_m" in data if isinstance(data, Mapping) else isinstance(data, Stated)
     return "stated" if asked else "shown"
 
@@ -97,11 +97,11 @@ def _kind(data: Any) -> str:
 Learning = Annotated[
     Annotated[Observation, Tag("shown")] | Annotated[Stated, Tag("stated")], Discriminator(_kind)
 ]
-"""One thing that was learnt: what a person showed, or what they said when they were asked."""
+"""An observation: what a person showed, or answered when asked."""
 
 
 class LearntFile(BaseModel):
-    """`learnt.yaml`: every observation; what is learnt is computed from them and stands nowhere."""
+    """`learnt.yaml`: all observations; what is learnt is computed from them and not stored."""
 
     model_config = ConfigDict(
         frozen=True, extra="forbid", allow_inf_nan=False, title="What Comity learnt with one person"
@@ -112,22 +112,22 @@ class LearntFile(BaseModel):
     conversational_distance: tuple[Learning, ...] = ()
 
     def also(self, seen: Iterable[Learning]) -> LearntFile:
-        """The same with further observations."""
+        """A copy with further observations."""
         return self.model_copy(update={DISTANCE: (*self.conversational_distance, *seen)})
 
     def with_entry(self, seen: Iterable[Observation]) -> LearntFile:
-        """The same with what a person wrote down at once, under the next number."""
+        """A copy with observations written down together, under the next entry number."""
         number = 1 + max((one.entry or 0 for one in self._shown), default=0)
         return self.also(one.model_copy(update={"entry": number}) for one in seen)
 
     @property
     def last_entry(self) -> tuple[Observation, ...]:
-        """What was written down last; empty where nothing was."""
+        """The observations written down last; empty if there are none."""
         number = max((one.entry or 0 for one in self._shown), default=0)
         return tuple(one for one in self._shown if number and one.entry == number)
 
     def without_last_entry(self) -> LearntFile:
-        """The same without what was written down last."""
+        """A copy without the observations written down last."""
         last = self.last_entry
         left = tuple(one for one in self.conversational_distance if one not in last)
         return self.model_copy(update={DISTANCE: left})
@@ -137,7 +137,7 @@ class LearntFile(BaseModel):
         return (one for one in self.conversational_distance if isinstance(one, Observation))
 
     def without_answers(self, situation: Mapping[str, object], day: date | None = None) -> LearntFile:
-        """The same without what the person said in a situation: on one day, or ever where it is None."""
+        """A copy without the person's answers in a situation, on one day or (None) on any."""
         kept = (
             one
             for one in self.conversational_distance
@@ -146,12 +146,12 @@ class LearntFile(BaseModel):
         return self.model_copy(update={DISTANCE: tuple(kept)})
 
     def in_situation(self, situation: Mapping[str, object]) -> tuple[Learning, ...]:
-        """The observations that were made in a situation: only those count there."""
+        """The observations made in a situation: only they count there."""
         return tuple(seen for seen in self.conversational_distance if seen.situation == situation)
 
 
 class LearntValue(BaseModel):
-    """What was learnt about one parameter, as a run embeds it."""
+    """The learnt correction of one parameter, as stored in a run."""
 
     model_config = _FILE
 
@@ -160,20 +160,20 @@ class LearntValue(BaseModel):
     text: str
 
     def as_learnt(self) -> Learnt:
-        """For the inference."""
+        """For use in inference."""
         return Learnt(self.offset, self.spread, self.text)
 
 
 def comfort_on(day: date, observations: Iterable[Learning], spread: float) -> ComfortPosterior:
-    """What is known of a person's comfort interval on a day; it depends on nothing else.
+    """The posterior of a person's comfort interval on a day; it depends only on the arguments.
 
-    Observations of one day count alike in whatever order they stand: where they contradict each other, an
-    invitation does not outweigh a step back.
+    The order of observations within one day does not matter: if they contradict each other, an invitation
+    does not outweigh a step back.
 
     Args:
-        day: Preferences drift until then; what was observed later is left out.
-        observations: In one situation, in any order.
-        spread: Of people around the model's value [m].
+        day: Preferences drift until this day; later observations are ignored.
+        observations: Observations in one situation, in any order.
+        spread: Standard deviation between individuals around the model's value [m].
     """
     from comity_fis.learning.comfort import ComfortPosterior
 
@@ -190,7 +190,7 @@ def comfort_on(day: date, observations: Iterable[Learning], spread: float) -> Co
 
 
 def learnt_on(day: date, observations: tuple[Learning, ...], spread: float) -> Learnt | None:
-    """What is added to the model's value on a day; None where the person was never observed until then."""
+    """The correction of the model's value on a day; None without observations up to then."""
     seen = tuple(one for one in observations if one.day <= day)
     if not seen:
         return None
@@ -199,7 +199,7 @@ def learnt_on(day: date, observations: tuple[Learning, ...], spread: float) -> L
 
 
 def in_words(learnt: Iterable[Learning]) -> str:
-    """`4 visits, last on 2026-03-01: stepped back twice, showed nothing twice`, and what the person said."""
+    """`4 visits, last on 2026-03-01: stepped back twice, showed nothing twice`, and the person's answers."""
     everything = tuple(learnt)
     shown = tuple(one for one in everything if isinstance(one, Observation))
     said = tuple(one for one in everything if isinstance(one, Stated))

@@ -48,9 +48,9 @@ from comity_fis.validation.one_line import one_line
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml, parse_yaml, read_yaml
 
 ProfileGiven = str | Mapping[str, Any]
-"""A profile by name or file, or written out as in its file."""
+"""A profile by name or file, or its content."""
 PROFILES_KEPT = 64
-"""Files of which it is remembered that they hold a profile: each test of a matrix loads the same few."""
+"""Number of parsed profile files to cache: tests load the same few many times."""
 
 
 PERSONAL = ("hearing", "sight", "mobility", "form_of_address")
@@ -68,7 +68,7 @@ def _without_key(name: str) -> str:
 
 
 class Profile(BaseModel):
-    """One person's own words; a key that is left out, or says `unknown`, was not disclosed."""
+    """A person's declared facts; a missing key, or `unknown`, means unknown."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Comity profile")
 
@@ -144,7 +144,7 @@ class Profile(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _kept_back(cls, data: Any) -> Any:
-        """`unknown` is an answer to every question."""
+        """Drop `unknown`, which is allowed for every fact."""
         if not isinstance(data, Mapping):
             return data
         told = {key: value for key, value in data.items() if value != UNKNOWN or key == "name"}
@@ -181,7 +181,7 @@ class Profile(BaseModel):
 
     @property
     def depends_on_date(self) -> bool:
-        """Whether a fact is another on another day."""
+        """Whether any fact changes with the day."""
         if self.birth_year is not None or self.birth_date is not None:
             return True
         if isinstance(self.culture, tuple) and any(one.dated for one in self.culture):
@@ -189,20 +189,20 @@ class Profile(BaseModel):
         return any(is_dated(value) for value in (*self._plain().values(), *self.other.values()))
 
     def cultures(self, day: date | None = None) -> tuple[Belonging, ...]:
-        """The cultures that count on a day, which is needed where facts depend on it.
+        """The cultures on a day, which is required if facts depend on it.
 
         Raises:
-            InputError: if it is missing.
+            InputError: The day is required and missing.
         """
         self._require(day)
         return tuple(belongings(self.culture, self.region, day))
 
     def facts(self, day: date | None = None) -> dict[str, Any]:
-        """Everything else that is disclosed on a day, by key; `age` also where a birth is stated.
+        """All other known facts on a day, by key; `age` also if only a birth is stated.
 
         Raises:
-            InputError: if the day is missing where facts depend on it.
-            WrongValueError: if it lies before the person's birth.
+            InputError: The day is missing and facts depend on it.
+            WrongValueError: The day is before the person's birth.
         """
         self._require(day)
         dated = {name: held(value, day)[0] for name, value in {**self._plain(), **self.other}.items()}
@@ -212,7 +212,7 @@ class Profile(BaseModel):
         return known
 
     def location(self, fact: str, day: date | None = None) -> tuple[str | int, ...]:
-        """Where in a profile's file a fact stands."""
+        """Location of a fact in a profile's file."""
         if fact == "age" and self.age is None:
             return ("birth_date",) if self.birth_date is not None else ("birth_year",)
         fact = "languages" if fact == "language" else fact
@@ -239,37 +239,37 @@ class Profile(BaseModel):
 
 _NO_FACTS = frozenset({"schema_version", "name", "about", "other", "settings"})
 _OF_THEIR_OWN = frozenset({"culture", "region", "age", "birth_year", "birth_date"})
-"""What is more, or less, than a value by itself."""
+"""Keys that are handled separately from plain facts."""
 
 
 @dataclass(frozen=True, slots=True)
 class Declared:
-    """A profile and the file, or the part of one, that it came from, so that complaints name a line."""
+    """A profile and its file, or part of one, so that errors name a line."""
 
     profile: Profile
     file: YamlFile | None
-    """None where nothing was written down: nobody in particular."""
+    """None if there is no file: nobody in particular."""
     kept_as: str | None = None
-    """The name under which the person is kept in the store; None where they are not."""
+    """Name of the person in the store; None if not stored."""
 
 
 NOBODY = Declared(Profile(name="nobody in particular"), None)
 
 
 def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Declared:
-    """A profile by name, or one from a file.
+    """Load a profile by name, or from a file.
 
-    A shipped name goes first, so that shipped scenarios mean the same everywhere; then a person who is kept
-    in the store; then a file, which a path such as `./amal` names for certain. The note `about` of a stored
-    person stays in the store: only the file has it. Who agrees to be remembered no more is forgotten.
+    Built-in names take precedence, so that built-in scenarios mean the same everywhere; then stored people;
+    then files, which a path such as `./amal` denotes unambiguously. The note `about` of a stored person is
+    never loaded. A person whose consent to be remembered has ended is deleted.
 
     Args:
-        name: A shipped or stored name, or a path.
-        beside: The folder that a relative path starts from; the current one when None.
-        where: Where the name was written, for the message.
+        name: A built-in or stored name, or a path.
+        beside: Base folder of a relative path; None: the current folder.
+        where: Location of the name, for messages.
 
     Raises:
-        InputError: if there is none, or the file does not hold a profile.
+        InputError: There is no such profile, or the file is not a profile.
     """
     lapse(name)
     kept = Store().path(name)
@@ -290,15 +290,15 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
 
 
 def declared_by(given: ProfileGiven, *, called: str, where: Where | None = None) -> Declared:
-    """A profile by name or file, or one that a program wrote out.
+    """A profile by name or file, or from its content.
 
     Args:
-        given: Which; written out, as in a profile's file.
-        called: The person's name, where the profile gives none.
-        where: Where a name was written, for the message.
+        given: The name, the file, or the content as in a profile's file.
+        called: The person's name, if the profile has none.
+        where: Location of the name, for messages.
 
     Raises:
-        InputError: if it is no profile; lines of one written out are those of its YAML.
+        InputError: It is not a profile; for content, lines refer to its YAML.
     """
     return load_profile(given, where=where) if isinstance(given, str) else _written_out(given, called)
 
@@ -326,23 +326,23 @@ def _written_out(said: Mapping[str, Any], called: str) -> Declared:
 
 
 def _plain(value: Any) -> Any:
-    """What a program wrote out, with scalars of numpy and pandas as plain Python has them."""
+    """Content with scalars of numpy and pandas converted to plain Python."""
     if isinstance(value, Mapping):
         return {key: _plain(each) for key, each in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(each) for each in value]
     plain = scalar(value)
-    return float(plain) if isinstance(plain, float) else plain  # float64 of numpy is a float, and not YAML's
+    return float(plain) if isinstance(plain, float) else plain  # numpy's float64 is a float, but not for YAML
 
 
 @lru_cache(maxsize=PROFILES_KEPT)
 def _checked(file: YamlFile) -> Profile:
-    """What a file says; the same text is the same file as long as `read_yaml` remembers it."""
+    """The validated profile of a file, cached by its text."""
     return file.check(Profile)
 
 
 def day_for(at: date | None, *profiles: Profile) -> date | None:
-    """The day that was given; else today, the only reading of a clock, if some fact depends on the day."""
+    """The given day; otherwise today if some fact depends on the day (the only use of the clock)."""
     if at is None and any(profile.depends_on_date for profile in profiles):
         return date.today()
     return at

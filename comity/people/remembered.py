@@ -1,4 +1,4 @@
-"""What meetings with the people who are kept on this machine taught: out of the store and back into it."""
+"""Reads and writes what was learnt in encounters with people in the store."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 def remembered(name: str) -> LearntFile | None:
-    """What meetings with a person taught; None where there were none, or they agree to it no more.
+    """What was learnt about a person; None without encounters or without consent.
 
     Raises:
-        InputError: if the file in the store was damaged, with its line.
+        InputError: The stored file is damaged; with the line.
     """
     lapse(name)
     file = Store().learnt_file(name)
@@ -28,10 +28,10 @@ def remembered(name: str) -> LearntFile | None:
 
 
 def require_kept(name: str | None) -> str:
-    """The name of an adult who is kept on this machine and agrees that meetings teach about them.
+    """Name of a stored adult who consents to learning.
 
     Raises:
-        InputError: if it is none, or they do not.
+        InputError: The person is not one.
     """
     if name is not None:
         require_consent(name, "learn")
@@ -46,35 +46,35 @@ def require_kept(name: str | None) -> str:
 
 
 def remember(name: str, seen: Iterable[Learning]) -> bool:
-    """Add observations of a person to the store; two runs that learn at the same time both do.
+    """Add observations of a person to the store; safe for concurrent runs.
 
     Returns:
-        Whether the person is still kept there and agrees to it; if not, nothing is written.
+        Whether the person is still stored and consents; if not, nothing is written.
 
     Raises:
-        InputError: if the store cannot be read or written.
+        InputError: The store cannot be read or written.
     """
     return is_covered(name, "learn") and _change(name, lambda known: known.also(seen))
 
 
 def write_down(name: str, seen: Iterable[Observation]) -> None:
-    """Add what an observer saw and heard of a person, all at once, so that it can be undone at once.
+    """Add an observer's observations of a person as one entry that can be undone.
 
     Raises:
-        InputError: if the person did not agree to it, or the store cannot be read or written.
+        InputError: The person does not consent, or the store cannot be read or written.
     """
     require_consent(name, "learn")
     _change(name, lambda known: known.with_entry(seen))
 
 
 def undo(name: str) -> tuple[Observation, ...]:
-    """Forget what was written down last of a person.
+    """Remove the entry written down last for a person.
 
     Returns:
-        What that was; empty where nothing is left to undo.
+        Its observations; empty if nothing is left to undo.
 
     Raises:
-        InputError: if the store cannot be read or written.
+        InputError: The store cannot be read or written.
     """
     undone: list[Observation] = []
 
@@ -87,13 +87,13 @@ def undo(name: str) -> tuple[Observation, ...]:
 
 
 def remember_answer(name: str, stated: Stated) -> bool:
-    """Add what a person said; on one day the newer answer takes the place of the older.
+    """Add a person's answer; it replaces an earlier answer of the same day.
 
     Returns:
-        Whether the person is still kept there and agrees to it; if not, nothing is written.
+        Whether the person is still stored and consents; if not, nothing is written.
 
     Raises:
-        InputError: if the store cannot be read or written.
+        InputError: The store cannot be read or written.
     """
     if not is_covered(name, "learn"):
         return False
@@ -101,13 +101,13 @@ def remember_answer(name: str, stated: Stated) -> bool:
 
 
 def forget_answers(name: str, situation: Mapping[str, object]) -> bool:
-    """Forget all that a person said in a situation.
+    """Remove all answers of a person in a situation.
 
     Returns:
-        Whether the person is still kept there; if not, nothing is written.
+        Whether the person is still stored; if not, nothing is written.
 
     Raises:
-        InputError: if the store cannot be read or written.
+        InputError: The store cannot be read or written.
     """
     return _change(name, lambda known: known.without_answers(situation))
 

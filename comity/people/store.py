@@ -1,11 +1,11 @@
-"""Where people's profiles, and what was learnt with them, are kept: on this machine only, as readable files.
+"""The store of profiles and learnt data: on this machine only, as readable files.
 
     $COMITY_HOME/people/<name>/profile.yaml     what the person declared and asked for
     $COMITY_HOME/people/<name>/learnt.yaml      what meetings with them taught
     $COMITY_HOME/people/<name>/consent.yaml     what they agreed to
 
-`COMITY_HOME` is the platform's folder for a user's data unless it is set. Only the user may read the files,
-and deleting a person leaves nothing of them.
+`COMITY_HOME` defaults to the platform's folder for user data. Only the user may read the files, and deleting
+a person deletes everything about them.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ from comity_fis.validation.yaml_file import YamlFile, dump_yaml, read_yaml
 
 PROFILE, LEARNT, CONSENT = "profile.yaml", "learnt.yaml", "consent.yaml"
 EXPORTED = "# Exported by Comity: everything that is kept of a person, but for the note `about`."
-"""The first line of an export."""
+"""First line of an export."""
 EXPORT_MARK = "# Exported by Comity: everything that is kept of a person"
-"""How each export began, by which a later one knows what it may replace."""
+"""Beginning of any version's export, which marks a file as safe to overwrite."""
 NOTE_STAYS = "The note `about` stays in the store: `comity profile show` shows it there."
 _FOLDER_VARIABLES = ("XDG_DATA_HOME", "HOME", "USERPROFILE", "LOCALAPPDATA", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
-"""What the platform's folder may depend on."""
+"""Environment variables on which the platform's folder may depend."""
 Document = Mapping[str, Any]
-"""What a file holds, as YAML has it."""
+"""Content of a YAML file."""
 NAME = re.compile(r"\w[\w-]{0,63}")
-"""Letters of any script, digits, `_` and `-`: a folder's name everywhere, and never a path."""
+"""Letters of any script, digits, `_` and `-`: a valid folder name on every platform, and never a path."""
 
 
 def default_home() -> Path:
-    """Where the store is: `COMITY_HOME`, or the platform's folder for a user's data."""
+    """Folder of the store: `COMITY_HOME`, or the platform's folder for user data."""
     if home := os.environ.get("COMITY_HOME"):
         return Path(home)
     return _users_folder(*map(os.environ.get, _FOLDER_VARIABLES))
@@ -48,7 +48,7 @@ def default_home() -> Path:
 
 @lru_cache(maxsize=1)
 def _users_folder(*variables: str | None) -> Path:
-    """The platform's folder for a user's data: asked for once, as long as these variables stay the same."""
+    """The platform's folder for user data, cached while these variables do not change."""
     from platformdirs import user_data_path
 
     return user_data_path("comity", appauthor=False)
@@ -56,18 +56,18 @@ def _users_folder(*variables: str | None) -> Path:
 
 @dataclass(frozen=True, slots=True)
 class Store:
-    """The people that this machine keeps; nothing is created before something is remembered."""
+    """The people stored on this machine; nothing is created before something is stored."""
 
     home: Path = field(default_factory=default_home)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Everybody of whom something is kept, in alphabetical order."""
+        """Names of all stored people, in alphabetical order."""
         folders = self._people.iterdir() if self._people.is_dir() else ()
         return tuple(sorted(folder.name for folder in folders if self.keeps(folder.name)))
 
     def keeps(self, name: str) -> bool:
-        """Whether anything is kept of a person."""
+        """Whether anything is stored about a person."""
         return (
             isinstance(name, str)
             and bool(NAME.fullmatch(name))
@@ -75,61 +75,61 @@ class Store:
         )
 
     def path(self, name: str) -> Path | None:
-        """The profile of a person who is kept; None where nobody of that name is."""
+        """Path of a stored person's profile; None if there is no such person."""
         path = self._folder(name) / PROFILE
         return path if NAME.fullmatch(name) and path.is_file() else None
 
     def change_profile(self, name: str, change: Callable[[YamlFile | None], Document]) -> Path:
-        """Keep another profile of a person than before; nobody else changes it meanwhile.
+        """Change the stored profile of a person, under a lock.
 
         Args:
-            name: Of the person; a new person is kept from now on.
-            change: From the file as it is kept, None for a new person, to the new document.
+            name: Name of the person; a new person is stored from now on.
+            change: Maps the stored file (None for a new person) to the new document.
 
         Raises:
-            InputError: for a name that cannot be kept, if `change` refuses, in which case nothing is written,
-                or if the system does not let us write.
+            InputError: The name cannot be stored, `change` refuses (then nothing is written), or the system
+                prevents writing.
         """
         refuse_name(name)
         with alone_in(self._people):
             path = self.path(name)
             document = change(None if path is None else read_yaml(path))
             if path is None:
-                self._forget(name, LEARNT)  # what was left of another person of that name
+                self._forget(name, LEARNT)  # left over from another person of that name
             return self._write(name, PROFILE, document)
 
     def learnt(self, name: str) -> Mapping[str, Any] | None:
-        """What was learnt with a person; None where nothing was.
+        """What was learnt about a person; None if nothing was.
 
         Raises:
-            InputError: if the file is damaged.
+            InputError: The file is damaged.
         """
         file = self.learnt_file(name)
         return None if file is None else file.data
 
     def learnt_file(self, name: str) -> YamlFile | None:
-        """The same as a file that still knows its lines, for checks."""
+        """The same as a file with line numbers, for validation."""
         path = self._folder(name) / LEARNT
         with advising(name):
             return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
 
     def change_learnt(self, name: str, change: Callable[[YamlFile | None], Document | None]) -> bool:
-        """Keep something else of what was learnt with a person; nobody else changes it meanwhile.
+        """Change what was learnt about a person, under a lock.
 
         Args:
-            name: Of the person.
-            change: From the file as it is kept, None where nothing was learnt yet, to the new document; None
-                where nothing is left.
+            name: Name of the person.
+            change: Maps the stored file (None if nothing was learnt yet) to the new document, or None if
+                nothing is left.
 
         Returns:
-            Whether the person is still kept here; if not, nothing is written.
+            Whether the person is still stored; if not, nothing is written.
 
         Raises:
-            InputError: for a name that cannot be kept, or if the system does not let us write.
+            InputError: The name cannot be stored, or the system prevents writing.
         """
         refuse_name(name)
         with alone_in(self._people):
-            if self.path(name) is None:  # a run that learns does not bring back who was deleted
+            if self.path(name) is None:  # a run that learns must not restore a deleted person
                 return False
             document = change(self.learnt_file(name))
             if document is not None:
@@ -139,34 +139,34 @@ class Store:
             return True
 
     def consent_file(self, name: str) -> YamlFile | None:
-        """What a person agreed to, as a file that knows its lines; None where nothing was ever recorded."""
+        """A person's consents as a file with line numbers; None if none were ever recorded."""
         path = self._folder(name) / CONSENT
         return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
 
     def change_consent(self, name: str, change: Callable[[YamlFile | None], Document]) -> YamlFile:
-        """Record something else of what a person agreed to, and keep a profile of theirs, which may be empty.
+        """Change a person's consents under a lock, and store a profile for them, possibly an empty one.
 
         Args:
-            name: Of the person; a new person is kept from now on.
-            change: From the file as it is kept, None for a new person, to the new document.
+            name: Name of the person; a new person is stored from now on.
+            change: Maps the stored file (None for a new person) to the new document.
 
         Returns:
-            The file as it is kept now.
+            The file as stored now.
 
         Raises:
-            InputError: for a name that cannot be kept, if `change` refuses, in which case nothing is written,
-                or if the system does not let us write.
+            InputError: The name cannot be stored, `change` refuses (then nothing is written), or the system
+                prevents writing.
         """
         refuse_name(name)
         with alone_in(self._people):
             document = change(self.consent_file(name))
             if self.path(name) is None:
-                self._forget(name, LEARNT)  # what was left of another person of that name
+                self._forget(name, LEARNT)  # left over from another person of that name
                 self._write(name, PROFILE, {"schema_version": 1, "name": name})
             return read_yaml(self._write(name, CONSENT, document))
 
     def withhold_touch(self, name: str) -> bool:
-        """Write that a person does not agree to be touched where it says otherwise; whether it did."""
+        """Record that a person does not consent to touch; returns whether this changed the profile."""
         with alone_in(self._people):
             path = self.path(name)
             document = dict(read_yaml(path).data) if path else {}
@@ -176,7 +176,7 @@ class Store:
             return True
 
     def forget_learnt(self, name: str) -> bool:
-        """Forget what was learnt with a person, damaged or not; whether there was anything."""
+        """Delete what was learnt about a person, even if damaged; returns whether there was anything."""
         path = self._folder(name) / LEARNT
         with alone_in(self._people), permitted(path):
             if not (NAME.fullmatch(name) and path.is_file()):
@@ -185,12 +185,12 @@ class Store:
             return True
 
     def exported(self, name: str) -> str:
-        """What is kept of a person but for `about`: a usable profile file, with what was learnt as comments.
+        """A stored person's data without `about`: a usable profile file, with learnt data as comments.
 
-        Comments that a person wrote into the files stay in the store, too.
+        Comments that a person wrote into the files are not exported either.
 
         Raises:
-            InputError: if nobody of that name is kept.
+            InputError: No person of that name is stored.
         """
         declared = self.declared(name)
         profile = dump_yaml(without_note(declared.data), inline=True) if declared else ""
@@ -204,29 +204,29 @@ class Store:
         return f"{EXPORTED}\n{profile}{comments}"
 
     def declared(self, name: str) -> YamlFile | None:
-        """The file of what a person declared; None where only something learnt is kept.
+        """The file of a person's declared profile; None if only learnt data are stored.
 
         Raises:
-            InputError: if nobody of that name is kept, or the file is no YAML.
+            InputError: No person of that name is stored, or the file is not YAML.
         """
         path = self.require(name) / PROFILE
         return read_yaml(path) if path.is_file() else None
 
     def delete(self, name: str) -> None:
-        """Forget a person altogether.
+        """Delete a person's data completely.
 
         Raises:
-            InputError: if nobody of that name is kept, or the system does not let us.
+            InputError: No person of that name is stored, or the system prevents deletion.
         """
         with alone_in(self._people):
             self.require(name)
             self._clear(name)
 
     def require(self, name: str) -> Path:
-        """The folder of a person of whom something has to be kept.
+        """The folder of a stored person.
 
         Raises:
-            InputError: if nothing is.
+            InputError: Nothing is stored about them.
         """
         if not self.keeps(name):
             kept = f" {closest(str(name), self.names)}" if self.names else ""
@@ -255,7 +255,7 @@ class Store:
                 shutil.rmtree(self._folder(name))
 
     def _write(self, name: str, file: str, document: Mapping[str, Any]) -> Path:
-        """Write one file whole or not at all: a reader sees the old or the new one meanwhile."""
+        """Write a file atomically: concurrent readers see the old or the new one."""
         folder = self._folder(name)
         with permitted(folder / file):
             new = not folder.exists()
@@ -271,7 +271,7 @@ class Store:
 
 
 def without_note(document: Document) -> Document:
-    """What a person declared, without the free words about them: those never leave the store."""
+    """A profile's document without the note `about`, which never leaves the store."""
     return {key: value for key, value in document.items() if key != "about"}
 
 
@@ -281,7 +281,7 @@ def _lines(document: Document) -> list[str]:
 
 @contextmanager
 def advising(name: str) -> Iterator[None]:
-    """Add to a complaint about what was learnt with a person how to go on without it."""
+    """Add advice to an error about damaged learnt data: how to continue without them."""
     try:
         yield
     except InputError as error:
@@ -294,10 +294,10 @@ def advising(name: str) -> Iterator[None]:
 
 
 def refuse_name(name: str) -> None:
-    """Refuse a name that no folder can have everywhere, or that ships with Comity and means another person.
+    """Reject a name that is not a valid folder name everywhere, or that is built in.
 
     Raises:
-        InputError: with what would be one.
+        InputError: With an example of a valid name.
     """
     if not NAME.fullmatch(name):
         raise InputError(
