@@ -1,4 +1,4 @@
-"""What a real robot said and did, put on record as the simulated one does."""
+"""Records the acts of a real robot in the form of the simulated one's."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from comity_sim2d.robot.acts import ASK_TO_PASS, is_spoken
 @dataclass(slots=True)
 class _Act:
     goal: GoalId
-    """What the robot calls it."""
+    """The robot's identifier of the act."""
     event: ActEvent
     is_over: bool = False
 
 
 class ActRecord:
-    """Acts by names of our own: they are text, and goals of motion are numbers."""
+    """Acts by our own identifiers: text, since motion goals have numbers."""
 
     def __init__(self) -> None:
         self._acts: list[_Act] = []
 
     def begin(self, act: ActGoal, goal: GoalId, t: float) -> str:
-        """Put an act on record; what it is called from now on.
+        """Record the start of an act; returns our identifier for it.
 
         Args:
-            act: What is done.
-            goal: What the robot calls it.
+            act: The act.
+            goal: The robot's identifier.
             t: The time [s].
         """
         spoken = is_spoken(act.act, act.text)
@@ -50,11 +50,11 @@ class ActRecord:
         return f"act {len(self._acts)}"
 
     def goal_of(self, name: GoalId) -> GoalId:
-        """What the robot calls an act."""
+        """The robot's identifier of an act."""
         return self._act(name).goal
 
     def note(self, name: GoalId, status: GoalStatus, t: float) -> GoalStatus:
-        """Put on record how an act goes; the same by the name that it has here."""
+        """Record the progress of an act; returns the status with our identifier."""
         act = self._act(name)
         if not act.is_over:
             act.event = replace(act.event, t_end=t, stopped=status.state in LOST)
@@ -62,13 +62,13 @@ class ActRecord:
         return ActStatus(name, status.state, status.text)  # type: ignore[arg-type]  # the tree refuses others
 
     def asked_to_pass(self, name: GoalId) -> str | None:
-        """The person whom an act that is not over yet asks to let the robot pass; None: it asks nobody."""
+        """The person whom a running act asks to let the robot pass; None if there is none."""
         act = self._act(name)
         return act.event.person if act.event.act == ASK_TO_PASS and not act.is_over else None
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
-        """All acts in the order in which they began; one that runs ends when it was looked at last."""
+        """All acts in order of their start; a running one ends at its last update."""
         return tuple(act.event for act in self._acts)
 
     def _act(self, name: GoalId) -> _Act:

@@ -1,8 +1,7 @@
-"""What a robot says of its place and of people, as far as it can be believed.
+"""Validates a robot's localisation and tracks of people.
 
-A call that raises, numbers that are none, a place outside the map and a time that has not come count as
-silence: a robot that hears nothing for long stands. A track that is gone for a moment is where it was going:
-trackers drop frames.
+A call that raises, invalid numbers, a pose outside the map and a time in the future count as silence: a robot
+without data for long stands. A track that disappears briefly is extrapolated: trackers drop frames.
 """
 
 from __future__ import annotations
@@ -20,33 +19,33 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.obstacles import FloorPlan
 
 AHEAD_S = 0.1
-"""Clocks of one robot may be so far apart; what is stamped later than that has not been measured."""
+"""Maximum offset between a robot's clocks [s]; later timestamps are invalid."""
 GRACE_S = 0.3
-"""A track that is gone for no longer is a dropped frame (our choice: three at 10 Hz)."""
+"""Maximum gap of a track that counts as dropped frames [s] (our choice: three at 10 Hz)."""
 OLD_S = 0.5
-"""A track that was measured longer ago tells of nobody."""
+"""Maximum age of a track; older ones are ignored [s]."""
 
 
 class BaseSenses:
-    """Asks one robot, once a tick.
+    """Polls one robot, once per tick.
 
     Args:
         base: The robot.
-        plan: Of the map.
+        plan: The floor plan of the map.
     """
 
     def __init__(self, base: MapRobot, plan: FloorPlan) -> None:
         self._base = base
         self._plan = plan
         self._tracks: dict[int | str, PersonTrack] = {}
-        """The newest of each name of the tracker, for as long as it is believed."""
+        """The newest track by tracker identifier, while valid."""
         self.tracked_s = -inf
-        """When the tracker was heard last; it was not yet."""
+        """Time of the tracker's last report [s]; -inf before the first."""
         self.refused: dict[str, str] = {}
-        """Why what was said last is not believed: of the `localisation`, and of the `tracker`."""
+        """Why the last report was rejected, by source: `localisation`, `tracker`."""
 
     def localisation(self, now_s: float) -> Localisation | None:
-        """Where it is; None where it does not know, or cannot be."""
+        """The robot's pose; None if it is unknown or invalid."""
         self.refused.pop("localisation", None)
         try:
             here = self._base.localisation()
@@ -59,7 +58,7 @@ class BaseSenses:
         return None
 
     def _why_not_here(self, here: Localisation, now_s: float) -> str | None:
-        """Why it cannot be so; None: it can."""
+        """Why a pose is invalid; None if it is valid."""
         if not _are_finite(here.x_m, here.y_m, here.heading_rad, here.speed_m_s):
             return f"a number of {here!r} is not finite"
         if not _has_come(here.stamp_s, now_s):
@@ -69,7 +68,7 @@ class BaseSenses:
         return None
 
     def tracks(self, now_s: float) -> list[PersonTrack]:
-        """People whom it sees, and whom it saw a moment ago."""
+        """Tracks of people seen now or a moment ago."""
         said = self._said(now_s)
         fresh = {track.track: track for track in said or () if now_s - track.stamp_s <= OLD_S}
         if fresh or (said is not None and not said):
@@ -86,7 +85,7 @@ class BaseSenses:
         return list(self._tracks.values())
 
     def _said(self, now_s: float) -> list[PersonTrack] | None:
-        """What it says now; a track that is nowhere is left out."""
+        """The current tracks, without those at invalid positions; None if the tracker is silent."""
         self.refused.pop("tracker", None)
         try:
             tracks = self._base.tracks()
@@ -98,10 +97,10 @@ class BaseSenses:
 
 
 def one_each(tracks: list[PersonTrack]) -> tuple[list[PersonTrack], frozenset[str]]:
-    """The tracks with one at most for each person; who has several may be any of them.
+    """The tracks with at most one per person: of several tracks, any may be the person.
 
     Returns:
-        The tracks, of which those too many are nobody in particular; and whose there were several.
+        The tracks, with duplicates made anonymous; and the people who had several.
     """
     found: list[PersonTrack] = []
     seen: set[str] = set()
@@ -117,7 +116,7 @@ def one_each(tracks: list[PersonTrack]) -> tuple[list[PersonTrack], frozenset[st
 
 
 def stranger(track: PersonTrack) -> Person:
-    """A person of whom nothing is known but where they are."""
+    """A person of whom only the position is known."""
     return Person(f"track {track.track}", track.x_m, track.y_m, wrap_angle(track.heading_rad or 0.0))
 
 

@@ -1,4 +1,4 @@
-"""Ticks an execution around a real robot, in its time."""
+"""Ticks an execution on a real robot, in real time or by the robot's simulated clock."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ if TYPE_CHECKING:
 
 
 def stop_of(base: MapRobot) -> Heartbeat | None:
-    """Asks the robot for its stop in a thread of its own, so that silence is noticed.
+    """Polls the robot's stop in a separate thread, so that silence is noticed.
 
-    None where the robot's clock is simulated: it stands still while a call does not return.
+    None if the robot's clock is simulated, as it stands still while a call does not return.
     """
     return None if sleep_of(base) else Heartbeat(base.emergency)
 
 
 def sleep_of(base: MapRobot) -> Callable[[float], None] | None:
-    """How time passes for a robot with a simulated clock; None for one in real time."""
+    """The sleep function of a robot with a simulated clock; None in real time."""
     return getattr(base, "sleep", None)
 
 
 def drive(
     execution: Execution, base: MapRobot, heartbeat: Heartbeat | None, each: Callable[[], None]
 ) -> LoopReport:
-    """Tick until all is over, and leave the base at rest.
+    """Tick until the execution ends, and leave the base at rest.
 
     Args:
-        execution: Its stop is read from the heartbeat, where there is one.
-        base: The robot, whose clock may be simulated.
-        heartbeat: As `stop_of` has made it.
+        execution: It reads the stop from the heartbeat, if there is one.
+        base: The robot; its clock may be simulated.
+        heartbeat: From `stop_of`.
         each: Called after every tick.
     """
     sleep = sleep_of(base)
@@ -47,12 +47,12 @@ def drive(
 
 
 class _Clock:
-    """A simulated clock; one that breaks ends the execution, and real time takes its place.
+    """A simulated clock; if it fails, the execution ends on real time.
 
     Args:
-        base: Its clock.
-        sleep: Lets time pass there.
-        execution: What ends.
+        base: The robot with the clock.
+        sleep: Advances the clock.
+        execution: The execution to end.
     """
 
     def __init__(self, base: MapRobot, sleep: Callable[[float], None], execution: Execution) -> None:
@@ -62,7 +62,7 @@ class _Clock:
         self._is_broken = False
 
     def now_s(self) -> float:
-        """The time."""
+        """The time [s]."""
         if not self._is_broken:
             try:
                 return float(self._base.now_s())
@@ -71,7 +71,7 @@ class _Clock:
         return time.monotonic()
 
     def sleep(self, seconds: float) -> None:
-        """Let time pass."""
+        """Advance time."""
         if not self._is_broken:
             try:
                 self._sleep(seconds)
@@ -86,7 +86,7 @@ class _Clock:
 
 
 def _ending(execution: Execution, each: Callable[[], None]) -> Callable[[], None]:
-    """The same, where an exception ends the execution and leaves nothing else undone."""
+    """The callback, made to end the execution if it raises."""
 
     def safely() -> None:
         try:

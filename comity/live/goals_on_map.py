@@ -1,9 +1,9 @@
-"""Goals of the tree told to a base as poses of the map.
+"""Sends the tree's goals to a base as poses on the map.
 
-A pose beside a person moves along with them: where it has moved by more than `FOLLOW_M`, or the robot comes
-near and has to slow down, the base receives it again, which replaces the goal before; for the tree it is
-still one goal. Goals are renewed only while the robot may move, so that a base that does not know where it
-is, or who is there, stops by itself; it is told to stop all the same.
+A pose next to a person moves along with them. If it has moved by more than `FOLLOW_M`, or the robot comes
+near and has to slow down, the base receives a new goal that replaces the previous one; for the tree it
+remains one goal. Goals are renewed only while the robot may move, so that a base that has lost its pose or
+its tracks stops by itself; it is also commanded to stop.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ if TYPE_CHECKING:
     from comity_sim2d import Person, Pose
 
 FOLLOW_M, FOLLOW_RAD = 0.05, 5.0 * pi / 180.0
-"""A pose that has moved or turned by more is told to the base again (our choice)."""
+"""Motion of a pose, in position [m] and heading [rad], after which it is sent again (our choice)."""
 
 
 class GoalsOnMap:
-    """The motion goals of one robot, by numbers of their own.
+    """The motion goals of one robot, with their own numbers.
 
     Args:
         base: The robot.
-        known: What it knows of the world.
-        stands: Why it must not move for now; None: it may.
-        margins: The margin that it keeps from each person.
+        known: The robot's knowledge of the world.
+        stands: Returns why the robot must not move now; None if it may.
+        margins: The margin to keep from each person.
     """
 
     def __init__(
@@ -47,26 +47,26 @@ class GoalsOnMap:
         self._base = base
         self._margins = margins
         self._waits_for: tuple[str, ...] = ()
-        """The people who blocked it when it was asked last."""
+        """The people who blocked the robot at the last check."""
         self._known = known
         self._stands = stands
         self.places: Mapping[str, Pose] = {}
-        """Where to stand to fetch things."""
+        """Poses for fetching objects, by place."""
         self.distances_m: dict[str, float] = {}
-        """How far from each person the robot was last told to stand."""
+        """Last commanded distance from each person [m]."""
         self._goal: MotionGoal | None = None
-        """The newest one; None once all was stopped."""
+        """The newest goal; None after a stop."""
         self._goals = 0
-        """So many there have been."""
+        """Number of goals so far."""
         self._told: MapGoal | None = None
-        """What the base was told last; None while it is to stand."""
+        """The last goal sent to the base; None while it is to stand."""
         self._told_for = 0
-        """For which goal."""
+        """Number of the tree's goal that it was sent for."""
         self._base_goals: list[GoalId] = []
-        """What the base calls it, and before it those that were told for the same goal."""
+        """The base's identifiers for the tree's goal, the newest last."""
 
     def go(self, goal: MotionGoal) -> int:
-        """Set out for a goal, once the robot may move; its number."""
+        """Start a goal once the robot may move; returns its number."""
         self._goal, self._goals = goal, self._goals + 1
         if goal.pose is not None:
             self.distances_m[goal.to] = goal.pose.distance_m
@@ -75,7 +75,7 @@ class GoalsOnMap:
         return self._goals
 
     def renew(self, goal: GoalId) -> None:
-        """Let the base go on, or tell it where the goal is by now."""
+        """Renew the base's goal, or update its pose."""
         if goal != self._goals or self._goal is None:
             return
         self._mind_margins(self._goal, self._waits_for)
@@ -85,9 +85,9 @@ class GoalsOnMap:
             self._base.renew(self._base_goals[-1])
 
     def _mind_margins(self, goal: MotionGoal, blocked_by: tuple[str, ...]) -> None:
-        """Give people's leave to pass them nearer, and take it back."""
+        """Update the people whom the robot may pass at a reduced margin."""
         if goal.pose is None and goal.kind != "go_to":
-            return  # it turns on the spot
+            return  # the robot turns on the spot
         keep = {} if goal.pose is None else {goal.to: goal.pose.distance_m}
 
         def keeps_all() -> bool:
@@ -97,7 +97,7 @@ class GoalsOnMap:
         self._margins.look(goal.to, blocked_by, keeps_all)
 
     def stop(self, goal: GoalId | None) -> None:
-        """End the newest goal, where it is that; None: whatever the base does."""
+        """End the goal if it is the newest; None: stop the base, whatever it does."""
         if goal is None:
             self._goal = self._told = None
             self._base.stop()
@@ -107,10 +107,10 @@ class GoalsOnMap:
                 self._base.stop(self._base_goals[-1])
 
     def _go_on(self, before: Sequence[GoalId]) -> None:
-        """Tell the base where its goal is now, or stop it while it does not know where it is or who is there.
+        """Send the current goal pose to the base, or stop it if pose or tracks are unknown.
 
         Args:
-            before: What the base calls the goal that goes on so, last of all the newest.
+            before: The base's identifiers for the goal that continues, the newest last.
         """
         assert self._goal is not None
         if self._stands():
@@ -123,15 +123,15 @@ class GoalsOnMap:
         self._base_goals = [*([] if is_new else before), self._base.go(self._told)]
 
     def motion(self) -> MotionStatus:
-        """How the newest goal goes, as the base says, by the number that it has here."""
+        """The progress of the newest goal as reported by the base, with our number."""
         said = known_motion(self._base)
         if self._goal is not None and self._told is None:
             return self._waiting(said)
         state, number = said.state, self._number_of(said.goal)
         if self._base_goals and said.goal in self._base_goals[:-1]:
-            state = "running"  # what replaces it is not taken up yet
+            state = "running"  # the base has not accepted the replacement yet
         if self._goal is None and state == "succeeded":
-            state = "stopped"  # it has ended, and nothing else was asked for
+            state = "stopped"  # it has ended, and there is no other goal
         self._waits_for = self._blocked_by(said)
         return MotionStatus(
             number,
@@ -145,7 +145,7 @@ class GoalsOnMap:
         )
 
     def _waiting(self, said: Motion) -> MotionStatus:
-        """How a goal goes of which the base does not know yet."""
+        """The progress of a goal that was not sent to the base yet."""
         self._waits_for = ()
         return MotionStatus(
             self._goals,
@@ -157,7 +157,7 @@ class GoalsOnMap:
         )
 
     def _number_of(self, goal: GoalId | None) -> int | None:
-        """What a goal of the base is called here: the newest one, or any before it."""
+        """Our number for a goal of the base: the newest one or an earlier one."""
         if goal is None or not self._goals:
             return None
         return self._goals if goal in self._base_goals else self._goals - 1 or None
@@ -181,7 +181,7 @@ class GoalsOnMap:
         return MapGoal(goal.kind, goal.to, *xy, turned, speed_m_s, goal.parameters, passages)
 
     def _near_people_m_s(self, speed_m_s: float) -> float:
-        """The speed, no more than anybody near allows."""
+        """The speed, limited by what people nearby allow [m/s]."""
         for other in self._known.bodies:
             if self._is_near(other, speed_m_s):
                 allowed_m_s = other.approach_speed_m_s or NEAR_PEOPLE_M_S
@@ -190,14 +190,14 @@ class GoalsOnMap:
         return speed_m_s
 
     def _is_near(self, person: Person, speed_m_s: float) -> bool:
-        """Whether the robot is so near a person that it has to begin to slow down for them."""
+        """Whether the robot is so near a person that it must start to slow down for them."""
         can = self._base.capabilities
         ahead_m = speed_m_s * can.latency_s + speed_m_s**2 / (2.0 * can.braking_m_s2) + FOLLOW_M
         gap_m = dist(self._known.here.xy, person.xy) - self._known.scene.robot.radius_m - person.radius_m
         return gap_m <= NEAR_PEOPLE_M + ahead_m
 
     def _blocked_by(self, said: Motion) -> tuple[str, ...]:
-        """The people in the way, by the map where the base does not name them."""
+        """The obstructing people; taken from the map if the base does not name them."""
         goal = self._goal
         if not said.is_blocked or said.blocked_by or goal is None or goal.pose is None:
             return tuple(said.blocked_by)

@@ -1,8 +1,8 @@
-"""Whom a robot may take for whom: trackers change the names of two people who pass close by each other.
+"""Tracks the certainty of people's identities: trackers swap people who pass close to each other.
 
-Who a track is counts as sure once the robot has made sure of it (`PersonTrack.identified_s`), such as by a
-face. Two tracks within `MEETING_M` of each other, or a track that is gone for a moment, are a doubt that only
-a later recognition ends.
+A track's identity is certain once the robot has recognised the person (`PersonTrack.identified_s`), for
+example by face. It becomes doubtful if two tracks come within `MEETING_M` of each other or a track disappears
+briefly, until the next recognition.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from comity_executor import PersonTrack
 
 MEETING_M = 1.0
-"""Tracks that were so near each other may have been mixed up."""
+"""Distance below which two tracks may have been swapped [m]."""
 
 
 class Identities:
-    """Keeps account of who is surely who.
+    """Keeps the certainty of every identity.
 
     Args:
         people: The people of the scenario.
@@ -28,23 +28,23 @@ class Identities:
 
     def __init__(self, people: Collection[str]) -> None:
         self._doubted_s = dict.fromkeys(people, -inf)
-        """When there was a reason to doubt last."""
+        """Time of the last doubt, by person [s]."""
         self._sure_s = dict.fromkeys(people, -inf)
-        """When the robot made sure last."""
+        """Time of the last recognition, by person [s]."""
         self._seen: frozenset[str] = frozenset()
 
     @property
     def uncertain(self) -> frozenset[str]:
-        """Who may be another person."""
+        """People whose identity is uncertain."""
         return frozenset(name for name in self._doubted_s if self._sure_s[name] <= self._doubted_s[name])
 
     def take_in(self, tracks: Sequence[PersonTrack], now_s: float, *, doubted: Collection[str] = ()) -> None:
-        """Take in the newest tracks.
+        """Update with the newest tracks.
 
         Args:
-            tracks: One at most for each person.
-            now_s: The time, by the same clock as theirs.
-            doubted: Who was said to be in several places.
+            tracks: At most one per person.
+            now_s: The current time, by the tracks' clock [s].
+            doubted: People reported at several positions.
         """
         named = {track.person: track for track in tracks if track.person in self._doubted_s}
         for name, track in named.items():

@@ -1,4 +1,4 @@
-"""What a real robot knows of the world on a map: where it is, who is where, and what it reads of them."""
+"""A real robot's knowledge of the world on a map: its pose, people's positions, and its readings."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ if TYPE_CHECKING:
     from comity_sim2d.navigation.yielding import Walker
 
 SILENT_S = 0.5
-"""Localisation or a tracker of which nothing was heard for so long is silent (our choice)."""
+"""Time without data after which localisation or tracker count as silent [s] (our choice)."""
 
 
 class KnownWorld:
-    """Asks one robot once a tick, and keeps what it said.
+    """Polls one robot once per tick and stores its reports.
 
     Args:
         base: The robot.
-        scene: The map, everybody where they were when the plan was made, and the robot's body.
+        scene: The map, people's positions at planning time, and the robot's body.
     """
 
     def __init__(self, base: MapRobot, scene: Scene) -> None:
@@ -46,23 +46,23 @@ class KnownWorld:
         self._surroundings = Surroundings.of(scene)
         self._seen = PeopleSeen(scene)
         self.names = frozenset(person.name for person in scene.people)
-        """The people of the scenario."""
+        """Names of the scenario's people."""
         self._identities = Identities(self.names)
         self._margin_m: dict[str, float] = {}
         """Margins of the people with less than the full margin [m]."""
         self._strangers: tuple[Person, ...] = ()
-        """People whom the tracker sees and the scenario does not know."""
+        """Tracked people who are not in the scenario."""
         self._localised: Localisation | None = None
         self._senses = BaseSenses(base, floor_plan(scene))
         self.odd = OddReadings(self.names, scene.robot.name)
-        """What looks like a mistake in the robot's code."""
+        """Readings that suggest a mistake in the robot's code."""
 
     def own_time_s(self, stamp_s: float) -> float:
-        """A time of the robot's clock by that of the episode, which begins at 0."""
+        """A time of the robot's clock as time since the start of the episode [s]."""
         return stamp_s - self._start_s
 
     def sense(self) -> None:
-        """Take in where the robot is and whom it sees; to be called once in every tick."""
+        """Update the robot's pose and the tracked people; called once per tick."""
         now_s = self._base.now_s()
         self._localised = self._senses.localisation(now_s) or self._localised
         tracks, several = one_each(self._senses.tracks(now_s))
@@ -77,7 +77,7 @@ class KnownWorld:
         self._strangers = tuple(stranger(track) for track in own if track.person not in self.names)
 
     def _is_deaf(self, now_s: float) -> bool:
-        """Whether the tracker is silent: then nothing follows from whom it does not name."""
+        """Whether the tracker is silent; then missing tracks mean nothing."""
         return now_s - self._senses.tracked_s > GRACE_S
 
     def _by_own_clock(self, track: PersonTrack) -> PersonTrack:
@@ -86,12 +86,12 @@ class KnownWorld:
 
     @property
     def uncertain(self) -> frozenset[str]:
-        """Of whom it is not sure who they are."""
+        """People whose identity is uncertain."""
         return self._identities.uncertain
 
     @property
     def is_blind(self) -> str | None:
-        """Why it does not know enough to move: where it is, or who is there; None: it does."""
+        """Why the robot knows too little to move (its pose, or people); None if it knows enough."""
         now_s, here = self._base.now_s(), self._localised
         ages = {
             "localisation": inf if here is None else now_s - here.stamp_s,
@@ -104,19 +104,19 @@ class KnownWorld:
         return self._seen.may_be_at(self.here, self.now_s())
 
     def now_s(self) -> float:
-        """Seconds since the start of the episode."""
+        """Time since the start of the episode [s]."""
         return self._base.now_s() - self._start_s
 
     @property
     def pose(self) -> Pose:
-        """Where it can be, near where it last knew to be: localisation that is off puts it into things."""
+        """The free pose nearest to the last known one, as localisation errors may put it inside obstacles."""
         here, radius_m = self.here, self.scene.robot.radius_m
         x_m, y_m = off_things(here.xy, radius_m, self._surroundings.plan)
         return Pose(x_m, y_m, here.heading_rad)
 
     @property
     def here(self) -> Pose:
-        """Where it last knew to be; before it ever did, where the scenario has it."""
+        """The last known pose; before the first, the scenario's."""
         here = self._localised
         return (
             self.scene.robot.pose if here is None else Pose(here.x_m, here.y_m, wrap_angle(here.heading_rad))
@@ -124,53 +124,53 @@ class KnownWorld:
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """All people of the scenario where it believes them to be."""
+        """All people of the scenario at their believed positions."""
         return self._seen.people
 
     @property
     def missing(self) -> frozenset[str]:
-        """Who is known not to be where they were seen last."""
+        """People known to have left their last seen position."""
         return frozenset(self._seen.lost)
 
     @property
     def walking(self) -> frozenset[str]:
-        """Who is under way."""
+        """People who are walking."""
         return frozenset(walker.person.name for walker in self.walkers)
 
     @property
     def walkers(self) -> tuple[Walker, ...]:
-        """The same, with their velocities."""
+        """Walking people with their velocities."""
         return self._seen.walkers
 
     def lost(self) -> dict[str, str]:
-        """The missing, with since when: it does not go to look for them."""
+        """The missing, each with since when: the robot does not search for them."""
         return {name: _lost(name, since_s) for name, since_s in sorted(self._seen.lost.items())}
 
     def person(self, name: str) -> Person:
-        """One person where it believes them to be."""
+        """A person at their believed position."""
         return self._seen.of(name).person
 
     def seen(self, name: str) -> Seen:
-        """The same, with what the tracker says of them."""
+        """A person with the tracker's data."""
         return self._seen.of(name)
 
     def keep(self, name: str, margin_m: float) -> None:
-        """Keep another margin from a person from now on [m]."""
+        """Set the margin to keep from a person [m]."""
         self._margin_m[name] = margin_m
 
     def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
-        """Know how a person wants it to pass them."""
+        """Set how a person wants the robot to pass them."""
         self._seen.learn(person, distance_m=distance_m, speed_m_s=speed_m_s)
 
     def read(self, person: str, *, told_m: float | None) -> PersonEstimate | None:
-        """Distances and angles to a person whom the tracker sees; None otherwise.
+        """Distances and angles to a tracked person; None if they are not tracked.
 
-        Where the sensor is too short for the pose that the robot was told to take beside them, that is how it
-        stands to where they were seen last, as for the simulated robot.
+        If the sensor does not reach the person from the commanded pose, the reading is relative to where they
+        were last seen, as for the simulated robot.
 
         Args:
-            person: Who.
-            told_m: How far from them it was told to stand; None where it was not.
+            person: Name of the person.
+            told_m: Commanded distance from the person [m]; None if there is none.
         """
         seen, localised = self._seen.of(person), self._localised
         if localised is None or self.is_blind or not (seen.is_seen or self._presumes(person, told_m)):
@@ -189,18 +189,18 @@ class KnownWorld:
         )
 
     def _presumes(self, person: str, told_m: float | None) -> bool:
-        """Whether it takes a person whom it does not see to stand where they were seen last."""
+        """Whether an unseen person is assumed to be at their last seen position."""
         if told_m is None or self._seen.of(person).has_vanished or person in self._seen.lost:
             return False
         return self._too_short_for(told_m) is not None
 
     def _too_short_for(self, distance_m: float) -> str | None:
-        """Why its sensor would not surely show a person so far away; None where it would."""
+        """Why the sensor may not see a person at this distance; None if it does."""
         robot = self.scene.robot
         return too_short_for(robot.sensor, robot.radius_m + distance_m)
 
     def pose_for(self, wish: Wish) -> RelativePose | None:
-        """The wanted pose if the map and the people leave it free, else the most desirable one that is."""
+        """The target pose if it is free, else the most desirable free one; None if there is none."""
         if wish.person in self._seen.lost:
             return None
         around, here = self.around, self.pose.xy
@@ -210,14 +210,14 @@ class KnownWorld:
 
     @property
     def bodies(self) -> tuple[Person, ...]:
-        """Everybody who is or may be there, as large as where they may be."""
+        """All people who are or may be present; uncertain positions enlarge their bodies."""
         people = self._seen.obstacles(self.now_s())
         kept = (replace(one, margin_m=self._margin_m.get(one.name, one.margin_m)) for one in people)
         return (*kept, *self._strangers)
 
     @property
     def around(self) -> Surroundings:
-        """The map with all of them."""
+        """The map with all these people."""
         return self._surroundings.with_people(self.bodies)
 
     @property

@@ -1,4 +1,4 @@
-"""A robot of the user's own by its name: `MODULE:CLASS`, or what a package offers as `comity.robots`."""
+"""Loads a user's robot by name: `MODULE:CLASS`, or an entry point in the group `comity.robots`."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
     from comity_executor import MapRobot
 
 GROUP = "comity.robots"
-"""The entry points by which installed packages offer robots."""
+"""Entry point group in which installed packages offer robots."""
 
 
 def load_robot(name: str) -> MapRobot:
-    """Make a robot.
+    """Create a robot.
 
     Args:
-        name: `my_robot:Base`, of a module that can be imported from here; or the name of an entry point.
+        name: `my_robot:Base`, with an importable module; or the name of an entry point.
 
     Raises:
-        InputError: There is no such robot, it cannot be made, or it lacks a call.
+        InputError: There is no such robot, it cannot be created, or it lacks a call.
     """
     make = _imported(name) if ":" in name else _offered(name)
     needs = _arguments(make)
@@ -53,10 +53,10 @@ def load_robot(name: str) -> MapRobot:
 
 
 def require_map_robot(robot: object, name: str) -> None:
-    """Refuse a robot that cannot be driven.
+    """Reject a robot that does not implement the protocol.
 
     Raises:
-        InputError: With everything that is missing or of a wrong form.
+        InputError: Listing everything that is missing or malformed.
     """
     problems = problems_of(robot)
     if problems:
@@ -71,7 +71,7 @@ def _imported(name: str) -> Any:
     module, _, attribute = name.partition(":")
     here = str(Path.cwd())
     if here not in sys.path:
-        sys.path.insert(0, here)  # as `python -m` does
+        sys.path.insert(0, here)  # as for `python -m`
     if not (module and attribute):
         lacks = "class" if module else "module"
         raise _unknown(name, f"{name!r}, without the name of the {lacks}")
@@ -98,14 +98,14 @@ def _unknown(name: str, got: str, remedy: str | None = None) -> InputError:
 
 
 def _classes(module: ModuleType, attribute: str) -> str | None:
-    """The nearest of the classes and functions that the module itself has; None where it has none."""
+    """The most similar names of the module's own classes and functions; None if it has none."""
     mine = module.__name__
     own = [name for name, one in vars(module).items() if getattr(one, "__module__", "") == mine]
     return closest(attribute, own) if own else None
 
 
 def _broken(module: str, error: Exception) -> InputError:
-    """A module whose own code does not run: with the line of it."""
+    """The error for a module whose code raises, with the line."""
     if isinstance(error, SyntaxError) and error.filename:
         got = f"{type(error).__name__}: {error.msg} ({Path(error.filename).name}:{error.lineno})"
     else:
@@ -133,7 +133,7 @@ def _offered(name: str) -> Any:
 
 
 def _arguments(make: Any) -> list[str]:
-    """What it cannot be made without."""
+    """Required arguments of a robot's constructor."""
     if not callable(make):
         return ["to be a class or a function"]
     try:

@@ -1,4 +1,4 @@
-"""Whether a robot of the user's own has what is needed on a map, found out before anything is planned."""
+"""Checks that a user's robot implements the map robot protocol, before planning."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ MAP_CALLS: Mapping[str, tuple[tuple[object, ...], Mapping[str, object]]] = {
     "go": ((MapGoal("dock", "anna", 1.0, 2.0, 0.0, 0.4),), {}),
     **{name: CALLS[name] for name in CALLS if name not in ("read", "heard", "choose_pose", "go")},
 }
-"""What is called, and with which arguments."""
+"""Required calls with their arguments."""
 
 
 def problems_of(robot: object) -> list[str]:
-    """What is missing or of a wrong form; nothing is commanded, and a call that raises now may work later."""
+    """Missing or malformed calls. Nothing is commanded; a call that raises now may work later."""
     found = [problem for name, call in MAP_CALLS.items() if (problem := call_problem(robot, name, *call))]
     if not found:
         found = [problem for problem in form_problems(robot) if problem] + _senses_problems(robot)

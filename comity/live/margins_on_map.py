@@ -1,7 +1,7 @@
-"""The margin that a real robot keeps from each person: decided as in simulation, and told with its goal.
+"""The margin that a real robot keeps from each person: decided as in simulation, and sent with its goal.
 
-The base keeps the margin; here it is decided who let it pass, and for how long. Whatever is not known
-refuses: who a track is, where the person faces, whether they stand.
+The base keeps the margin; this module decides who lets it pass, and for how long. Anything unknown counts
+against it: a track's identity, a person's orientation, whether they stand.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 
 
 class MarginsOnMap:
-    """Decides about the people in the way of one real robot.
+    """Decides about the people who obstruct one real robot.
 
     Args:
-        base: The robot, with its ears where it has any.
-        known: What it knows of the world.
+        base: The robot, with speech recognition if it has any.
+        known: The robot's knowledge of the world.
     """
 
     def __init__(self, base: MapRobot, known: KnownWorld) -> None:
@@ -39,13 +39,13 @@ class MarginsOnMap:
         self._clock = _LookTicks()
         self._said: list[Said] = []
         body = known.scene.robot
-        # What is heard comes at its own time, so that no delay of a sensor is taken off.
+        # Speech arrives with its own timestamp, so no sensor delay is subtracted.
         spec = replace(body, sensor=replace(body.sensor, sigma_m=tracker_sd_m(base), delay_s=0.0))
         self._margins = Margins(spec, _PeopleOnMap(known), self._clock, self._said, kept_margin_m(base))
 
     @property
     def decisions(self) -> tuple[MarginDecision, ...]:
-        """All so far, in order."""
+        """All decisions so far, in order."""
         return tuple(self._margins.decisions)
 
     @property
@@ -55,16 +55,16 @@ class MarginsOnMap:
         return tuple(ReducedPassage(one.name, *one.xy, margin_m) for one in self._margins.let_by)
 
     def note_asked(self, person: str) -> None:
-        """A request for passage has come to its end."""
+        """Note that a request for passage has ended."""
         self._margins.note_asked((person,))
 
     def look(self, to: str, blocked_by: Collection[str], keeps_all: Callable[[], bool]) -> None:
-        """Give leave and take it back; to be called in every tick of an approach.
+        """Grant and revoke reduced margins; called in every tick of an approach.
 
         Args:
-            to: The person or the place that it approaches.
-            blocked_by: People for whom it waits.
-            keeps_all: Says whether a route of any length keeps the full margin from all people.
+            to: The person or place that the robot approaches.
+            blocked_by: People for whom the robot waits.
+            keeps_all: Returns whether some route, however long, keeps the full margin from everybody.
         """
         self._clock.take(self._known.now_s())
         self._listen(blocked_by)
@@ -75,7 +75,7 @@ class MarginsOnMap:
         return self._known.here
 
     def _listen(self, people: Collection[str]) -> None:
-        """Take in which of these people said yes; ears that fail hear nothing."""
+        """Record which of these people agreed; errors of speech recognition count as silence."""
         self._said.clear()
         heard = getattr(self._base, "heard", None)
         if heard is None:
@@ -91,7 +91,7 @@ class MarginsOnMap:
 
 @dataclass(slots=True)
 class _LookTicks:
-    """The time of the newest look, and since the one before."""
+    """The time of the newest check, and since the previous one."""
 
     now_s: float = 0.0
     step_s: float = 0.0
@@ -101,7 +101,7 @@ class _LookTicks:
 
 
 class _PeopleOnMap:
-    """What is known of people, as `Margins` asks for it."""
+    """Knowledge about people in the form that `Margins` needs."""
 
     def __init__(self, known: KnownWorld) -> None:
         self._known = known

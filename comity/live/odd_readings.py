@@ -1,4 +1,4 @@
-"""Readings that look like a mistake in the code of a robot: degrees for radians, a person's name misspelt."""
+"""Detects readings that suggest a mistake in a robot's code: degrees for radians, misspelt names."""
 
 from __future__ import annotations
 
@@ -14,35 +14,35 @@ if TYPE_CHECKING:
 
 STRANGER = "it is a stranger's, to go around"
 ALIKE = 0.8
-"""Names are alike from here on, in [0, 1] as `difflib` compares them (our choice)."""
+"""Minimum similarity of two names, in [0, 1], by `difflib` (our choice)."""
 
 
 class OddReadings:
-    """Notes each kind of mistake once a run; the readings are used all the same.
+    """Notes each kind of mistake once per run; the readings are still used.
 
     Args:
         people: The people of the scenario.
-        robot: Name of the robot, which the notes are about.
+        robot: Name of the robot, for the notes.
     """
 
     def __init__(self, people: Collection[str], robot: str) -> None:
         self._people = people
         self._robot = robot
         self._noted: dict[str, Disturbance] = {}
-        """By what is odd."""
+        """Notes by kind."""
 
     @property
     def notes(self) -> tuple[Disturbance, ...]:
-        """All so far, in order."""
+        """All notes so far, in order."""
         return tuple(self._noted.values())
 
     def take_in(self, now_s: float, here: Localisation | None, tracks: Sequence[PersonTrack]) -> None:
-        """Look at what was sensed.
+        """Check new readings.
 
         Args:
-            now_s: The time of the episode.
-            here: Where the robot is.
-            tracks: The people that it sees.
+            now_s: Time since the start of the episode [s].
+            here: The robot's pose.
+            tracks: The tracked people.
         """
         headings = [("localisation", None if here is None else here.heading_rad)]
         headings += [("tracks", track.heading_rad) for track in tracks]
@@ -53,7 +53,7 @@ class OddReadings:
             self._note(now_s, what, text)
 
     def _odd_names(self, tracks: Sequence[PersonTrack]) -> Iterator[tuple[str, str]]:
-        """Names that the scenario does not have; none is written down, as it may be a passer-by's."""
+        """Names that resemble those of the scenario; none is recorded, as it may be a passer-by's."""
         known = {name.lower(): name for name in self._people}
         for track in tracks:
             if track.person is None or track.person in self._people:

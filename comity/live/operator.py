@@ -1,9 +1,9 @@
-"""The operator of a robot: approves plans, skips people, nudges distances, marks events.
+"""The operator's commands: approve plans, skip people, adjust distances, pass on consent, mark events.
 
-Words are given in any thread and carried out between two ticks, in their order; each is told in the trace
-with what came of it. None passes the safety floor, the robot's speed limit, or what a person asked for or has
-shown. Consent to touch is the person's alone: `consents` passes on that they gave it, in this meeting, and
-no other word counts as that.
+Commands may come from any thread and are executed in order between two ticks; the trace records each with its
+result. None overrides the safety floor, the robot's speed limit, or what a person asked for or has shown.
+Consent to touch is the person's alone: `consents` passes on that they gave it in this encounter, and no other
+command counts as consent.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Order = Literal["approve", "skip", "nearer", "farther", "consents", "withdraws", "mark", "stop", "resume"]
 OF_PEOPLE = ("skip", "nearer", "farther", "consents", "withdraws")
 NUDGE_M = 0.10
-"""Where no length is given (our choice)."""
+"""Default adjustment of a distance [m] (our choice)."""
 USAGE = (
     "approve | skip PERSON | nearer PERSON [M] | farther PERSON [M] | consents PERSON | withdraws PERSON | "
     "mark TEXT | stop | resume"
@@ -33,20 +33,20 @@ UNAPPROVED = "the plan waits for the operator's approval"
 
 @dataclass(frozen=True, slots=True)
 class OperatorCommand:
-    """One thing that the operator said."""
+    """One command of the operator."""
 
     order: Order
     about: str = ""
-    """A person; of `mark` the text."""
+    """A person; for `mark`, the text."""
     metres: float = NUDGE_M
-    """Of `nearer` and `farther`."""
+    """Adjustment for `nearer` and `farther` [m]."""
 
 
 def word_of(line: str) -> OperatorCommand:
-    """A line that the operator typed.
+    """Parse a line typed by the operator.
 
     Raises:
-        InputError: It is none.
+        InputError: It is not a command.
     """
     order, _, rest = line.strip().partition(" ")
     found = next((each for each in get_args(Order) if each == order), None)
@@ -75,11 +75,11 @@ def _metres(text: str, line: str) -> float:
 
 
 class Operator:
-    """What the operator of one episode has said.
+    """The commands of one episode's operator.
 
     Args:
-        approves: Whether every new plan waits for approval.
-        tell: Shows the operator a plan.
+        approves: Whether every new plan requires approval.
+        tell: Shows a plan to the operator.
     """
 
     def __init__(self, *, approves: bool = False, tell: Callable[[str], None] = lambda _: None) -> None:
@@ -89,50 +89,50 @@ class Operator:
         self._approved = self._plans = 0
         self._stopped = False
         self.has_left = False
-        """Whether no more words will come."""
+        """Whether no more commands will come."""
 
     def approve(self) -> None:
-        """Let the plan under way begin, where it waits for that."""
+        """Approve the current plan, if it requires approval."""
         self.say(OperatorCommand("approve"))
 
     def skip(self, person: str) -> None:
-        """Leave a person out from now on."""
+        """Drop a person's visit."""
         self.say(OperatorCommand("skip", person))
 
     def nearer(self, person: str, metres: float = NUDGE_M) -> None:
-        """Come nearer to a person, within what they asked for and showed."""
+        """Decrease the distance to a person, within what they asked for and showed."""
         self.say(OperatorCommand("nearer", person, metres))
 
     def farther(self, person: str, metres: float = NUDGE_M) -> None:
-        """Stay farther from a person, unless they asked for their distance."""
+        """Increase the distance to a person, unless they asked for a distance."""
         self.say(OperatorCommand("farther", person, metres))
 
     def consents(self, person: str) -> None:
-        """Pass on that a person consents to touch in this meeting: they were asked, and said so."""
+        """Pass on a person's consent to touch in this encounter: they were asked, and agreed."""
         self.say(OperatorCommand("consents", person))
 
     def withdraws(self, person: str) -> None:
-        """Pass on that a person does not consent to touch, or no longer."""
+        """Pass on that a person does not consent to touch, or no longer does."""
         self.say(OperatorCommand("withdraws", person))
 
     def mark(self, text: str) -> None:
-        """Put an event on record."""
+        """Record an event."""
         self.say(OperatorCommand("mark", text))
 
     def stop(self) -> None:
-        """Stop, until `resume`."""
+        """Stop the robot until `resume`."""
         self.say(OperatorCommand("stop"))
 
     def resume(self) -> None:
-        """Go on after a stop that is released."""
+        """Resume after a released stop."""
         self.say(OperatorCommand("resume"))
 
     def say(self, word: OperatorCommand) -> None:
-        """Say one word, from any thread."""
+        """Issue a command, from any thread."""
         self._said.put(word)
 
     def words(self) -> Iterator[OperatorCommand]:
-        """What was said since the last call; a stop and what ends one are noted here."""
+        """The commands since the last call; stop and resume take effect here."""
         while True:
             try:
                 word = self._said.get_nowait()
@@ -147,31 +147,31 @@ class Operator:
             yield word
 
     def note_plan(self, plan: Plan) -> None:
-        """Know of a plan that waits for approval, where plans do."""
+        """Note a plan, which may require approval."""
         self._plans += 1
         if self._approves:
             self._tell(plan_words(plan))
 
     def holds(self) -> str | bool:
-        """Why the robot has to stand on the operator's account; False while it need not."""
+        """Why the operator holds the robot; False if it may move."""
         if self._stopped:
             return STOPPED
         return UNAPPROVED if self._approves and self._approved < self._plans else False
 
 
 def plan_words(plan: Plan) -> str:
-    """A plan in a line, for the operator who approves it."""
+    """A plan in one line, for approval by the operator."""
     steps = "; ".join(f"{step.action}({', '.join(step.arguments)})" for step in plan.steps)
     return f"Plan: {steps or 'nothing'}. Type `approve`, or any of: {USAGE}"
 
 
 def listen(lines: Iterable[str], operator: Operator, refuse: Callable[[str], None]) -> None:
-    """Take the operator's words from lines, in a thread of its own, until there are no more.
+    """Read commands from lines in a separate thread, until the lines end.
 
     Args:
-        lines: Such as standard input.
-        operator: Who says them.
-        refuse: Told what was none.
+        lines: Lines, such as standard input.
+        operator: Receives the commands.
+        refuse: Receives the error message for an invalid line.
     """
 
     def take() -> None:

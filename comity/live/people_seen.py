@@ -1,4 +1,4 @@
-"""People whom a robot's tracker sees, and where everybody else was seen last."""
+"""Tracked people, and the last seen positions of everybody else."""
 
 from __future__ import annotations
 
@@ -18,51 +18,51 @@ if TYPE_CHECKING:
     from comity_sim2d import Person, Pose, Scene
 
 IsFree = Callable[[float, float, float], bool]
-"""Of a disc of floor: x, y and radius [m]."""
+"""Whether a disc of floor is free: x, y and radius [m]."""
 MOST_RADIUS_M = 2.0
-"""No body of a scene is larger."""
+"""Maximum radius of any body in a scene [m]."""
 STANDING = (0.0, 0.0)
 GROWS_M_S, GROWS_M = 1.4, 2.0
-"""A person out of sight may have gone so fast, a brisk walk, and so far at most (our choice)."""
+"""Maximum speed [m/s], a brisk walk, and distance [m] of a person out of sight (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """A person of the scenario as the robot knows them."""
+    """The robot's knowledge of a person of the scenario."""
 
     person: Person
-    """Where they are, or were when they were seen last."""
+    """The person at their current or last seen position."""
     velocity: tuple[float, float] = STANDING
-    """In m/s; of a person who is not seen, as they were seen last."""
+    """Velocity [m/s]; for an unseen person the last known one."""
     is_seen: bool = False
-    """In the newest tracks."""
+    """Whether they are in the newest tracks."""
     has_heading: bool = False
-    """Whether the tracker says where they face."""
+    """Whether the tracker knows their orientation."""
     stamp_s: float | None = None
-    """When they were seen last, by the clock of the episode; None: never."""
+    """Time of the last observation since the start of the episode [s]; None: never seen."""
     has_vanished: bool = False
-    """Whether they may be elsewhere: they walked when they were seen last, or the tracker dropped them.
+    """Whether they may have moved: they were walking when last seen, or the tracker lost them.
 
-    Who stood and is merely out of view is taken to stand there still.
+    A standing person who is merely out of view is assumed to stay.
     """
 
     def grown_m(self, now_s: float) -> float:
-        """How far they may be by now from where they were seen last [m]."""
+        """Maximum distance from the last seen position by now [m]."""
         if not self.has_vanished or self.stamp_s is None:
             return 0.0
         return min(GROWS_M, GROWS_M_S * max(0.0, now_s - self.stamp_s))
 
     def ahead(self, seconds: float) -> Person:
-        """Where they are so much later, at that velocity."""
+        """The person extrapolated at constant velocity."""
         (vx, vy), person = self.velocity, self.person
         return replace(person, x_m=person.x_m + vx * seconds, y_m=person.y_m + vy * seconds)
 
 
 class PeopleSeen:
-    """Takes in what a tracker says, tick by tick.
+    """Updates people from a tracker, tick by tick.
 
     Args:
-        scene: With everybody where they are taken to be before they are seen.
+        scene: The scene, with people's assumed positions before they are seen.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -76,11 +76,11 @@ class PeopleSeen:
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """All people of the scenario where the robot believes them to be."""
+        """All people of the scenario at their believed positions."""
         return tuple(each.person for each in self._seen.values())
 
     def obstacles(self, now_s: float) -> tuple[Person, ...]:
-        """Everybody as large as where they may be by now, but for those whose floor was seen free."""
+        """All people, enlarged by the uncertainty of their positions, unless the floor was seen free."""
         return tuple(
             replace(each.person, radius_m=min(MOST_RADIUS_M, each.person.radius_m + each.grown_m(now_s)))
             for name, each in self._seen.items()
@@ -88,9 +88,9 @@ class PeopleSeen:
         )
 
     def may_be_at(self, robot: Pose, now_s: float) -> str | None:
-        """Who is out of sight and may have come to the robot by now, as a sentence; None: nobody.
+        """A sentence about an unseen person who may have reached the robot by now; None if there is none.
 
-        Nobody comes through a wall.
+        People do not pass through walls.
         """
         for name, each in self._seen.items():
             reach_m = self._robot_radius_m + each.person.radius_m + each.grown_m(now_s)
@@ -102,11 +102,11 @@ class PeopleSeen:
 
     @property
     def lost(self) -> Mapping[str, float | None]:
-        """Who is not where they were seen last, although that place is in plain view, and since when [s]."""
+        """People who are not at their last seen position although it is in view, and since when [s]."""
         return dict(self._missing.lost)
 
     def of(self, name: str) -> Seen:
-        """One person.
+        """A person of the scenario.
 
         Raises:
             KeyError: The scenario has no such person.
@@ -115,12 +115,12 @@ class PeopleSeen:
 
     @property
     def walkers(self) -> tuple[Walker, ...]:
-        """Who is under way."""
+        """People who are walking."""
         seen = (each for each in self._seen.values() if each.is_seen and is_walking(each.velocity))
         return tuple(Walker(each.person, each.velocity) for each in seen)
 
     def learn(self, name: str, *, distance_m: float, speed_m_s: float | None) -> None:
-        """Know how a person wants the robot to move near them, as `SimRobot.learn`."""
+        """Set how a person wants the robot to move near them, as `SimRobot.learn`."""
         one = self._seen[name]
         person = replace(one.person, personal_distance_m=distance_m, approach_speed_m_s=speed_m_s)
         self._seen = {**self._seen, name: replace(one, person=person)}
@@ -128,13 +128,13 @@ class PeopleSeen:
     def take_in(
         self, tracks: Iterable[PersonTrack], eye: Pose, now_s: float, *, is_free: IsFree | None = None
     ) -> None:
-        """Take in the newest tracks.
+        """Update with the newest tracks.
 
         Args:
-            tracks: Times by the clock of the episode.
-            eye: Where the robot is.
-            now_s: The time.
-            is_free: Whether the floor around a place is seen to be free, of a robot that can say so.
+            tracks: The tracks, with times since the start of the episode.
+            eye: The robot's pose.
+            now_s: The current time [s].
+            is_free: Whether the floor around a position is seen to be free; None if the robot cannot tell.
         """
         named = {track.person: track for track in tracks if track.person in self._seen}
         self._seen = {
@@ -145,7 +145,7 @@ class PeopleSeen:
         self._last_s = now_s
 
     def _unseen(self, before: Seen, eye: Pose, is_free: IsFree | None) -> Seen:
-        """A person after a tick in which they were not seen."""
+        """A person after a tick without a track of them."""
         if before.stamp_s is None:
             return before
         vanishes = before.has_vanished
@@ -158,7 +158,7 @@ class PeopleSeen:
 
 
 def _tracked(before: Seen, track: PersonTrack, now_s: float) -> Seen:
-    """A person who is seen; one whose heading is not known faces where they walk, or as before."""
+    """A tracked person; without a known orientation they face where they walk, or as before."""
     (vx, vy), age_s = track.velocity_m_s, max(0.0, now_s - track.stamp_s)
     heading = before.person.heading_rad if track.heading_rad is None else track.heading_rad
     if track.heading_rad is None and is_walking((vx, vy)):

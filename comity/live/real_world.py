@@ -1,4 +1,4 @@
-"""The world around a real robot, as far as the robot tells it, with the records that a run folder holds."""
+"""The world of a real robot as far as it senses it, with the records that a run folder holds."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ if TYPE_CHECKING:
     from comity_sim2d.robot.margins import MarginDecision
 
 DIGITS = 4
-"""Of metres, seconds and radians in the frames: a real robot knows no more."""
+"""Decimal places of metres, seconds and radians in frames: a real robot is no more accurate."""
 
 
 class RealWorld:
-    """An environment that goes on by itself.
+    """An environment that evolves by itself.
 
     Args:
         base: The robot.
-        scene: The map, and everybody where they were when the plan was made.
-        operator: Who may hold the robot.
+        scene: The map, and people's positions at planning time.
+        operator: The operator, who may hold the robot.
     """
 
     def __init__(self, base: MapRobot, scene: Scene, operator: Operator | None = None) -> None:
         self.scene = scene
         self.robot = RobotOnMap(base, scene, operator)
         self.faults = ActiveFaults()
-        """None: what goes wrong here goes wrong by itself."""
+        """No injected faults: real ones occur by themselves."""
         people = ((person.name, person.radius_m) for person in scene.people)
         self._recorder = FrameRecorder([(scene.robot.name, scene.robot.radius_m), *people])
         self._recorded_s = -1.0
@@ -42,19 +42,19 @@ class RealWorld:
         self.observe()
 
     def observe(self) -> None:
-        """Take in what the robot senses now, and keep it as a frame; the first one is that of 0 s."""
+        """Read the robot's sensors and store a frame; the first one is at 0 s."""
         self.robot.sense()
         self._note_halt()
         now_s = 0.0 if self._recorded_s < 0.0 else round(self.robot.now_s(), DIGITS)
         if now_s <= self._recorded_s:
-            return  # a simulated clock that has not gone on
+            return  # a simulated clock that has not advanced
         self._recorded_s = now_s
         poses = (self.robot.here, *(person.pose for person in self.robot.people))
         rows = (frame_row(pose) for pose in poses)
         self._recorder.record(now_s, [(round(x, DIGITS), round(y, DIGITS), turn) for x, y, turn in rows])
 
     def _note_halt(self) -> None:
-        """Put on record since when the base has to stand, and until when it had to."""
+        """Record the periods in which the base has to stand."""
         has_stood = bool(self._halts) and self._halts[-1].end_s is None
         reason = self.robot.is_blind
         if reason and not has_stood:
@@ -65,17 +65,17 @@ class RealWorld:
 
     @property
     def disturbances(self) -> tuple[Disturbance, ...]:
-        """When the base had to stand, and why, and what it read that looks like a mistake."""
+        """Periods in which the base had to stand, with reasons, and readings that suggest a mistake."""
         return (*self._halts, *self.robot.odd_readings)
 
     @property
     def time_s(self) -> float:
-        """Since the start, as of the last frame."""
+        """Time of the last frame since the start [s]."""
         return max(0.0, self._recorded_s)
 
     @property
     def doors(self) -> tuple[Door, ...]:
-        """As the map has them: a real robot is taken not to know of others."""
+        """The doors of the map: a real robot reports no changes of doors."""
         return self.scene.doors
 
     @property
@@ -85,26 +85,26 @@ class RealWorld:
 
     @property
     def frames(self) -> Frames:
-        """Where everybody was so far, as the robot believed."""
+        """Believed positions of everybody so far."""
         return self._recorder.frames()
 
     def frames_since(self, count: int) -> Frames:
-        """The same without the first `count` frames."""
+        """The frames without the first `count`."""
         return self._recorder.frames(count)
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
-        """What the robot said and did."""
+        """The robot's acts."""
         return self.robot.events
 
     @property
     def robot_touches(self) -> tuple[Touch, ...]:
-        """None: a bump is told by the robot's stop."""
+        """None: collisions are reported by the robot's stop."""
         return ()
 
     @property
     def margin_decisions(self) -> tuple[MarginDecision, ...]:
-        """Whether each person who let the robot pass is passed at the reduced margin, in order."""
+        """Decisions on passing people at the reduced margin, in order."""
         return self.robot.margin_decisions
 
     @property

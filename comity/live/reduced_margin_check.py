@@ -1,4 +1,4 @@
-"""Whether a real robot may pass people at the scenario's reduced margin: its operator and its own numbers."""
+"""Checks whether a real robot may pass people at the scenario's reduced margin."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ POSITIVE = ("braking_m_s2",)
 
 
 def require_reduced_margin(file: ScenarioFile, base: MapRobot) -> None:
-    """Let no real robot pass people nearer than 0.30 m that may not, or cannot.
+    """Reject a real robot that is not allowed, or not able, to pass people nearer than 0.30 m.
 
     Args:
-        file: The scenario, with whether the operator allows it.
-        base: The robot, with what it states.
+        file: The scenario, with the operator's permission.
+        base: The robot, with its stated capabilities.
 
     Raises:
-        InputError: The scenario sets a reduced margin, and the operator does not allow it, the robot does not
-            state what it depends on, or what it states does not let it keep the margin.
+        InputError: The scenario sets a reduced margin, but the operator does not allow it, the robot does not
+            state the required values, or they do not suffice for the margin.
     """
     margin_m = file.scenario.robot.margin_m
     if margin_m >= PERSON_MARGIN_M:
@@ -62,9 +62,9 @@ def require_reduced_margin(file: ScenarioFile, base: MapRobot) -> None:
 
 
 def kept_margin_m(base: MapRobot) -> float:
-    """Smallest margin that a robot can keep by what it states [m]; the full one where it states too little.
+    """Smallest margin that a robot can keep by its statement [m]; the full margin if values are missing.
 
-    Latency and braking count as the worse of what `reduced_margin` and the rest of its capabilities state.
+    Latency and braking are the worse of those in `reduced_margin` and in the other capabilities.
     """
     if _not_stated(base):
         return PERSON_MARGIN_M
@@ -78,7 +78,7 @@ def kept_margin_m(base: MapRobot) -> float:
 
 
 def tracker_sd_m(base: MapRobot) -> float:
-    """Standard deviation of a person's place as the robot states it [m]; 0 where it states none."""
+    """Standard deviation of a person's position as stated by the robot [m]; 0 if not stated."""
     return 0.0 if _not_stated(base) else _statement(base).tracker_sd_m
 
 
@@ -93,7 +93,7 @@ def _not_allowed(file: ScenarioFile) -> Iterator[str]:
 
 
 def _not_stated(base: MapRobot) -> list[str]:
-    """What the robot does not state, or not as a number that can be."""
+    """Required values that are missing or invalid."""
     stated = getattr(base.capabilities, STATEMENT, None)
     if stated is None:
         return [f"capabilities.{STATEMENT} of the robot: it does not take a margin with its goals"]

@@ -1,4 +1,4 @@
-"""A robot that is looked at and never commanded: what Comity would do is told, and others drive it."""
+"""Shadow mode: a robot that is observed and never commanded; its driver sees what Comity would do."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ if TYPE_CHECKING:
     from comity_executor import Capabilities, Localisation, MapRobot, PersonTrack, Words
 
 OPTIONAL = ("sleep", "gesture_reach_m", "floor_is_free")
-"""What only some robots have, and is no command. What it carries is not asked: acts only count as done."""
+"""Optional attributes that are not commands. `carried` is left out, as acts only count as done."""
 
 
 class Shadow:
-    """A `MapRobot` whose motion goals never end by themselves, and whose acts are done at once.
+    """A `MapRobot` whose motion goals never end by themselves, and whose acts end at once.
 
-    That a person was reached is judged from where the robot is, as always: its driver may come there.
+    Whether a person was reached is judged by the robot's pose, as always: its driver may drive there.
 
     Args:
-        base: The robot. Of it only the clock, localisation, tracker, ears and stop are asked.
+        base: The robot. Only its clock, localisation, tracker, speech recognition and stop are used.
     """
 
     def __init__(self, base: MapRobot) -> None:
@@ -35,40 +35,40 @@ class Shadow:
 
     @property
     def capabilities(self) -> Capabilities:
-        """The base's own."""
+        """Capabilities of the base."""
         return self._base.capabilities
 
     def now_s(self) -> float:
-        """The base's clock."""
+        """Clock of the base."""
         return self._base.now_s()
 
     def localisation(self) -> Localisation | None:
-        """As the base says."""
+        """From the base."""
         return self._base.localisation()
 
     def tracks(self) -> Sequence[PersonTrack] | None:
-        """As the base says."""
+        """From the base."""
         return self._base.tracks()
 
     def heard(self, person: str) -> Sequence[Words]:
-        """As the base says."""
+        """From the base."""
         heard = getattr(self._base, "heard", None)
         return heard(person) if heard else ()
 
     def emergency(self) -> str | bool:
-        """As the base says."""
+        """From the base."""
         return self._base.emergency()
 
     def go(self, goal: MapGoal) -> GoalId:
-        """Note that there is a goal."""
+        """Record that there is a goal."""
         self._goals, self._goes = self._goals + 1, True
         return self._goals
 
     def renew(self, goal: GoalId) -> None:
-        """Nothing."""
+        """Do nothing."""
 
     def motion(self) -> MotionStatus:
-        """Under way, for as long as it takes; at rest where nothing is asked of it."""
+        """Running while there is a goal; otherwise at rest."""
         return MotionStatus(
             self._goals or None,
             "running" if self._goes else "stopped",
@@ -78,15 +78,15 @@ class Shadow:
         )
 
     def perform(self, act: ActGoal) -> GoalId:
-        """Nothing; what it is called."""
+        """Do nothing; returns an identifier."""
         self._acts += 1
         return f"shadow act {self._acts}"
 
     def performance(self, act: GoalId) -> ActStatus:
-        """Done."""
+        """Always succeeded."""
         return ActStatus(act, "succeeded", "in its shadow: not performed")
 
     def stop(self, goal: GoalId | None = None) -> None:
-        """Note that there is no goal any more."""
+        """Record that there is no goal."""
         if goal is None or goal == self._goals:
             self._goes = False

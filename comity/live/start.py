@@ -1,4 +1,4 @@
-"""A scenario where the robot truly is, and people where it sees them: what the plan starts from."""
+"""Updates a scenario with the true poses of robot and people before planning."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ if TYPE_CHECKING:
     from comity_executor import Localisation, MapRobot, PersonTrack
 
 PATIENCE_S = 10.0
-"""So long a robot may take to know where it is and whom it sees (our choice)."""
+"""Maximum time until the robot knows its pose and its tracks [s] (our choice)."""
 EVERY_S = 0.1
 FARTHEST_REACH_M = 3.0
-"""No robot's arm is longer (our choice)."""
+"""Maximum reach of a robot's gestures [m] (our choice)."""
 PlacementT = TypeVar("PlacementT", bound=Placement)
 
 
 def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
-    """The scenario with the robot where it is, and those people whom it sees where it sees them.
+    """The scenario with the robot's measured pose and the positions of tracked people.
 
     Args:
-        file: The scenario; who is not seen stays where it has them.
+        file: The scenario; untracked people stay at its positions.
         base: The robot.
 
     Raises:
-        InputError: The robot does not say where it is, or whom it sees.
+        InputError: The robot does not report its pose or its tracks.
     """
     here, tracks = _sensed(base)
     scenario = file.scenario
@@ -49,10 +49,10 @@ def as_seen(file: ScenarioFile, base: MapRobot) -> ScenarioFile:
 
 
 def _reaching(robot: RobotStart, base: MapRobot) -> RobotStart:
-    """The robot with the reach of the gestures that it states; the scenario's words for others stay.
+    """The robot with its stated reach of gestures; the scenario's values stay for other gestures.
 
     Raises:
-        InputError: It states something else than lengths.
+        InputError: A stated reach is not a length.
     """
     stated = getattr(base, "gesture_reach_m", {})
     try:
@@ -69,22 +69,22 @@ def _reaching(robot: RobotStart, base: MapRobot) -> RobotStart:
 
 
 def for_adults(file: ScenarioFile, *, adults_only: bool) -> ScenarioFile:
-    """The scenario with the statement that nobody is under 18 whose age is not known, where it is made."""
+    """The scenario with the operator's statement, if made, that people of unknown age are adults."""
     if not adults_only:
         return file
     return replace(file, scenario=file.scenario.model_copy(update={"adults_only": True}))
 
 
 def with_reduced_margin(file: ScenarioFile, *, allowed: bool) -> ScenarioFile:
-    """The scenario with the operator's word that the robot may pass people at its reduced margin, or not."""
+    """The scenario with the operator's permission to pass people at the reduced margin, or without."""
     return replace(file, reduced_margin=allowed)
 
 
 def slowed(file: ScenarioFile, max_speed_m_s: float | None) -> ScenarioFile:
-    """The scenario with a robot that is no faster; one that is slower anyway stays so.
+    """The scenario with the robot's maximum speed limited.
 
     Raises:
-        InputError: It is no speed.
+        InputError: The limit is not a speed.
     """
     robot = file.scenario.robot
     if max_speed_m_s is not None and not max_speed_m_s > 0.0:
@@ -100,7 +100,7 @@ def slowed(file: ScenarioFile, max_speed_m_s: float | None) -> ScenarioFile:
 
 
 def _sensed(base: MapRobot) -> tuple[Localisation, Sequence[PersonTrack]]:
-    """Where it is and whom it sees, once it knows both."""
+    """Pose and tracks of the robot, once both are known."""
     sleep, rounds = sleep_of(base) or time.sleep, round(PATIENCE_S / EVERY_S)
     got = ""
     for _ in range(rounds):
@@ -128,7 +128,7 @@ def _as_tracked(person: PlacementT, track: PersonTrack) -> PlacementT:
 
 
 def _standing(standing: PlacementT, x_m: float, y_m: float, heading_rad: float) -> PlacementT:
-    """To the millimetre and a tenth of a degree: what a run writes of it reads like what people write."""
+    """A placement rounded to a millimetre and a tenth of a degree, for readable run files."""
     facing_deg = round(math.degrees(math.remainder(heading_rad, math.tau)), 1)
     return standing.model_copy(
         update={"at_m": (round(x_m, 3), round(y_m, 3)), "at": None, "facing_deg": facing_deg}
