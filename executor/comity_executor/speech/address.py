@@ -40,6 +40,6 @@ def name_of(person: str) -> str:
 
 
 def without_names(text: str, people: Iterable[str]) -> str:
-    """A scenario's own words without the names of some people, and without the commas that set them off."""
+    """A scenario's text without the names of some people, and without the commas around them."""
     names = "|".join(re.escape(name_of(person)) for person in sorted(people, key=len, reverse=True))
     return re.sub(rf",? (?:{names})\b", "", text) if names else text

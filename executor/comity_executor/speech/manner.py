@@ -15,7 +15,7 @@ NORMAL_VOLUME, NORMAL_RATE, NORMAL_AMPLITUDE = 0.5, 1.0, 0.5
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Manner:
-    """The manner of one act; a robot uses of it what the act has."""
+    """The manner of one act; a robot uses what applies to the act."""
 
     volume: float = NORMAL_VOLUME
     """Volume of the voice, as a share of the loudspeaker's range, in [0, 1]."""

@@ -12,7 +12,7 @@ def other_parameters(values: Inference | None) -> Mapping[str, float | str]:
     """All further parameters of a rulebook, in their units.
 
     A rulebook with a new parameter, such as the share of time in which the robot looks at the person, needs
-    no change in Comity: a robot that knows the name reads it of its goals, every other robot leaves it.
+    no change in Comity: a robot that knows the name reads it from its goals; others ignore it.
 
     Args:
         values: The person's parameters; None if nothing was inferred.

@@ -1,4 +1,4 @@
-"""The languages that the robot has words in: those that ship, and a site's own files before them."""
+"""The languages with wordings for the robot: the built-in ones, overridden by a site's own files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from comity_fis.validation.yaml_file import YamlFile
 
 DEFAULT_LANGUAGE = "eng"
-"""The language of a site that states none."""
+"""Language of a site that states none."""
 SUFFIX = ".wordings.yaml"
 
 
@@ -27,22 +27,22 @@ class Language:
     """All wordings of one language."""
 
     code: str
-    """By ISO 639-3."""
+    """ISO 639-3 code."""
     tag: str
-    """By BCP 47."""
+    """BCP 47 tag."""
     wordings: tuple[Wording, ...]
     names: Mapping[Register, Spelling] = field(default_factory=dict)
-    """How names are said of which the person has stated no form, by register."""
+    """Form of a name, by register, for people who have not stated a form of address."""
     joined: Spelling = AND
 
     def find(self, use: Use, register: Register, *, first_meeting: bool) -> Wording | None:
-        """The wording for a use; None where the language has none.
+        """The wording for a use; None if the language has none.
 
         Args:
-            use: What it is said for.
-            register: The one that suits; without a wording in it the neutral one stands, or any that is not
-                plain.
-            first_meeting: Whether the two meet for the first time: else nothing is said that is for that.
+            use: Purpose of the wording.
+            register: The preferred register; if it has no wording, the neutral one or any but the plain one
+                is used.
+            first_meeting: Whether it is the first encounter; only then are wordings for that occasion used.
         """
         fits = [
             one
@@ -55,10 +55,10 @@ class Language:
         return fits[0] if fits else None
 
     def plain(self, use: Use) -> Wording:
-        """The plainest word for a use; a plain greeting where there is none of its own.
+        """The plain wording for a use, or else the plain greeting.
 
         Raises:
-            InputError: the language has no plain greeting.
+            InputError: The language has no plain greeting.
         """
         plain = {one.use: one for one in self.wordings if one.register == "plain"}
         if found := plain.get(use, plain.get("greet")):
@@ -70,20 +70,20 @@ class Language:
         )
 
     def name_form(self, register: Register) -> Spelling:
-        """How a name is said in a register; a plain word has the neutral form."""
+        """Form of a name in a register; the plain register uses the neutral form."""
         return self.names.get(register, self.names.get("neutral", PLAIN_NAME))
 
 
 @dataclass(frozen=True)
 class Phrasebook:
-    """Languages by ISO 639-3 code."""
+    """The languages, by ISO 639-3 code."""
 
     own: tuple[Language, ...] = ()
-    """Of the site, in the order in which they count: the last one wins."""
+    """Languages of the site; later ones override earlier ones."""
 
     @cached_property
     def codes(self) -> tuple[str, ...]:
-        """The languages that there are."""
+        """Codes of all languages."""
         return tuple(dict.fromkeys((*_shipped_codes(), *(one.code for one in self.own))))
 
     def __contains__(self, code: str) -> bool:
@@ -98,10 +98,10 @@ class Phrasebook:
         return _merged(known) if len(known) > 1 else known[0]
 
     def code_of(self, words: str) -> str:
-        """A language by its code or by its tag, with or without the region.
+        """Code of a language given by code or tag, with or without region.
 
         Raises:
-            InputError: the robot has no words in it.
+            InputError: There are no wordings in it.
         """
         said = words.casefold()
         tags = {one: self[one].tag.casefold() for one in self.codes}
@@ -116,10 +116,10 @@ class Phrasebook:
 
 
 def read_wordings(file: YamlFile) -> Language:
-    """A language from a file, with every complaint about a wording at its line.
+    """Read a language from a file; errors name the line of the wording.
 
     Raises:
-        InputError: it is no file of wordings, or a wording's facts contradict one another.
+        InputError: It is not a file of wordings, or the fields of a wording are inconsistent.
     """
     from comity_executor.speech.wordings_file import WordingsFile
 
@@ -145,7 +145,7 @@ def read_wordings(file: YamlFile) -> Language:
 
 
 def _merged(known: list[Language]) -> Language:
-    """One language from several files: a later wording of the same use, register and occasion wins."""
+    """Merge a language from several files: a later wording of the same use, register and occasion wins."""
     wordings = {one.key: one for language in known for one in language.wordings}
     names: dict[Register, Spelling] = {}
     for language in known:

@@ -1,4 +1,4 @@
-"""Language tags and scripts: what a wording says of itself is checked."""
+"""Validates language tags and scripts of wordings."""
 
 from __future__ import annotations
 
@@ -51,14 +51,14 @@ SCRIPTS: Mapping[str, tuple[str, ...]] = {
     "Thai": ("THAI",),
     "Tibt": ("TIBETAN",),
 }
-"""Codes of ISO 15924, each with what the Unicode names of its letters begin with."""
+"""ISO 15924 codes of scripts, each with the prefixes of its letters' Unicode names."""
 
 
 def read_tag(words: str) -> str:
-    """A language tag, if it is well-formed by BCP 47; whether its parts are registered is not asked.
+    """Check that a language tag is well-formed by BCP 47, not that its parts are registered.
 
     Raises:
-        WrongValueError: it is not, or names a variant or an extension twice.
+        WrongValueError: It is not well-formed, or repeats a variant or an extension.
     """
     found = TAG.fullmatch(words)
     if found:
@@ -74,10 +74,10 @@ def read_tag(words: str) -> str:
 
 
 def read_script(words: str) -> str:
-    """A script by its code.
+    """Check the code of a script.
 
     Raises:
-        WrongValueError: it is none whose letters are known here.
+        WrongValueError: It is not a script in `SCRIPTS`.
     """
     if words in SCRIPTS:
         return words
@@ -89,15 +89,15 @@ def read_script(words: str) -> str:
 
 
 def require_script(text: str, script: str, what: str) -> None:
-    """Refuse letters of another script.
+    """Reject letters of another script.
 
     Args:
-        text: What is written; all but its letters is left aside.
+        text: The text; only its letters are checked.
         script: A code of `SCRIPTS`.
-        what: How the message calls the text.
+        what: Name of the text in messages.
 
     Raises:
-        WrongValueError: there are some.
+        WrongValueError: The text has such letters.
     """
     foreign = [one for one in text if unicodedata.category(one)[0] == "L" and not _is_of(one, script)]
     if foreign:

@@ -15,15 +15,16 @@ from comity_fis.inference.value import Inference
 
 INFORMAL = 0.3
 FORMAL = 0.7
-"""Of formality: below the one, above the other; where the terms of the rulebook `evidence` cross."""
+"""Thresholds of formality: informal below the one, formal above the other; crossings of `evidence`'s
+terms."""
 RHETORICAL = 0.5
 """Style above which an additional phrase is said at a first meeting."""
 IMPLICIT = 0.45
 EXPLICIT = 0.55
-"""Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
+"""Thresholds of directness; in between the robot adds nothing. Our choice, near the crossing of the terms."""
 BESIDE_DEG = 30.0
 BEHIND_DEG = 150.0
-"""Up to the one the robot is in front, from the other on behind, in between left or right (our choice)."""
+"""Bearings up to the first are in front, beyond the second behind, otherwise left or right (our choice)."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,44 +45,45 @@ class Speaker:
     language of the site."""
 
     def greeting(self, people: Sequence[str], values: Inference) -> Utterance:
-        """What the robot says to one person or a company; without parameters of the words, just hello.
+        """Greeting for one person or a group; without speech parameters just a hello.
 
         Args:
-            people: The people whom it greets.
-            values: The parameters of the one it stands before.
+            people: The people to greet.
+            values: Parameters of the person the robot stands next to.
 
         Raises:
-            InputError: a rulebook means something else by one of these parameters.
+            InputError: The rulebook uses one of these parameters with another meaning.
         """
         besides = (*_style(values), *_help(values))
         return self._said("greet", people, values, besides=besides)
 
     def handing_over(self, person: str, thing: str, values: Inference) -> Utterance:
-        """What the robot says with something that it hands over; the thing is called as in the scenario."""
+        """Words for handing over an object, which is named as in the scenario."""
         return replace(self._said("hand_over", (person,), values), thing=thing)
 
     def farewell(self, person: str, values: Inference, *, leaving: bool = False) -> Utterance:
-        """What the robot says when it leaves, as formal as its greeting was.
+        """Words for saying goodbye, as formal as the greeting.
 
         Args:
-            person: Who it is.
+            person: The addressee.
             values: Their parameters.
-            leaving: Whether to say that it leaves, too, to a person who does not see it.
+            leaving: Whether to announce leaving as well, to a person who cannot see.
         """
         if leaving:
             return self._said("announce_leaving", (person,), values, besides=("take_leave",))
         return self._said("take_leave", (person,), values)
 
     def coming(self, person: str, values: Inference) -> Utterance:
-        """What the robot says to a person who does not see, before it comes near."""
+        """Announcement that the robot approaches, to a person who cannot see."""
         return self._said("announce_coming", (person,), values)
 
     def stopped(self, person: str, bearing_deg: float, values: Inference) -> Utterance:
-        """What the robot says to a person who does not see, once it stands.
+        """Announcement of where the robot has stopped, to a person who cannot see.
 
         Args:
-            person: Who it is.
-            bearing_deg: Where it stands as the person would see it, in (-180, 180], positive to their left.
+            person: The addressee.
+            bearing_deg: The robot's bearing as the person would see it, in (-180, 180], positive to their
+                left [deg].
             values: Their parameters.
         """
         if abs(bearing_deg) <= BESIDE_DEG:
@@ -93,18 +95,18 @@ class Speaker:
         return self._said(use, (person,), values)
 
     def leaving(self, person: str, values: Inference) -> Utterance:
-        """What the robot says to a person who does not see, before it goes elsewhere."""
+        """Announcement that the robot leaves, to a person who cannot see."""
         return self._said("announce_leaving", (person,), values)
 
     def request_to_pass(self, person: str, values: Inference | None) -> Utterance:
-        """What the robot says to a person who blocks its path.
+        """Request to a person who obstructs the path.
 
         Args:
-            person: Who it is.
-            values: Their parameters; None where nothing is known of them: then no name is said.
+            person: The addressee.
+            values: Their parameters; None for an unknown person, who is then not named.
 
         Raises:
-            InputError: a rulebook means something else by one of these parameters.
+            InputError: The rulebook uses one of these parameters with another meaning.
         """
         directness = number_of(values, "verbal_directness") if values else None
         hinted = directness is not None and directness < IMPLICIT
@@ -112,10 +114,10 @@ class Speaker:
         return self._said("hint_at_passing" if hinted else "ask_to_pass", people, values)
 
     def language_of(self, values: Inference | None) -> str:
-        """The language in which a person is spoken to, by its code in the phrasebook.
+        """Language for a person, by its code in the phrasebook.
 
         Raises:
-            InputError: the parameter `greeting_language` is none that the robot has words in.
+            InputError: There are no wordings in the language of the parameter `greeting_language`.
         """
         if values is None or GREETING_LANGUAGE not in values.parameters:
             return self.site
@@ -129,7 +131,7 @@ class Speaker:
         return self.site if said.origin == "neutral" else str(said.value)
 
     def wordings_of(self, values: Inference, person: str = "") -> tuple[Wording, ...]:
-        """All wordings that may be said to a person with such parameters, each once."""
+        """All wordings that a person with such parameters may hear, without duplicates."""
         said = (
             self.greeting((person,), values),
             self.handing_over(person, "", values),
@@ -153,10 +155,10 @@ class Speaker:
 
 
 def number_of(values: Inference, parameter: str) -> float | None:
-    """A parameter of the words; None where the rulebook has none of the name.
+    """A numeric parameter of speech; None if the rulebook does not have it.
 
     Raises:
-        InputError: it is no number.
+        InputError: It is not numeric.
     """
     if parameter not in values.parameters:
         return None
@@ -171,7 +173,7 @@ def number_of(values: Inference, parameter: str) -> float | None:
 
 
 def _register(values: Inference | None) -> Register:
-    """The one that is as formal as suits; the neutral one where a rulebook says nothing of formality."""
+    """The register by formality; neutral if the rulebook has no such parameter."""
     formality = number_of(values, "formality") if values else None
     if formality is None or INFORMAL <= formality <= FORMAL:
         return "neutral"
@@ -191,4 +193,4 @@ def _help(values: Inference) -> tuple[Use, ...]:
 
 
 SPEAKER = Speaker()
-"""One with the wordings that ship, at a site where English is spoken."""
+"""A speaker with the built-in wordings at an English-speaking site."""

@@ -1,4 +1,4 @@
-"""What the robot says at one time: wordings with names filled in, as written, in Latin letters, as spoken."""
+"""An utterance: wordings with names filled in, as written, in Latin letters, and for a synthesiser."""
 
 from __future__ import annotations
 
@@ -23,51 +23,51 @@ AND = Spelling(", ", ", ")
 
 @dataclass(frozen=True, slots=True)
 class Called:
-    """A person who is named."""
+    """A person named in an utterance."""
 
     person: str
-    """As in the scenario."""
+    """Name in the scenario."""
     address: Address | None = None
-    """How they asked to be addressed; None where they did not say."""
+    """Form of address that they asked for; None if not stated."""
 
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """One or several wordings, one after the other, to one person or a company."""
+    """One or several consecutive wordings, for one person or a group."""
 
     wordings: tuple[Wording, ...]
-    """All of one language; the first names the people."""
+    """Wordings in one language; the first names the people."""
     people: tuple[Called, ...]
-    """Those who are named; without any, the words are said without a name."""
+    """The people named; if empty, no name is said."""
     name_form: Spelling = PLAIN_NAME
-    """How a name is said of which the person has stated no form: `{name}-san`."""
+    """Form of a name for people who have not stated a form of address: `{name}-san`."""
     joined: Spelling = AND
-    """What stands between the last two names."""
+    """Conjunction between the last two names."""
     thing: str = ""
-    """What is handed over, as the scenario calls it."""
+    """The object handed over, named as in the scenario."""
 
     @property
     def language(self) -> str:
-        """By its BCP 47 tag."""
+        """BCP 47 tag."""
         return self.wordings[0].language
 
     @property
     def text(self) -> str:
-        """In the script of the language."""
+        """The text in the script of the language."""
         return self._filled(latin=False, spoken=False)
 
     @property
     def latin(self) -> str:
-        """In Latin letters, but for names that the person has stated in others."""
+        """The text in Latin letters, except for names that people stated in others."""
         return self._filled(latin=True, spoken=False)
 
     @property
     def spoken(self) -> str:
-        """In the script of the language, with a pronunciation that was stated in place of the name."""
+        """The text for a synthesiser, with stated pronunciations in place of names."""
         return self._filled(latin=False, spoken=True)
 
     def without(self, people: Collection[str]) -> Utterance:
-        """The same where some are not to be named."""
+        """A copy that does not name these people."""
         return replace(self, people=tuple(one for one in self.people if one.person not in people))
 
     def _filled(self, *, latin: bool, spoken: bool) -> str:

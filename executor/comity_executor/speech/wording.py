@@ -1,4 +1,4 @@
-"""One wording with its facts: language, script, Latin form, register, occasion, and who reviewed it."""
+"""One wording with its metadata: language, script, Latin form, register, occasion, reviewer."""
 
 from __future__ import annotations
 
@@ -27,19 +27,18 @@ Use = Literal[
     "stopped_behind",
     "announce_leaving",
 ]
-"""What a wording is said for.
+"""Purpose of a wording.
 
-`honour`: after a greeting, where the style is rhetorical. `offer_help`, `hint_at_help`: after a greeting,
-where the directness is high or low. `hand_over`: with something that is handed over. `ask_to_pass`: to a
-person who blocks the path, and `hint_at_passing` where the directness is low. The others tell a person who
-does not see that the robot comes, where it has stopped, and that it leaves; a real robot, too, has to say so,
-and says the `plain` ones until the others are reviewed.
+`honour`: after a greeting, if the style is rhetorical. `offer_help`, `hint_at_help`: after a greeting, if the
+directness is high or low. `hand_over`: when handing over an object. `ask_to_pass`: to a person who obstructs
+the path, and `hint_at_passing` if the directness is low. The others tell a person who cannot see that the
+robot approaches, where it has stopped, and that it leaves. Real robots must say those too, and use the
+`plain` ones until the others are reviewed.
 """
 NAMES_NOBODY: tuple[Use, ...] = ("honour", "offer_help", "hint_at_help")
-"""These follow words that have named the person."""
+"""Purposes that follow a wording which names the person."""
 Register = Literal["plain", "informal", "neutral", "formal"]
-"""How formal it is. `plain` is the plainest word for it with the name: what a robot says that has nothing
-reviewed to say."""
+"""Formality. `plain` is the simplest word with the name: for a robot without reviewed wordings."""
 Occasion = Literal["first_meeting"]
 NAME, THING = "{name}", "{thing}"
 _BLANK = re.compile(r"\{[^}]*\}?|\}")
@@ -48,28 +47,28 @@ _COMMAS = ",،、"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wording:
-    """What the robot says for one purpose, in one language and register.
+    """A wording for one purpose, in one language and register.
 
     Raises:
-        WrongValueError: its facts contradict one another, or are none.
+        WrongValueError: Its fields are invalid or inconsistent.
     """
 
     language: str
-    """By its BCP 47 tag."""
+    """BCP 47 tag."""
     script: str
-    """By its ISO 15924 code: every letter of `text` belongs to it."""
+    """ISO 15924 code of the script of every letter in `text`."""
     use: Use
     register: Register
     text: str
-    """As it is written in its script, with `{name}` where the person is named."""
+    """The text in its script, with `{name}` for the person."""
     latin: str | None = None
-    """The same in Latin letters; None where `text` is."""
+    """The text in Latin letters; None if `text` is in Latin letters."""
     occasion: Occasion | None = None
-    """When alone it is said; None for any meeting."""
+    """The only occasion for it; None: any encounter."""
     reviewed_by: str | None = None
-    """Who speaks the language and has read it; None where nobody has."""
+    """Speaker of the language who has reviewed it; None if nobody has."""
     reviewed_on: date | None = None
-    """The day on which they did."""
+    """Day of the review."""
 
     def __post_init__(self) -> None:
         read_tag(self.language)
@@ -96,12 +95,12 @@ class Wording:
 
     @property
     def is_reviewed(self) -> bool:
-        """Whether a person who speaks the language has read it."""
+        """Whether a speaker of the language has reviewed it."""
         return self.reviewed_by is not None
 
     @property
     def key(self) -> tuple[Use, Register, Occasion | None]:
-        """What there is one of in a language."""
+        """Unique key within a language."""
         return self.use, self.register, self.occasion
 
     def _require_blanks(self, words: str) -> None:
@@ -120,7 +119,7 @@ class Wording:
 
 
 def unnamed(template: str) -> str:
-    """A template without its name, and without the comma that sets it off."""
+    """A template without the name and the comma that sets it off."""
     if template.startswith(NAME):
         rest = template.removeprefix(NAME).lstrip(f"{_COMMAS} ")
         return rest[:1].upper() + rest[1:] if rest.strip(".。") else ""

@@ -1,4 +1,4 @@
-"""A file of wordings in one language, as people write it."""
+"""Schema of a file of wordings in one language."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ class WordingEntry(BaseModel):
         return day
 
     def wording(self, language: str, script: str) -> Wording:
-        """The same with the facts of the whole file.
+        """The wording with the language and script of the file.
 
         Raises:
-            WrongValueError: its facts contradict one another.
+            WrongValueError: Its fields are inconsistent.
         """
         return Wording(
             language=language,
@@ -81,12 +81,12 @@ class SpellingEntry(BaseModel):
     latin: Annotated[str, Field(max_length=100)] | None = None
 
     def spelling(self) -> Spelling:
-        """As `Utterance` has it."""
+        """As used by `Utterance`."""
         return Spelling(self.text, self.latin if self.latin is not None else self.text)
 
 
 class NameForm(SpellingEntry):
-    """How a name is said in one register, where the person has stated no form of address."""
+    """Form of a name in one register, for people who have not stated a form of address."""
 
     register_: Literal["informal", "neutral", "formal"] = Field(alias="register")
 
@@ -101,7 +101,7 @@ class NameForm(SpellingEntry):
 
 
 class WordingsFile(BaseModel):
-    """What the robot says in one language; `comity schema wordings` prints this as a JSON schema."""
+    """Wordings in one language; `comity schema wordings` prints this as a JSON schema."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Comity wordings")
 
