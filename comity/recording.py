@@ -1,4 +1,4 @@
-"""A run on disk: what is written when, and the run's own summary."""
+"""Records a run on disk: its files, when they are written, and its summary."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ if TYPE_CHECKING:
     from comity_executor import MapRobot
 
 View = Literal["page", "picture", "gif"]
-"""What shows an episode to people: `replay.html`, `picture.png` and `episode.gif`."""
+"""Presentations of an episode: `replay.html`, `picture.png` and `episode.gif`."""
 VIEWS: tuple[View, ...] = ("page", "picture")
-"""A GIF takes several times as long as everything else: it is for those who ask."""
+"""Default views; a GIF takes several times as long as everything else."""
 
 
 @dataclass(frozen=True, slots=True)
 class Recorded:
-    """An episode, where it was written, and its account."""
+    """An episode, its folder, and its summary."""
 
     episode: Episode
     folder: RunFolder
@@ -55,23 +55,23 @@ def record(
     called: str | None = None,
     unreviewed_wordings: bool = False,
 ) -> Recorded:
-    """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
+    """Run an episode and write its folder: the summary says `running` at first, and `done` at the end.
 
     Args:
         prepared: The scenario with its plan.
-        seed: For the noise of sensors.
-        out: The folder; None for the next free one below `runs`.
-        views: What to make of it for people to look at.
-        watch: Told how far the episode is.
-        acts: Behaviours of your own in place of the robot's acts, by the act's name.
-        robot: A real robot in the place of the simulated one.
-        operator: Whose words it goes by.
-        called: How the account calls it.
-        unreviewed_wordings: Whether a real robot says wordings that nobody has reviewed.
+        seed: Seed of the sensor noise.
+        out: The folder; None: the next free one below `runs`.
+        views: Presentations to create.
+        watch: Called with the progress of the episode.
+        acts: Custom behaviours that replace the robot's acts, by name of the act.
+        robot: A real robot that replaces the simulated one.
+        operator: The operator of the robot.
+        called: Name of the run in the summary.
+        unreviewed_wordings: Whether a real robot may use wordings that nobody has reviewed.
 
     Raises:
-        InputError: if the folder cannot be used, `acts` names no act, or a person who is kept did not agree
-            to be recorded; nothing is written then.
+        InputError: The folder cannot be used, `acts` names no act, or a stored person did not consent to
+            recording; nothing is written then.
     """
     for name in filter(None, prepared.kept_as.values()):
         require_consent(name, "record")
@@ -121,7 +121,7 @@ def _recorded(
 
 
 def page_of(episode: Episode) -> str:
-    """The HTML page of an episode, also of one that was run without a folder."""
+    """The HTML page of an episode, even if it was run without a folder."""
     from comity.replay import replay_page
 
     prepared = episode.prepared
@@ -148,11 +148,11 @@ class _Records:
     blackboard: BlackboardFile
 
     def keep(self, happened: Episode | LiveEpisode, new: Frames) -> None:
-        """Write down what is not yet.
+        """Write what is not on disk yet.
 
         Args:
-            happened: All so far.
-            new: Its frames that are not written yet.
+            happened: The episode so far.
+            new: Frames that are not written yet.
         """
         self.trace.keep(happened.events, happened.nodes)
         self.frames.keep(new)
@@ -172,7 +172,7 @@ def _records(folder: RunFolder, happens: Episode | LiveEpisode) -> Iterator[_Rec
 
 
 def _words(error: BaseException) -> str:
-    """What ended a run; whatever ends the whole program (Ctrl-C, SIGTERM) interrupted it."""
+    """The reason why a run ended; exceptions that end the program (Ctrl-C, SIGTERM) interrupted it."""
     stopped = isinstance(error, KeyboardInterrupt | SystemExit)
     return run_folder.INTERRUPTED if stopped else f"{type(error).__name__}: {error}"
 
@@ -183,7 +183,7 @@ def _run(
     account: RunAnswer,
     watch: Callable[[EpisodeProgress], None] | None,
 ) -> Episode:
-    """Run to the end; whatever that is, what happened is on disk; all but a second of it on SIGKILL."""
+    """Run to the end; however it ends, the records are on disk (all but the last second after SIGKILL)."""
     with _records(folder, live) as records:
         told = 0
 
@@ -208,7 +208,7 @@ def _run(
 
 
 def show(folder: RunFolder, views: Collection[View]) -> None:
-    """Make what was asked for of what was written; nothing that draws is loaded otherwise."""
+    """Create the requested views from the records; plotting libraries are only imported here."""
     if "picture" in views or "gif" in views:
         from comity.replay.pictures import draw_run, film_run
         from comity.replay.saved_run import read_run

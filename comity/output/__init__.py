@@ -1,1 +1,1 @@
-"""Output files for later and for other programs: the run, the scenario as it was run, PDDL, a rulebook."""
+"""Output files: the run, the resolved scenario, PDDL, rulebooks."""

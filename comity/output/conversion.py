@@ -1,4 +1,4 @@
-"""A rulebook from one file format to the other, checked by reading the result back."""
+"""Converts a rulebook between file formats, and checks the result by reading it back."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ CHOSEN = (
     "a person may ask for the whole range, and safety allows it",
     "the spread is that of a uniform distribution over the range, the unit is `units`",
 )
-"""What a `.fis` file does not say; the rulebook has it from `matlab_reader`."""
+"""What a `.fis` file does not state; chosen by `matlab_reader`."""
 
 
 def converted(
     source: str, out: Path, *, tolerance: float | None, parameters: Sequence[str] = ()
 ) -> ConvertAnswer:
-    """Write `out`, in the format that its name says.
+    """Write `out` in the format given by its file extension.
 
     Args:
-        source: A shipped rulebook, a rulebook file or a `.fis` file.
-        out: A `.fis` or a YAML file, new or written by us.
-        tolerance: The largest error of a trapezoid in place of a curve that MATLAB does not have.
-        parameters: The ones to convert, with what their rules read; none: all.
+        source: A built-in rulebook, a rulebook file or a `.fis` file.
+        out: A `.fis` or YAML file, new or written by Comity.
+        tolerance: Maximum error of a trapezoid that replaces a curve MATLAB does not have.
+        parameters: Parameters to convert, with those their rules read; empty: all.
 
     Raises:
-        InputError: if something cannot be read, said or written; nothing is written then.
+        InputError: Something cannot be read, expressed or written; nothing is written then.
     """
     to_matlab = is_fis(out)
     if not to_matlab and (out.suffix.lower() not in {".yaml", ".yml"} or not is_fis(source)):
@@ -100,7 +100,7 @@ def _to_yaml(rulebook: Rulebook, source: str, out: Path) -> tuple[ConvertAnswer,
 
 
 def _empty_terms(rulebook: Rulebook) -> Iterator[str]:
-    """Output terms that change no answer."""
+    """Output terms that have no effect."""
     for name, parameter in rulebook.parameters.items():
         if isinstance(parameter, NumericParameter):
             nothing = f"0 everywhere in {parameter.rules}; rules that conclude it change nothing"

@@ -1,4 +1,4 @@
-"""Tables as the text of a CSV file."""
+"""Formats tables as CSV."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 
 def csv_text(heading: Iterable[Any], rows: Iterable[Iterable[Any]] = ()) -> str:
-    """A line for the heading and one for each row, ended by a line feed on every system."""
+    """A line for the heading and one per row, each ended by a line feed on every platform."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(heading)

@@ -1,4 +1,4 @@
-"""Digest of plain values, to tell whether they are still the same."""
+"""Digest of plain values, to detect changes."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from typing import Any
 
 
 def digest_of(content: Any) -> str:
-    """SHA-256 of plain values in hexadecimal, the order of keys left aside."""
+    """SHA-256 of plain values in hexadecimal, independent of the order of keys."""
     return sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()

@@ -1,4 +1,4 @@
-"""Which runs, tables and other files below some folders hold a person."""
+"""Finds the runs, tables and other files below some folders that contain data about a person."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from comity.system.own_files import read_regular
 from comity_fis import InputError, Where
 
 LARGEST = 64_000_000
-"""Bytes; a larger file is named as not searched."""
+"""Maximum file size to search [bytes]; larger files are listed as unread."""
 CONVERT = "unpack or convert it to UTF-8 text and search again, or look yourself"
 OPENED = "look yourself, or make it readable and search again"
 
 
 @dataclass(frozen=True, slots=True)
 class Holding:
-    """A run that a person took part in, or a file that names them."""
+    """A run in which a person took part, or a file that names them."""
 
     path: Path
     as_: str
-    """In what way, for a reader."""
+    """How it contains the person, in words."""
     run: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Unread:
-    """Something that may hold a person and was not looked into."""
+    """A file or folder that could not be searched and may contain the person."""
 
     path: Path
     why: str
@@ -42,27 +42,27 @@ class Unread:
 
 @dataclass(frozen=True, slots=True)
 class Searched:
-    """One folder that was searched."""
+    """The result for one folder."""
 
     folder: Path
     runs: int
-    """Runs that were looked at."""
+    """Number of runs searched."""
     files: int
-    """Other files that were looked into."""
+    """Number of other files searched."""
     found: tuple[Holding, ...]
     unread: tuple[Unread, ...]
-    """What could not be looked into: damaged, too large, no text, a link, or not ours to read."""
+    """What could not be searched: damaged, too large, not text, a link, or not readable."""
 
 
 def search(folders: Collection[Path], names: Collection[str]) -> tuple[Searched, ...]:
-    """Look for a person below some folders; links are not followed.
+    """Search for a person below some folders; links are not followed.
 
     Args:
-        folders: Where; one below another is searched twice.
-        names: What the person is called.
+        folders: The folders; nested ones are searched twice.
+        names: Names of the person.
 
     Raises:
-        InputError: for a folder that there is not.
+        InputError: A folder does not exist.
     """
     for folder in folders:
         if not folder.is_dir():
@@ -95,7 +95,7 @@ def _searched(folder: Path, names: frozenset[str]) -> Searched:
 
 
 def _entries(folder: Path, unread: list[Unread]) -> Iterator[Path]:
-    """Runs, and the files that are in none, in the order of their names; links are named as not read."""
+    """Runs, and files outside runs, in order of their names; links are added to `unread`."""
 
     def refused(error: OSError) -> None:
         unread.append(Unread(Path(error.filename), error.strerror or str(error), OPENED))
@@ -141,10 +141,10 @@ def _in_file(path: Path, names: frozenset[str]) -> Iterator[Holding]:
 
 
 def _text(content: bytes) -> str:
-    """What a file says: UTF-8, or UTF-16 that begins with its mark.
+    """Decode text: UTF-8, or UTF-16 with a byte-order mark.
 
     Raises:
-        _NoTextError: for whatever else.
+        _NoTextError: It is neither.
     """
     marked = content.startswith((BOM_UTF16_LE, BOM_UTF16_BE))
     try:

@@ -1,4 +1,4 @@
-"""What was learnt from a table as a rulebook file, checked by reading it back; or nothing."""
+"""Writes rules learnt from a table to a rulebook file, checked by reading it back."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from comity_fis.rulebook.writer import FIRST_LINE, rulebook_yaml
 from comity_fis.validation.yaml_file import parse_yaml
 
 MARK = FIRST_LINE.encode()
-"""How a file that may be overwritten starts."""
+"""First bytes that mark a file as safe to overwrite."""
 COMMAND = "comity learn"
 DIGITS = 16
-"""Of the table's digest: enough to tell whether it is the same one."""
+"""Length of the table's digest in hexadecimal digits, enough to identify the table."""
 
 
 def write_learnt(lesson: Lesson, kind: Kind, out: Path) -> None:
-    """Write the rulebook with a proposal in it, whole or not at all.
+    """Write the rulebook with the learnt rules atomically.
 
     Raises:
-        InputError: if it could not be read from there, for example because a table of scores is elsewhere.
+        InputError: It could not be read from there, for example because a score table is elsewhere.
     """
     table = " ".join(Path(lesson.examples.file).name.split())
     learnt = replace(
@@ -48,7 +48,7 @@ def write_learnt(lesson: Lesson, kind: Kind, out: Path) -> None:
 
 
 def source_of(lesson: Lesson, kind: Kind) -> Source:
-    """The table as a source, with what it was found to be worth."""
+    """The table as a source, with the evaluation of the rules learnt from it."""
     found, path = lesson.examples, Path(lesson.examples.file)
     judged = lesson.judgement
     against = judged.differences[kind][CONSTANT]

@@ -16,17 +16,17 @@ DOMAIN, PROBLEM = "domain.pddl", "problem.pddl"
 
 
 def write_pddl(prepared: PlannedEpisode, folder: Path) -> None:
-    """Write `domain.pddl` and `problem.pddl`, which the user alone may read: they tell of people.
+    """Write `domain.pddl` and `problem.pddl`, readable only by the user, as they contain data about people.
 
     Raises:
-        InputError: if the folder cannot be used, or holds files of these names that are not ours.
+        InputError: The folder cannot be used, or has files of these names that Comity did not write.
     """
     domain, problem = plan_pddl(prepared.asked.request)
     write_texts(domain, "".join(f"; {line}\n" for line in _not_stated(prepared)) + problem, folder)
 
 
 def _not_stated(prepared: PlannedEpisode) -> Iterator[str]:
-    """What of a scenario the problem leaves out, so that nobody takes it for all of it."""
+    """Features of a scenario that the problem omits."""
     for person, reason in prepared.asked.unreachable.items():
         yield f"not stated below: no plan can serve {person!a} ({ascii(reason)[1:-1]})"
     for fact in prepared.file.scenario.already:
@@ -37,10 +37,10 @@ def _not_stated(prepared: PlannedEpisode) -> Iterator[str]:
 
 
 def write_texts(domain: str, problem: str, folder: Path) -> None:
-    """The same for PDDL that is text already.
+    """Write PDDL that is already text, as `write_pddl`.
 
     Raises:
-        InputError: as `write_pddl`.
+        InputError: As for `write_pddl`.
     """
     texts = {folder / DOMAIN: _OURS + domain, folder / PROBLEM: _OURS + problem}
     make_folder(folder, private=True)

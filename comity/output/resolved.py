@@ -1,4 +1,4 @@
-"""The scenario as it was run, every profile and the rulebook written out: it runs again from this alone."""
+"""The resolved scenario, with every profile and the rulebook written out: it can be rerun from this alone."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ if TYPE_CHECKING:
     from comity_fis import Population, PopulationTable, Rulebook
 
 FIRST = ("name", "profile")
-"""People write who or what a person or something is, and then where."""
+"""Keys that people write first."""
 
 
 def resolved_files(prepared: PlannedEpisode) -> dict[str, str]:
-    """Text by name in the run folder: `scenario.yaml`, and the tables of scores that its rulebook names."""
+    """Files of the run folder by name: `scenario.yaml`, and the score tables that its rulebook names."""
     kept = kept_tables(prepared.rulebook).values()
     return {SCENARIO: resolved_yaml(prepared), **{name: table.text for name, table in kept}}
 
 
 def resolved_yaml(prepared: PlannedEpisode) -> str:
-    """The text of `scenario.yaml` in a run folder: keys in the order of the schema, as people write them."""
+    """Text of `scenario.yaml` in a run folder, with keys in the schema's order."""
     scenario = prepared.file.scenario
     content: dict[str, Any] = scenario.model_dump(
         mode="json", by_alias=True, exclude_none=True, exclude={"expect", "matrix", "markers"}
@@ -66,7 +66,7 @@ def resolved_yaml(prepared: PlannedEpisode) -> str:
 
 
 def _with_kept_tables(read: Any, rulebook: Rulebook) -> Any:
-    """The rulebook as it was read, but with the names of the copies of its tables."""
+    """The rulebook as read, with the names of its score tables replaced by those of the copies."""
     data = deepcopy(read)
     for (*way, key), (name, _) in kept_tables(rulebook).items():
         place = data["variables"]
@@ -77,7 +77,7 @@ def _with_kept_tables(read: Any, rulebook: Rulebook) -> Any:
 
 
 def kept_tables(rulebook: Rulebook) -> dict[tuple[str, ...], tuple[str, PopulationTable[Population]]]:
-    """The CSV files that a rulebook names, by the place where it does, each with its name in the folder."""
+    """The CSV files that a rulebook names, by location of the name, each with its file name in the folder."""
     tables: dict[tuple[str, ...], PopulationTable[Population]] = {}
     for name, variable in rulebook.variables.items():
         if variable.derived_from and variable.derived_from.table:
@@ -87,7 +87,7 @@ def kept_tables(rulebook: Rulebook) -> dict[tuple[str, ...], tuple[str, Populati
     texts: dict[str, str] = {}
     kept: dict[tuple[str, ...], tuple[str, PopulationTable[Population]]] = {}
     for place, table in tables.items():
-        if table.text:  # a name twice means two files in two folders
+        if table.text:  # the same name twice means two files in two folders
             file = Path(table.name).with_suffix(".csv").name
             while texts.setdefault(file, table.text) != table.text:
                 file = f"other-{file}"
@@ -98,5 +98,5 @@ def kept_tables(rulebook: Rulebook) -> dict[tuple[str, ...], tuple[str, Populati
 def _ordered(
     content: Mapping[str, Any], model: type[BaseModel], first: tuple[str, ...] = ()
 ) -> dict[str, Any]:
-    """The same with the keys of a model in its order, but for those that come first."""
+    """The content with keys in the model's order, after those in `first`."""
     return {key: content[key] for key in dict.fromkeys((*first, *model.model_fields)) if key in content}

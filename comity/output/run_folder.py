@@ -1,4 +1,4 @@
-"""The folder of one run: what is in it, when it is created, and what is never overwritten."""
+"""The folder of one run: its files, its creation, and protection against overwriting."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ FRAMES = "frames.csv"
 READINGS = "readings.csv"
 BLACKBOARD = "blackboard.csv"
 RECORDS = (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, BLACKBOARD)
-"""What a run is made of; the other files are made of these."""
+"""The primary files of a run; all others are made from these."""
 TABLES = "scores"
-"""A folder of the tables of scores that the rulebook names."""
+"""Subfolder of the score tables that the rulebook names."""
 PICTURE = "picture.png"
 ANIMATION = "episode.gif"
 REPLAY = "replay.html"
 COMPARISON = "comparison.html"
 
 INTERRUPTED = "interrupted"
-"""The error in the account of a run that a person stopped with Ctrl-C or SIGTERM."""
+"""The error recorded for a run that was stopped with Ctrl-C or SIGTERM."""
 
 
 @dataclass(frozen=True, slots=True)
 class RunFolder:
-    """A folder that belongs to one run."""
+    """The folder of one run."""
 
     path: Path
 
@@ -52,17 +52,17 @@ class RunFolder:
         return self.path / name
 
     def write(self, name: str, content: str | Record) -> None:
-        """Write one file whole or not at all."""
+        """Write one file atomically."""
         text = content if isinstance(content, str) else as_text(content)
         (self / name).parent.mkdir(exist_ok=True, mode=PRIVATE_FOLDER)
         with written_whole(self / name, private=True) as part:
             part.write_text(text, encoding="utf-8", newline="\n")
 
     def read(self, name: str, model: type[Answer]) -> Answer:
-        """One of the run's answers.
+        """Read one of the run's answers.
 
         Raises:
-            InputError: if it is missing or damaged.
+            InputError: It is missing or damaged.
         """
         try:
             return reader(model).validate_json(read_regular(self / name))
@@ -70,25 +70,25 @@ class RunFolder:
             raise damaged(self / name, error) from None
 
     def is_open_to_others(self) -> bool:
-        """Whether others on this machine may list or change what is in it; the files they cannot read."""
+        """Whether other users of the machine can list or change its content; they cannot read the files."""
         return os.name == "posix" and bool(stat.S_IMODE(self.path.stat().st_mode) & ~PRIVATE_FOLDER)
 
     def is_written_to(self) -> bool:
-        """Whether its run goes on now."""
+        """Whether its run is in progress."""
         return is_locked(self.path)
 
     def files(self) -> tuple[str, ...]:
-        """What the run has written so far."""
+        """Names of the files written so far."""
         tables = sorted(f"{TABLES}/{path.name}" for path in (self / TABLES).glob("*.csv"))
         parts = [path.name for path in parts_of(self / TRACE)[1:]]
         names = (*RECORDS, *parts, *tables, PICTURE, ANIMATION, REPLAY, COMPARISON)
         return tuple(name for name in names if (self / name).is_file())
 
     def bytes_per_minute(self, simulated_s: float) -> dict[str, int]:
-        """How large the trace, the readings and the frames are, per simulated minute; by file.
+        """Size of trace, readings and frames per simulated minute [bytes], by file.
 
         Args:
-            simulated_s: How long the episode was; nothing is said of one that has no length.
+            simulated_s: Duration of the episode [s]; empty result for 0.
         """
         if simulated_s <= 0.0:
             return {}
@@ -100,7 +100,7 @@ class RunFolder:
 
 
 def damaged(path: Path, error: Exception) -> InputError:
-    """The complaint about a file of a run that cannot be read."""
+    """The error for a file of a run that cannot be read."""
     reason = error.strerror if isinstance(error, OSError) else str(error)
     if isinstance(error, FileNotFoundError):
         reason = "no such file"
@@ -116,14 +116,14 @@ def damaged(path: Path, error: Exception) -> InputError:
 
 
 def place_for(out: Path | None, scenario: str) -> Path:
-    """Where a run will go; nothing is created yet.
+    """The folder for a new run; nothing is created yet.
 
     Args:
-        out: The folder that the user named; None for the next free `runs/<scenario>-<n>`.
-        scenario: The scenario's name.
+        out: The user's folder; None: the next free `runs/<scenario>-<n>`.
+        scenario: Name of the scenario.
 
     Raises:
-        InputError: if the user's folder holds something that is no run.
+        InputError: The user's folder contains something other than a run.
     """
     if out is None:
         return _next_free(scenario)
@@ -143,15 +143,15 @@ def _check(out: Path) -> None:
 
 @contextmanager
 def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
-    """Create the folder, or empty it of the run that it holds, and keep every other run out of it.
+    """Create the folder, or delete the run in it, and lock it against other runs.
 
     Args:
         path: The folder.
         new: Whether it must not exist yet.
 
     Raises:
-        FileExistsError: if it must not exist and does: another run was quicker.
-        InputError: if another run writes to it now, or the system does not let us.
+        FileExistsError: It must not exist but does: another run was quicker.
+        InputError: Another run is writing to it, or the system prevents it.
     """
     with _refusing(path):
         _make(path, new=new)
@@ -169,7 +169,7 @@ def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
 
 
 def _make(path: Path, *, new: bool) -> None:
-    """Create the folder. Only a new one may have been taken by another run: whatever else is there, stays."""
+    """Create the folder; only if `new` may another run have created it meanwhile."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True, mode=PRIVATE_FOLDER)
     except FileExistsError:
@@ -184,7 +184,7 @@ def _make(path: Path, *, new: bool) -> None:
 
 @contextmanager
 def _locked(path: Path) -> Iterator[None]:
-    """Keep every other run out of the folder."""
+    """Lock the folder against other runs."""
     from filelock import Timeout
 
     with ExitStack() as held:
@@ -199,7 +199,7 @@ def _locked(path: Path) -> Iterator[None]:
 
 @contextmanager
 def _refusing(path: Path) -> Iterator[None]:
-    """Make the system's refusals errors that say what to do."""
+    """Turn system errors into errors with a remedy."""
     try:
         yield
     except FileExistsError:
@@ -209,21 +209,21 @@ def _refusing(path: Path) -> Iterator[None]:
 
 
 def remove(path: Path) -> None:
-    """Remove a run, and its folder where nothing else is in it; what is no run stays as it is.
+    """Delete a run, and its folder if nothing else is in it; other files are kept.
 
     Raises:
-        InputError: if another run writes to it now, or the system does not let us.
+        InputError: Another run is writing to it, or the system prevents it.
     """
     if path.is_symlink() or not is_run(path):
         return
     with claimed(path, new=False):
-        pass  # it is empty of the run by now
+        pass  # the run itself is deleted by now
     with suppress(OSError):
         path.rmdir()
 
 
 def is_run(path: Path) -> bool:
-    """Whether a folder holds a run of ours."""
+    """Whether a folder contains a run."""
     try:
         return "trace_sha256" in json.loads(read_regular(path / RUN))
     except (OSError, ValueError, TypeError):
@@ -231,10 +231,10 @@ def is_run(path: Path) -> bool:
 
 
 def open_run(path: Path) -> RunFolder:
-    """The folder of a run that exists.
+    """The folder of an existing run.
 
     Raises:
-        InputError: if there is none.
+        InputError: There is none.
     """
     if not is_run(path):
         got = "a file" if path.is_file() else "no such folder"

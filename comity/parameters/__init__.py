@@ -1,1 +1,1 @@
-"""From what people declared to the parameters of actions: own words, wishes, consent, earlier meetings."""
+"""From declared profiles to parameters of actions: own words, settings, consent, earlier encounters."""

@@ -1,4 +1,4 @@
-"""Who of a scenario is known from earlier meetings, and what a visit adds to that."""
+"""What is known about a scenario's people from earlier encounters, and what a visit adds."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ if TYPE_CHECKING:
 
 
 STANDING = "standing"
-"""The posture where none is told: nobody is met lying down unless a person says so."""
+"""Default posture: nobody is assumed to lie down unless stated."""
 
 
 def situation_of(person: PersonSpec) -> dict[str, Fact]:
-    """What holds around a person of a scenario, by variable."""
+    """The situation of a person in a scenario, by variable."""
     return {"posture": person.posture, **person.situation}
 
 
 def usual_situation(declared: Declared, day: date | None) -> dict[str, Fact]:
-    """What holds around a person where nothing is told of it: the posture that they declared, or standing.
+    """A person's usual situation: their declared posture, or standing.
 
     Args:
-        declared: Who it is.
-        day: On which; None for today.
+        declared: The person's profile.
+        day: The day; None: today.
     """
     posture, _ = held(declared.profile.posture, day or date.today())
     return {"posture": posture.casefold() if posture else STANDING}
@@ -47,16 +47,16 @@ def usual_situation(declared: Declared, day: date | None) -> dict[str, Fact]:
 def learnt_about(
     declared: Declared, rulebook: Rulebook, situation: Mapping[str, object], day: date | None
 ) -> dict[str, Learnt]:
-    """What earlier meetings with a person who is kept in the store taught, by parameter.
+    """What earlier encounters with a stored person taught, by parameter.
 
     Args:
-        declared: Who it is.
-        rulebook: It has the spread of people around its values.
-        situation: Only what was seen in the same one counts.
-        day: Preferences have drifted until then; None for today. What is known of a child counts for nothing.
+        declared: The person's profile.
+        rulebook: Gives the standard deviation between individuals.
+        situation: Only observations in this situation count.
+        day: Preferences drift until this day; None: today. Data about children are ignored.
 
     Raises:
-        InputError: if the file in the store was damaged.
+        InputError: The stored file is damaged.
     """
     parameter = rulebook.parameters.get(DISTANCE)
     if declared.kept_as is None or not isinstance(parameter, NumericParameter):
@@ -73,13 +73,13 @@ def learnt_about(
 def met_at(
     declared: Declared, rulebook: Rulebook, situation: Mapping[str, Fact], day: date
 ) -> ParameterValue:
-    """How near the robot comes to a stored person in a situation, with what that is made of.
+    """The robot's distance to a stored person in a situation, with its contributions.
 
     Args:
-        declared: The person.
-        rulebook: The rules.
-        situation: By variable; what the rulebook does not know is left out.
-        day: Of the facts.
+        declared: The person's profile.
+        rulebook: The rulebook.
+        situation: Situation by variable; unknown variables are ignored.
+        day: Day of the facts.
     """
     told = {name: fact for name, fact in situation.items() if name in rulebook.variables}
     learnt = learnt_about(declared, rulebook, situation, day)
@@ -90,16 +90,16 @@ def met_at(
 def learnt_here(
     declared: Declared, rulebook: Rulebook, told: Mapping[str, object], day: date | None
 ) -> dict[str, Learnt]:
-    """The same where only some facts are told: those of the situation, else the person's usual one.
+    """`learnt_about` for a partly stated situation, completed by the person's usual one.
 
     Args:
-        declared: Who it is.
-        rulebook: It knows which variables describe a situation.
-        told: By variable.
-        day: Preferences have drifted until then; None for today.
+        declared: The person's profile.
+        rulebook: Defines which variables describe a situation.
+        told: Stated facts, by variable.
+        day: Preferences drift until this day; None: today.
 
     Raises:
-        InputError: if the file in the store was damaged.
+        InputError: The stored file is damaged.
     """
     variables = rulebook.variables
     here = {
@@ -117,16 +117,16 @@ def learnt_with(
     rulebook: Rulebook,
     day: date | None,
 ) -> dict[str, dict[str, Learnt]]:
-    """What earlier meetings taught about the people of a scenario, by person and parameter.
+    """What earlier encounters taught about the people of a scenario, by person and parameter.
 
-    What the scenario embeds goes before the store.
+    Data in the scenario take precedence over the store.
 
     Args:
         file: The scenario.
-        others: Who has another profile than the scenario's.
-        declared: Everybody's profile.
-        rulebook: It has the spread of people around its values.
-        day: Preferences have drifted until then; None for today.
+        others: People with another profile than the scenario's.
+        declared: All profiles, by person.
+        rulebook: Gives the standard deviation between individuals.
+        day: Preferences drift until this day; None: today.
     """
     known: dict[str, dict[str, Learnt]] = {}
     for name, person in file.scenario.people.items():
@@ -142,13 +142,13 @@ def learnt_with(
 def observation(
     visit: Visit, values: Inference, situation: Mapping[str, Fact], day: date
 ) -> Observation | None:
-    """What a visit adds to what is known; None where nobody looked, or where the person said what they want.
+    """The observation from a visit; None without one, or if the person has a setting.
 
     Args:
-        visit: How it went.
-        values: The parameters it was made with.
-        situation: What held around the person.
-        day: When it was.
+        visit: The visit.
+        values: The person's parameters during the visit.
+        situation: The person's situation.
+        day: Day of the visit.
     """
     value = values[DISTANCE]
     if visit.noticed is None or any(part.origin == "setting" for part in value.contributions):
@@ -163,6 +163,6 @@ def observation(
 
 
 def model_m(value: ParameterValue) -> float:
-    """What culture and situation alone give."""
+    """The value by culture and situation alone [m]."""
     others = ("learnt", "safety", "operator")
     return sum(float(part.value) for part in value.contributions if part.origin not in others)

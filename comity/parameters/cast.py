@@ -1,4 +1,4 @@
-"""Who takes part in a scenario: everybody's profile, the rules and the day, and the values that follow."""
+"""The people of a scenario: profiles, rulebook and day, and the parameters inferred from them."""
 
 from __future__ import annotations
 
@@ -29,39 +29,39 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Cast:
-    """The people of a scenario, before it is known where they stand."""
+    """The people of a scenario, without their positions."""
 
     file: ScenarioFile
     chosen: ChosenRulebook
     rulebook: Rulebook
     day: date | None
-    """On which the facts are taken; None where none depends on it."""
+    """Day of the facts; None if none depends on it."""
     declared: Mapping[str, Declared]
-    """By person."""
+    """Profiles by person."""
     learnt: Mapping[str, Mapping[str, Learnt]]
-    """By person and parameter, of those with whom something was learnt."""
+    """Learnt corrections by person and parameter, where there are any."""
     speaker: Speaker
-    """What the robot says, and how it addresses them."""
+    """The robot's wordings and forms of address."""
 
     def values(self) -> dict[str, Inference]:
-        """Everybody's, by person.
+        """Parameters of everybody, by person.
 
         Raises:
-            InputError: for a fact that the rulebook does not know or a wish that it does not grant.
+            InputError: The rulebook does not know a fact or does not grant a setting.
         """
         return {name: self._values(name, declared) for name, declared in self.declared.items()}
 
     def values_wishing(self, name: str, settings: Mapping[str, Fact]) -> Inference:
-        """One person's, had they these wishes instead of their own."""
+        """One person's parameters with other settings."""
         declared = self.declared[name]
         profile = declared.profile.model_copy(update={"settings": dict(settings)})
         return self._values(name, replace(declared, profile=profile))
 
     def values_told(self, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
-        """One person's values by what they declare and what holds around them.
+        """One person's parameters for a given profile and situation.
 
         Raises:
-            InputError: for a wish that the rulebook does not grant.
+            InputError: The rulebook does not grant a setting.
         """
         return infer_in_run(
             declared,
@@ -95,14 +95,14 @@ def cast_of(
 
     Args:
         file: The scenario.
-        profiles: Other profiles than the scenario's, by person: shipped or stored names, files, or profiles
-            written out.
-        rulebook: Another rulebook than the scenario's: a shipped name or a file.
-        at: Another day than the scenario's to take dated facts on.
-        learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
+        profiles: Profiles that replace the scenario's, by person: built-in or stored names, files, or their
+            content.
+        rulebook: A rulebook that replaces the scenario's: a built-in name or a file.
+        at: A day that replaces the scenario's.
+        learnt: Learnt corrections, by person and parameter; None: those in the store.
 
     Raises:
-        InputError: if a profile or the rulebook cannot be used.
+        InputError: A profile or the rulebook is invalid.
     """
     declared = _declared(file, profiles or {})
     chosen = chosen_rulebook(file, declared, rulebook)
@@ -125,15 +125,15 @@ def cast_of(
 def rulebook_of(
     file: ScenarioFile, other: str | None = None, profiles: Mapping[str, ProfileGiven] | None = None
 ) -> YamlFile:
-    """The file of the rulebook that decides, read and not yet checked.
+    """The file of the applicable rulebook, read but not validated.
 
     Args:
         file: The scenario.
-        other: Another one than the scenario's.
-        profiles: Other profiles than the scenario's: who takes part may decide which it is.
+        other: A rulebook that replaces the scenario's.
+        profiles: Profiles that replace the scenario's: the choice may depend on the people.
 
     Raises:
-        InputError: if there is none, or it is no YAML.
+        InputError: There is none, or it is not YAML.
     """
     is_named = other is not None or file.scenario.rulebook is not None
     return chosen_rulebook(file, {} if is_named else _declared(file, profiles or {}), other).file

@@ -1,7 +1,7 @@
-"""Contact needs consent: what `touch: none` rules out, and wishes for contact that rest without it.
+"""Consent to contact: what `touch: none` excludes, and settings suspended without consent.
 
-In a meeting, consent is what the person says there. What their profile says was said on another day and to
-another person: it is shown by `infer` and `explain`, and moves no hand.
+In an encounter, consent is what the person says there. The consent in a profile was given on another day to
+someone else: `infer` and `explain` show it, but the robot does not act on it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from comity_fis.variables.parameter import Category
 
 Wishes = Mapping[str, float | str]
-"""By parameter."""
+"""Settings by parameter."""
 
 CONSENT = "touch_consent"
 TOUCH, NO_TOUCH = "touch", "none"
@@ -52,18 +52,18 @@ TOUCHING = frozenset(
         "touch",
     }
 )
-"""Gestures of contact by name, as far as that is certain: a rulebook that has one requires consent for it."""
+"""Names of gestures of contact, as far as they are unambiguous: rulebooks must require consent for them."""
 
 
 def in_this_meeting(
     situation: Mapping[str, Fact | Interval | None], profile: Profile, day: date | None
 ) -> tuple[dict[str, Fact | Interval | None], tuple[str, ...]]:
-    """What holds here and now, without a consent to touch that the profile alone states; and a note of that.
+    """The current situation, without a consent to touch stated only in the profile; and a note on that.
 
     Args:
-        situation: What is said to hold here and now, by variable.
-        profile: What the person declared.
-        day: On which dated facts are taken.
+        situation: Facts stated for the encounter, by variable.
+        profile: The person's profile.
+        day: Day of dated facts.
     """
     if CONSENT in situation or profile.facts(day).get(CONSENT) != "given":
         return dict(situation), ()
@@ -71,10 +71,10 @@ def in_this_meeting(
 
 
 def refuse_unguarded_contact(rulebook: Rulebook) -> None:
-    """Refuse a rulebook that lets the robot touch people who did not consent.
+    """Reject a rulebook that lets the robot touch people without consent.
 
     Raises:
-        InputError: for the first gesture of contact without the requirement.
+        InputError: With the first gesture of contact that lacks the requirement.
     """
     guarded = gestures_of_contact(rulebook)
     for category in _gestures(rulebook):
@@ -88,7 +88,7 @@ def refuse_unguarded_contact(rulebook: Rulebook) -> None:
 
 
 def gestures_of_contact(rulebook: Rulebook) -> frozenset[str]:
-    """The gestures of a rulebook that need consent to touch."""
+    """Gestures of a rulebook that require consent to touch."""
     return frozenset(
         category.name
         for category in _gestures(rulebook)
@@ -102,20 +102,20 @@ def _gestures(rulebook: Rulebook) -> tuple[Category, ...]:
 
 
 def asks_for_no_touch(wishes: Wishes, rulebook: Rulebook) -> bool:
-    """Whether a person asked not to be touched, of whom a rulebook could otherwise think they consent."""
+    """Whether a person asked not to be touched, where the rulebook could assume consent."""
     return wishes.get(TOUCH) == NO_TOUCH and CONSENT in rulebook.variables
 
 
 def asked_for_no_touch(values: Inference) -> bool:
-    """Whether a person's values were inferred so."""
+    """Whether the values were inferred with a request not to be touched."""
     return NO_TOUCH_NOTE in values.notes
 
 
 def refuse_contact_without_touch(wishes: Wishes, rulebook: Rulebook) -> None:
-    """Refuse wishes of which one could only be dropped: a gesture of contact, and no touch.
+    """Reject contradictory settings: a gesture of contact together with no touch.
 
     Raises:
-        InputError: where both are asked for.
+        InputError: Both are set.
     """
     if wishes.get(TOUCH) != NO_TOUCH:
         return
@@ -130,15 +130,15 @@ def refuse_contact_without_touch(wishes: Wishes, rulebook: Rulebook) -> None:
 
 
 def resting(wishes: Wishes, people: Iterable[Inputs], rulebook: Rulebook) -> dict[str, Category]:
-    """The wishes whose requirement is not met, above all consent, with what was wished for.
+    """Settings whose requirement, usually consent, is not met, each with the requested category.
 
-    Consent can be withdrawn, or not be disclosed, at any time. What was wished for then rests until it is
-    given again; it is no error, and the rules speak instead.
+    Consent can be withdrawn or unknown at any time. Such a setting is then suspended until consent is given
+    again; this is not an error, and the rules decide instead.
 
     Args:
-        wishes: Those that the rulebook judges.
-        people: The inputs of the person in each of their cultures; a wish is met in all of them or rests.
-        rulebook: The rules.
+        wishes: Settings that the rulebook defines.
+        people: Inputs of the person in each of their cultures; the requirement must be met in all of them.
+        rulebook: The rulebook.
     """
     guarded = _guarded(wishes, rulebook)
     if not guarded:
@@ -153,7 +153,7 @@ def resting(wishes: Wishes, people: Iterable[Inputs], rulebook: Rulebook) -> dic
 
 
 def note_of_rest(name: str, category: Category) -> str:
-    """What is said of a wish that rests."""
+    """A note about a suspended setting."""
     requirement = str(category.requires).replace("_", " ")
     return (
         f"{name} {category.name}: {_RESTS}, because it requires that {requirement}, which is not known or "
@@ -165,20 +165,20 @@ _RESTS = "it was asked for and rests"
 
 
 def wishes_at_rest(values: Inference) -> dict[str, str]:
-    """What a person asked for and cannot have now, with why, by parameter."""
+    """Suspended settings of a person, each with the reason, by parameter."""
     resting = (note for note in values.notes if f": {_RESTS}, " in note)
     return {note.split(" ", 1)[0]: note.replace("_", " ").rstrip(".") for note in resting}
 
 
 def refuse_resting(asked: Iterable[str], rests: Mapping[str, Category]) -> None:
-    """Refuse to promise a person what could not be granted on the day on which they ask for it.
+    """Reject a new setting that could not be granted on the day it is made.
 
     Args:
-        asked: The parameters that they ask for now.
-        rests: What rests, with why.
+        asked: Parameters of the new settings.
+        rests: Settings that would be suspended, with their categories.
 
     Raises:
-        InputError: for the first that would rest.
+        InputError: With the first setting that would be suspended.
     """
     for name in asked:
         if name in rests:
@@ -191,7 +191,7 @@ def refuse_resting(asked: Iterable[str], rests: Mapping[str, Category]) -> None:
 
 
 def _guarded(wishes: Wishes, rulebook: Rulebook) -> dict[str, Category]:
-    """The categories asked for that require something, by parameter."""
+    """The requested categories that have a requirement, by parameter."""
     return {
         name: category
         for name, wish in wishes.items()

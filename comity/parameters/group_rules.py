@@ -1,4 +1,4 @@
-"""Which rules of a rulebook go by a group that a person is counted to, and not by the person alone."""
+"""Finds the rules of a rulebook that depend on gender or nationality rather than on the person alone."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ GENDER, NATIONALITY = "gender", "nationality"
 
 
 def group_rules(rulebook: Rulebook) -> Mapping[str, tuple[int, ...]]:
-    """By `gender` and `nationality`, the numbers of the rules that are on and read it.
+    """Numbers of the enabled rules that read `gender` or `nationality`, by these names.
 
-    A rule reads nationality where it reads a culture, or a score that a table gives a culture.
+    A rule depends on nationality if it reads a culture, or a score derived from a culture.
     """
     read = {GENDER: {GENDER}, NATIONALITY: {variable.name for variable in reads_culture(rulebook)}}
     found = {

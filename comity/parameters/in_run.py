@@ -1,4 +1,4 @@
-"""A person's parameters in a run, which holds of their profile only what a rule or a wish used."""
+"""A person's parameters in a run, which includes only profile data that a rule or setting used."""
 
 from __future__ import annotations
 
@@ -32,22 +32,22 @@ def infer_in_run(
     agenda: Sequence[Task],
     also: Collection[str] = (),
 ) -> Inference:
-    """The same values as `infer_for` gives; inputs and notes tell nothing that no rule reads.
+    """The values of `infer_for`, with inputs and notes limited to what rules read.
 
-    But for consent to touch, which is what is said of it in the situation: a run is a meeting.
+    Consent to touch is the exception: it is taken from the situation, as a run is an encounter.
 
     Args:
-        declared: The person.
-        rulebook: The rules.
-        situation: What holds here and now, by variable.
-        at: The day of the facts.
-        learnt: What earlier meetings taught, by parameter.
-        site: The language of the site by its ISO 639-3 code.
-        agenda: What is to be done at the visit; empty for a person whom no goal names.
-        also: Facts that something else than the rulebook reads.
+        declared: The person's profile.
+        rulebook: The rulebook.
+        situation: The current situation, by variable.
+        at: Day of the facts.
+        learnt: Corrections learnt from earlier encounters, by parameter.
+        site: ISO 639-3 code of the site's language.
+        agenda: Tasks of the visit; empty for a person whom no goal names.
+        also: Facts that something other than the rulebook reads.
 
     Raises:
-        InputError: as `infer_for` does, also for a fact that no rule reads.
+        InputError: As for `infer_for`, or if no rule reads a fact.
     """
     situation, stored = in_this_meeting(situation, declared.profile, at)
     cases_of(declared, rulebook, situation=situation, at=at)

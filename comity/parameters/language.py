@@ -1,6 +1,6 @@
-"""The language in which a person is spoken to: one that they stated or asked for, else that of the site.
+"""The language for a person: one that they stated or requested, else the site's.
 
-Rules may only choose among the languages that a person stated. No language follows from a nationality.
+Rules may only choose among a person's stated languages. Nationality never determines a language.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 def in_a_stated_language(
     values: Inference, stated: Sequence[str], site: str | None, without_culture: Callable[[], Inference]
 ) -> Inference:
-    """A person's parameters, spoken to in a language that they stated or asked for, or in the site's.
+    """A person's parameters, with a language that they stated or requested, or else the site's.
 
     Args:
-        values: What rules and wishes give.
-        stated: The languages that the person stated, by code or name, the best liked first.
-        site: The language of the site by its ISO 639-3 code; None where there is no site.
-        without_culture: Gives what the rules say, had the person declared no culture.
+        values: The inferred parameters.
+        stated: The person's languages, by code or name, in order of preference.
+        site: ISO 639-3 code of the site's language; None without a site.
+        without_culture: Infers the parameters without the person's culture.
     """
     value = values.parameters.get(GREETING_LANGUAGE)
     if value is None or value.asked_for or isinstance(value.value, float):
@@ -56,12 +56,12 @@ def in_a_stated_language(
 
 
 def stated_languages(profile: Profile, day: date | None, told: Mapping[str, object]) -> tuple[str, ...]:
-    """The languages that a person stated, the best liked first.
+    """The languages that a person stated, in order of preference.
 
     Args:
-        profile: What they declared.
-        day: On which.
-        told: What is told here and now, by fact: it goes before the profile.
+        profile: The person's profile.
+        day: The day in question.
+        told: Facts stated for the encounter, which take precedence over the profile.
     """
     now = told.get("language", told.get("languages"))
     if isinstance(now, str):

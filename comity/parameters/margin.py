@@ -1,6 +1,6 @@
-"""What people declared that decides whether a robot may pass them at the scenario's reduced margin.
+"""Declared facts that decide whether a robot may pass a person at the scenario's reduced margin.
 
-No word of culture, gender or taste is among it. What was not disclosed is a no.
+Culture, gender and preferences play no part. An unknown fact counts against it.
 """
 
 from __future__ import annotations
@@ -21,26 +21,26 @@ if TYPE_CHECKING:
 
 MARGIN_FACTS = ("age", "hearing", "sight", "mobility")
 UNIMPAIRED = frozenset({"full", "good", "normal", "unimpaired"})
-"""A person's own words for hearing, sight and mobility that nothing is wrong with; no other word counts."""
+"""Words for unimpaired hearing, sight and mobility; no other word counts."""
 
 
 def reads_margin_facts(scenario: Scenario) -> bool:
-    """Whether the robot may pass people at a reduced margin, which depends on what they declared."""
+    """Whether the scenario has a reduced margin, which depends on declared facts."""
     return scenario.robot.margin_m < PERSON_MARGIN_M
 
 
 def margin_facts(
     scenario: Scenario, declared: Mapping[str, Declared], day: date | None
 ) -> dict[str, MarginFacts]:
-    """By person; empty where the scenario sets no reduced margin.
+    """Margin facts by person; empty if the scenario has no reduced margin.
 
-    What the scenario tells later of a person counts from the start: the least favourable of it. So does a
-    posture that a profile declares, where the scenario has the person stand.
+    A person's later changes in the scenario count from the start: the least favourable applies. So does a
+    posture declared in the profile, if the scenario has the person stand.
 
     Args:
-        scenario: With what holds around people.
-        declared: Their profiles, by name.
-        day: On which dated facts are taken.
+        scenario: The scenario, with people's situations.
+        declared: Profiles by name.
+        day: Day of dated facts.
     """
     if not reads_margin_facts(scenario):
         return {}
@@ -60,13 +60,13 @@ def margin_facts_of(
     situation: Mapping[str, object] = NOTHING,
     later: Iterable[Mapping[str, object]] = (),
 ) -> MarginFacts:
-    """What one person declared.
+    """Margin facts of one person.
 
     Args:
-        profile: The profile.
-        day: On which its dated facts are taken; None for today.
-        situation: Facts of the person here and now, which go before the profile.
-        later: Facts of the person by each later change.
+        profile: The person's profile.
+        day: Day of dated facts; None: today.
+        situation: Facts stated for the encounter, which take precedence over the profile.
+        later: Facts of the person after each later change.
     """
     declared = profile.facts(day or date.today())
     now = {**declared, **situation}

@@ -1,4 +1,4 @@
-"""Facts in people's own words, where a rulebook knows only some: no person is refused for them."""
+"""Maps facts in people's own words to a rulebook's categories; unknown words are never an error."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ if TYPE_CHECKING:
 
 
 def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """The facts that a rulebook can be told, and a note for each that it has no word for.
+    """The facts that a rulebook accepts, and a note for each that it has no word for.
 
-    Capitals make no difference: `Female` is the category `female`, and so is `woman`.
-    A gender that is none of its categories is disclosed all the same: no term holds of it. A language that
-    is none of them counts as not told. An age above what the rulebook knows counts as the highest it knows.
+    Case is ignored: `Female` is the category `female`, and so is `woman`. A gender outside the categories is
+    known, but no term applies to it. A language outside the categories counts as unknown. An age above the
+    rulebook's maximum counts as the maximum.
 
     Args:
-        facts: By a profile's keys.
-        rulebook: The rules.
+        facts: Facts by key of the profile.
+        rulebook: The rulebook.
     """
     known = {name: in_the_rulebooks_case(fact, name, rulebook) for name, fact in facts.items()}
     notes = [*_gender(known, rulebook), *_language(known, rulebook), *_age(known, rulebook)]
@@ -33,7 +33,7 @@ def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, A
 
 
 def in_the_rulebooks_case(fact: Any, name: str, rulebook: Rulebook) -> Any:
-    """A word as the rulebook's variable of that name writes it, where only capitals differ; else the fact."""
+    """A word with the capitalisation of the rulebook's category; other facts unchanged."""
     variable = rulebook.variables.get(name)
     if not isinstance(fact, str) or not isinstance(variable, NominalVariable) or fact in variable.categories:
         return fact
@@ -47,7 +47,7 @@ def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
         return
     word = in_own_words("gender", said, variable.categories)
     if word is None:
-        return  # a typo, which the rulebook refuses
+        return  # a typo, which the rulebook rejects
     known["gender"] = word
     if word not in variable.categories and "gender" in used_facts(rulebook):
         yield (
@@ -57,7 +57,7 @@ def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
 
 
 def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
-    """The best liked language that the rulebook knows becomes its variable `language`."""
+    """Sets the variable `language` to the preferred language that the rulebook knows."""
     languages, variable = known.pop("languages", ()), rulebook.variables.get("language")
     if isinstance(told := known.pop("language", None), str):
         languages = (told,)

@@ -1,4 +1,4 @@
-"""How a person would like a robot to move near them, whether it visits or passes them."""
+"""How a person wants a robot to move near them, whether it visits or passes them."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ if TYPE_CHECKING:
 
 
 def own_distance_m(values: Inference) -> float:
-    """As far as they would like it to stop, between surfaces [m]."""
+    """Preferred stopping distance, between surfaces [m]."""
     return values[DISTANCE].number
 
 
 def asked_speed_m_s(values: Inference) -> float | None:
-    """The approach speed that the person asked for [m/s]; None where the rules decide it.
+    """Approach speed that the person requested [m/s]; None if rules decide it.
 
-    What the rules give holds while the robot visits the person, what they asked for whenever it is near.
+    An inferred speed applies while the robot visits the person, a requested one whenever it is near.
     """
     speed = values[SPEED]
     return speed.number if speed.asked_for else None

@@ -1,8 +1,8 @@
-"""What a person hears and sees: what a greeting can be for them, and where the robot comes from.
+"""Hearing and sight of a person: how they can be greeted, and from where the robot approaches.
 
-Who does not hear is approached within view or not at all, and never greeted in words alone; who does not see
-is never greeted by a gesture alone, and is told when the robot comes, stops and leaves. That is this
-project's own choice, tried on nobody.
+A person who cannot hear is approached only within view, and never greeted in words alone. A person who cannot
+see is never greeted by a gesture alone, and is told when the robot approaches, stops and leaves. These are
+our own choices and have not been tested with people.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 NOT_HEARING = frozenset({"none", "no", "deaf", "deafblind"})
 NOT_SEEING = frozenset({"none", "no", "blind", "deafblind"})
-"""A person's own words for it; whatever else they say, such as `impaired`, excludes nothing."""
+"""Words that exclude an option; any other, such as `impaired`, excludes nothing."""
 WORDS_READ: Mapping[str, frozenset[str]] = MappingProxyType({"hearing": NOT_HEARING, "sight": NOT_SEEING})
 NOTHING: Mapping[str, object] = MappingProxyType({})
 HEARING, SIGHT = "hearing", "sight"
@@ -40,41 +40,41 @@ NOTE_OF_DEAFBLIND = "neither hears nor sees: no act that is shipped reaches them
 
 
 def hears(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING) -> bool:
-    """Whether a person hears, as far as they said.
+    """Whether a person hears, as far as stated.
 
     Args:
-        profile: What they declared.
-        day: On which.
-        told: What is told here and now, by fact: it goes before the profile.
+        profile: The person's profile.
+        day: The day in question.
+        told: Facts stated for the encounter, which take precedence over the profile.
     """
     return _word(told.get("hearing", profile.hearing), day) not in NOT_HEARING
 
 
 def sees(profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING) -> bool:
-    """Whether a person sees, as far as they said; the arguments are those of `hears`."""
+    """Whether a person sees, as far as stated; arguments as for `hears`."""
     return _word(told.get("sight", profile.sight), day) not in NOT_SEEING
 
 
 def lacks_hearing(values: Inference) -> bool:
-    """Whether a person does not hear, by the inputs of their values: what was said on the way is in them."""
+    """Whether a person cannot hear, by the inputs of their inference, which include facts stated later."""
     return is_read(HEARING, values.inputs.get(HEARING, ""))
 
 
 def lacks_sight(values: Inference) -> bool:
-    """The same of sight."""
+    """The same for sight."""
     return is_read(SIGHT, values.inputs.get(SIGHT, ""))
 
 
 def is_read(name: str, fact: object) -> bool:
-    """Whether a fact says that a person does not hear or see."""
+    """Whether a fact states that a person cannot hear or see."""
     return str(fact).strip().casefold() in WORDS_READ.get(name, ())
 
 
 def hint_of(names: Iterable[str]) -> str:
-    """Which words count, as the end of a note about facts that change nothing; empty for other facts.
+    """Words that have an effect, as the end of a note about facts without effect; empty for other facts.
 
     Args:
-        names: Of the facts.
+        names: Names of the facts.
     """
     return "".join(
         f" Of {name} only the words {', '.join(sorted(WORDS_READ[name]))} count: write `none` for no {name}."
@@ -85,26 +85,26 @@ def hint_of(names: Iterable[str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Clash:
-    """A wish that cannot be met for who does not hear, or does not see."""
+    """A setting that cannot be met for a person who cannot hear or see."""
 
     said: str
-    """The fact and the wish."""
+    """The fact and the setting, in words."""
     why: str
     remedy: str
 
     @property
     def words(self) -> str:
-        """As a reason or a note."""
+        """The clash as a reason or a note."""
         return f"{self.said}: {self.why}. {self.remedy}"
 
 
 def clash_of(wishes: Mapping[str, object], *, hears: bool, sees: bool) -> Clash | None:
-    """The first wish that can never be met with what a person perceives; None where all can.
+    """The first setting that a person's perception makes impossible; None if there is none.
 
-    Of a person who neither hears nor sees no wish is at fault: no act reaches them.
+    For a person who can neither hear nor see no setting is to blame: no act reaches them.
 
     Args:
-        wishes: By parameter, what the person asked for.
+        wishes: Settings by parameter.
         hears: Whether they hear.
         sees: Whether they see.
     """
@@ -123,15 +123,15 @@ def clash_of(wishes: Mapping[str, object], *, hears: bool, sees: bool) -> Clash 
 
 
 def wishes_of(values: Inference) -> dict[str, object]:
-    """What a person asked for outright, by parameter."""
+    """A person's explicit settings, by parameter."""
     return {name: value.value for name, value in values.parameters.items() if value.asked_for}
 
 
 def refuse_clash(profile: Profile, day: date | None) -> None:
-    """Refuse a wish that can never be met with what a person hears and sees.
+    """Reject a setting that a person's hearing and sight make impossible.
 
     Raises:
-        InputError: with both facts and what to change.
+        InputError: With both facts and the remedy.
     """
     clash = clash_of(profile.settings, hears=hears(profile, day), sees=sees(profile, day))
     if clash is not None:
@@ -141,13 +141,13 @@ def refuse_clash(profile: Profile, day: date | None) -> None:
 def perceiving(
     values: Inference, profile: Profile, day: date | None, told: Mapping[str, object] = NOTHING
 ) -> Inference:
-    """A person's parameters with what follows from what they do not hear or see, which is among the inputs.
+    """A person's parameters adapted to their hearing and sight, which are added to the inputs.
 
     Args:
-        values: What rules and wishes give.
-        profile: What they declared.
-        day: On which.
-        told: What is told here and now, by fact.
+        values: The inferred parameters.
+        profile: The person's profile.
+        day: The day in question.
+        told: Facts stated for the encounter.
     """
     hearing, seeing = hears(profile, day, told), sees(profile, day, told)
     if hearing and seeing:
@@ -161,18 +161,18 @@ def perceiving(
 
 
 def notes_of_unheard(values: Inference, agenda: Sequence[Task]) -> tuple[str, ...]:
-    """A note where something is to be said to a person who does not hear.
+    """A note if the agenda has speech for a person who cannot hear.
 
     Args:
-        values: The person's parameters, as `perceiving` gives them.
-        agenda: What is to be done at the visit.
+        values: The person's parameters, from `perceiving`.
+        agenda: Tasks of the visit.
     """
     is_unheard = lacks_hearing(values) and any(isinstance(task, Say) for task in agenda)
     return (NOTE_OF_SAY,) if is_unheard else ()
 
 
 def _within_view(values: Inference) -> Inference:
-    """The same with no direction from which the robot is not seen; a wish for one stays, unmet."""
+    """The parameters without directions from which the robot is not seen; a setting for one stays, unmet."""
     direction = values.parameters.get(DIRECTION)
     if direction is None or isinstance(direction.desirability, Choice):
         return values

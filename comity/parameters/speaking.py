@@ -1,4 +1,4 @@
-"""How the robot speaks in a scenario: the language of the site, its wordings, and forms of address."""
+"""The robot's speech in a scenario: language of the site, wordings, and forms of address."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ if TYPE_CHECKING:
 
 
 def at_site(file: ScenarioFile, *, language: str | None = None, wordings: Iterable[str] = ()) -> ScenarioFile:
-    """The scenario at a site where another language is spoken, or with more wordings.
+    """The scenario with another site language or additional wordings.
 
     Args:
         file: The scenario.
-        language: By code or name; None for the scenario's own.
-        wordings: Files that go before the scenario's.
+        language: Code or name; None: the scenario's language.
+        wordings: Files that override the scenario's.
 
     Raises:
-        InputError: a file holds no wordings, or the robot has no words in the language.
+        InputError: A file is not a file of wordings, or there are no wordings in the language.
     """
     paths = [Path(one).absolute() for one in wordings]
     for path, name in zip(paths, wordings, strict=True):
@@ -47,24 +47,24 @@ def at_site(file: ScenarioFile, *, language: str | None = None, wordings: Iterab
 
 
 def phrasebook_of(file: ScenarioFile) -> Phrasebook:
-    """The languages that ship, with the scenario's own wordings before them.
+    """The built-in languages, overridden by the scenario's own wordings.
 
     Raises:
-        InputError: a file is missing or holds no wordings.
+        InputError: A file is missing or not a file of wordings.
     """
     return Phrasebook(tuple(read_wordings(one) for one in wordings_files(file)))
 
 
 def wordings_files(file: ScenarioFile) -> tuple[YamlFile, ...]:
-    """The scenario's own wordings as they were read, in its order."""
+    """The files of the scenario's own wordings, in its order."""
     return tuple(_wordings_file(file, i) for i in range(len(file.scenario.wordings)))
 
 
 def site_of(file: ScenarioFile, phrasebook: Phrasebook) -> str:
-    """The language of the site by its ISO 639-3 code.
+    """ISO 639-3 code of the site's language.
 
     Raises:
-        InputError: the robot has no words in it.
+        InputError: There are no wordings in it.
     """
     said = file.scenario.site_language
     if said is None:
@@ -74,14 +74,14 @@ def site_of(file: ScenarioFile, phrasebook: Phrasebook) -> str:
 
 
 def speaker_of(file: ScenarioFile, profiles: Mapping[str, Profile]) -> Speaker:
-    """How the robot speaks.
+    """The speaker for a scenario.
 
     Args:
         file: The scenario.
-        profiles: Everybody's, by person.
+        profiles: All profiles, by person.
 
     Raises:
-        InputError: its wordings or its language cannot be used.
+        InputError: Its wordings or its language are invalid.
     """
     phrasebook = phrasebook_of(file)
     said = {name: address_of(profile.form_of_address) for name, profile in profiles.items()}
@@ -90,7 +90,7 @@ def speaker_of(file: ScenarioFile, profiles: Mapping[str, Profile]) -> Speaker:
 
 
 def address_of(said: FormOfAddress | str | None) -> Address | None:
-    """How a person asked to be addressed: in parts, or in a word; None where they did not say."""
+    """A person's form of address, given in parts or in one word; None if not stated."""
     if said is None or isinstance(said, str):
         return Address(name=said) if said else None
     return Address(
@@ -102,10 +102,10 @@ def address_of(said: FormOfAddress | str | None) -> Address | None:
 
 
 def require_words(rulebook: Rulebook, speaker: Speaker) -> None:
-    """Refuse a rulebook with a language that the robot has no words in.
+    """Reject a rulebook with a language that has no wordings.
 
     Raises:
-        InputError: it has one.
+        InputError: It has one.
     """
     parameter = rulebook.parameters.get(GREETING_LANGUAGE)
     if not isinstance(parameter, NominalParameter):

@@ -1,7 +1,7 @@
-"""Which row of the table of scores stands for a culture: its own, the one the person named, or none.
+"""The row of the score table for a culture: its own, that of the region the person named, or none.
 
-A country without a score is an honest question. Nothing is guessed for it: the rules are told nothing, and
-the person may name a region.
+A country may have no score. Nothing is guessed for it: the rulebook's inputs stay unknown, and the person may
+name a region instead.
 """
 
 from __future__ import annotations
@@ -21,25 +21,25 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class WeightedCulture:
-    """A culture as a rulebook sees it."""
+    """A weighted culture, with the inputs that a rulebook derives from it."""
 
     label: str
-    """What it is called."""
+    """Name of the culture."""
     weight: float
     facts: Mapping[str, float | str]
-    """What follows from it, by variable; without those that it says nothing of."""
+    """Derived values by variable, without unknown ones."""
     sources: Mapping[str, str]
-    """Where these are from that are scores, by variable."""
+    """Sources of derived scores, by variable."""
     notes: tuple[str, ...]
     region: str | None
-    """What stands for it because the person said so."""
+    """The region that replaces the culture, as stated by the person."""
 
 
 def standing(belonging: Belonging, rulebook: Rulebook) -> WeightedCulture:
-    """What follows from a culture.
+    """The values derived from a culture.
 
     Raises:
-        InputError: if it is a code that no country has, or the region that stands for it has no score.
+        InputError: It is an unused country code, or the region that replaces it has no score.
     """
     facts: dict[str, float | str] = {}
     sources: dict[str, str] = {}
@@ -66,7 +66,7 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> WeightedCulture:
 
 
 def reads_culture(rulebook: Rulebook) -> tuple[Variable, ...]:
-    """The variables of a rulebook that follow from the culture a person declares."""
+    """Variables of a rulebook that are derived from a person's culture."""
     return tuple(
         variable
         for variable in rulebook.variables.values()
@@ -75,19 +75,19 @@ def reads_culture(rulebook: Rulebook) -> tuple[Variable, ...]:
 
 
 def _table(variable: Variable) -> Table | None:
-    """The table that knows a culture by its names; None where only the rulebook's own words do."""
+    """The table of the variable's cultures; None if only the rulebook's categories define them."""
     if isinstance(variable, NominalVariable) and variable.table is not None:
         return variable.table
     return variable.derived_from.table if variable.derived_from else None
 
 
 def _row(belonging: Belonging, table: Table, tables: Sequence[Table]) -> tuple[Population | None, str | None]:
-    """The row, and the region's name where it stands for the culture.
+    """The row for the culture, and the region's name if the region replaces it.
 
     Args:
         belonging: The culture.
-        table: The one to look into.
-        tables: All that the rulebook looks into.
+        table: The table to search.
+        tables: All tables of the rulebook.
     """
     if belonging.region is not None:
         return _region(belonging.region, table, tables), belonging.region
@@ -98,7 +98,7 @@ def _row(belonging: Belonging, table: Table, tables: Sequence[Table]) -> tuple[P
 
 
 def _region(words: str, table: Table, tables: Sequence[Table]) -> Population | None:
-    """The row of a region; None where only another table has it."""
+    """The row of a region; None if only another table has it."""
     for one in (table, *tables):
         if (found := one.find(words)) is not None:
             return found if one == table else None

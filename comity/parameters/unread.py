@@ -1,4 +1,4 @@
-"""Behaviour parameters that a rulebook decides and no action of Comity reads: they are the robot's to use."""
+"""Notes on behaviour parameters that no action of Comity reads; they are for the robot to use."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def notes_of_unread(rulebook: Rulebook) -> tuple[str, ...]:
     """A note about each behaviour parameter that no action reads.
 
-    A rulebook without a conversational distance is not for visits, and gets no note.
+    A rulebook without a conversational distance is not for visits and gets no note.
     """
     if DISTANCE not in rulebook.parameters:
         return ()
@@ -27,5 +27,5 @@ def notes_of_unread(rulebook: Rulebook) -> tuple[str, ...]:
 
 
 def noting_unread(inference: Inference, rulebook: Rulebook) -> Inference:
-    """The same inference, with these notes."""
+    """The inference with these notes added."""
     return replace(inference, notes=(*inference.notes, *notes_of_unread(rulebook)))

@@ -1,4 +1,4 @@
-"""Facts of a person that no rule reads: a profile works with every rulebook, and a note names them."""
+"""Notes on a person's facts that no rule reads: every profile works with every rulebook."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ if TYPE_CHECKING:
     from comity_fis import Rulebook
 
 TYPO = 0.8
-"""Similarity of two names, in [0, 1], from which one may be a typo of the other. Our choice, such that
-`mobility` is none of `familiarity`."""
+"""Similarity of two names, in [0, 1], above which one may be a typo of the other. Our choice: `mobility` does
+not match `familiarity`."""
 
 
 def notes_of_unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str, ...]:
-    """A note that names all facts which no rule that is on reads.
+    """A note that names all facts which no enabled rule reads.
 
     Args:
-        told: By a profile's keys; None is not disclosed.
-        rulebook: The rules.
+        told: Facts by key of the profile; None is unknown.
+        rulebook: The rulebook.
     """
     unread = unread_facts(told, rulebook)
     if not unread:
@@ -37,9 +37,9 @@ def notes_of_unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> tup
 
 
 def notes_for_a_run(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str, ...]:
-    """The same without names: a run keeps of a profile only what a rule or a wish used.
+    """The note without names of facts: a run stores only profile data that a rule or setting used.
 
-    Which words count for hearing and sight is said to everybody, lest it tell who said something of them.
+    It always lists the words with an effect for hearing and sight, so as not to reveal who stated any.
     """
     count = len(unread_facts(told, rulebook))
     facts = "fact of the profile is" if count == 1 else "facts of the profile are"
@@ -49,9 +49,9 @@ def notes_for_a_run(told: Mapping[str, object], rulebook: Rulebook) -> tuple[str
 
 
 def unread_facts(told: Mapping[str, object], rulebook: Rulebook) -> list[str]:
-    """The names of the facts that are disclosed and that no rule which is on reads.
+    """Names of the known facts that no enabled rule reads.
 
-    That a person does not hear or see, and how they want to be addressed, is read without rules.
+    Missing hearing or sight, and the form of address, are read without rules.
     """
     read = {*used_facts(rulebook), ADDRESS}
     read |= {"languages"} if reads_languages(rulebook) else set()

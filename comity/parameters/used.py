@@ -1,4 +1,4 @@
-"""What a rulebook uses of a profile: the facts that its rules read, as they are on one day, and wishes."""
+"""The part of a profile that a rulebook uses: facts that its rules read on a given day, and settings."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from comity_domain.problem.bound_parameters import GREETING_LANGUAGE
 from comity_fis import Interval
 
 ADDRESS = "form_of_address"
-"""The fact that no rule reads, and the robot's words do."""
+"""A fact that no rule reads, but that the robot's speech uses."""
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared
@@ -23,27 +23,27 @@ if TYPE_CHECKING:
 
 
 def used_facts(rulebook: Rulebook) -> frozenset[str]:
-    """The facts that a rule which is on, or a requirement, reads; consent always, because it bars contact."""
+    """Facts read by an enabled rule or a requirement; always consent, as it can exclude contact."""
     read = rulebook.program.reads & rulebook.variables.keys()
     derivations = (rulebook.variables[name].derived_from for name in read)
     return frozenset({*read, *(one.fact for one in derivations if one), CONSENT})
 
 
 def reads_languages(rulebook: Rulebook) -> bool:
-    """Whether the languages that a person stated make a difference to a rule or to what the robot speaks."""
+    """Whether a person's stated languages affect a rule or the language of speech."""
     return "language" in used_facts(rulebook) or GREETING_LANGUAGE in rulebook.parameters
 
 
 def used_of(
     declared: Declared, rulebook: Rulebook, day: date | None, *, also: Collection[str] = ()
 ) -> Declared:
-    """A person with what the rulebook uses of their profile and nothing else: no prose, date or unread fact.
+    """A person's profile reduced to what the rulebook uses: no prose, dates or unread facts.
 
     Args:
-        declared: What the person declared; every value has been checked.
-        rulebook: The rules.
-        day: On which the facts hold; needed where some depend on it.
-        also: Facts that something else than the rulebook reads.
+        declared: The person's validated profile.
+        rulebook: The rulebook.
+        day: Day of the facts; required if some depend on it.
+        also: Facts that something other than the rulebook reads.
     """
     used = used_facts(rulebook).union(also)
     return replace(declared, profile=Profile.model_validate(_used(declared.profile, rulebook, day, used)))
@@ -52,15 +52,15 @@ def used_of(
 def _used(profile: Profile, rulebook: Rulebook, day: date | None, used: Collection[str]) -> dict[str, Any]:
     told = profile.facts(day)
     facts = {name: fact for name, fact in told.items() if name in used or is_read(name, fact)}
-    if is_under_age(profile, day):  # what protects a child reads it
+    if is_under_age(profile, day):  # read by the protection of children
         facts.update((name, told[name]) for name in ("age", AGE_BAND) if name in told)
-    if profile.form_of_address is not None:  # the robot says it
+    if profile.form_of_address is not None:  # used in speech
         facts[ADDRESS] = profile.form_of_address
     if reads_languages(rulebook) and (languages := told.get("languages")):
         facts["languages"] = languages
     if isinstance(
         facts.get("age"), Interval
-    ):  # of a year of birth: one of two ages, which a profile cannot state
+    ):  # a year of birth gives one of two ages, which a profile cannot state
         del facts["age"]
         facts["birth_year"] = profile.birth_year
     other = {name: facts.pop(name) for name in profile.other if name in facts}
@@ -69,7 +69,7 @@ def _used(profile: Profile, rulebook: Rulebook, day: date | None, used: Collecti
 
 
 def _cultures(profile: Profile, day: date | None) -> dict[str, Any]:
-    """The cultures that count on the day, without their dates."""
+    """The cultures that apply on the day, without their dates."""
     culture: Any = profile.culture
     if isinstance(culture, tuple):
         counting = [one for one in culture if one.counts(day)]

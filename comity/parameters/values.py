@@ -1,4 +1,4 @@
-"""From what a person declared to the parameters of the robot's actions."""
+"""Infers the parameters of the robot's actions from a person's profile."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ if TYPE_CHECKING:
     from comity_fis.variables.parameter import Category
 
 Fact = float | str | Interval | None
-"""None where it is not disclosed; so is the word `unknown`."""
+"""A fact; None, or the word `unknown`, if it is unknown."""
 
 Facts = Mapping[str, Fact]
-"""By variable."""
+"""Facts by variable."""
 
 
 def infer_for(
@@ -53,22 +53,22 @@ def infer_for(
     learnt: Mapping[str, Learnt] | None = None,
     site: str | None = None,
 ) -> Inference:
-    """One person's parameters in one situation.
+    """Infer one person's parameters in one situation.
 
-    A person of several cultures is asked about in each, and the answers are combined by weight.
+    For a person of several cultures, the values for each are combined by weight.
 
     Args:
-        declared: What the person declared.
-        rulebook: The rules.
-        situation: What holds here and now, by variable; it goes before the profile.
-        mode: How the centre of area is computed: exact, matlab or skfuzzy.
-        at: The day on which the facts are taken; needed where some depend on it.
-        learnt: What meetings with the person taught, by parameter.
-        site: The language that is spoken where the robot is, by its ISO 639-3 code; None where it is nowhere.
+        declared: The person's profile.
+        rulebook: The rulebook.
+        situation: The current situation, by variable; it takes precedence over the profile.
+        mode: How the centroid is computed: exact, matlab or skfuzzy.
+        at: Day of the facts; required if some depend on it.
+        learnt: Corrections learnt from encounters with the person, by parameter.
+        site: ISO 639-3 code of the site's language; None without a site.
 
     Raises:
-        InputError: for a fact outside its variable's domain, a setting that cannot be granted, or a day that
-            is missing; with the line of the profile where it is the profile's.
+        InputError: A fact is outside its variable's domain, a setting cannot be granted, or the day is
+            missing; with the line of the profile if it is in there.
     """
     told = situation or {}
     _refuse_unspeakable(told)
@@ -86,7 +86,7 @@ def infer_for(
 
 
 def _refuse_unspeakable(told: Facts) -> None:
-    """Refuse words that are no single printable line, and a culture that is no word."""
+    """Reject words that are not one printable line, and a culture that is not a word."""
     for name, fact in told.items():
         if isinstance(fact, str):
             try:
@@ -111,7 +111,7 @@ def _by_culture(
     at: date | None,
     learnt: Mapping[str, Learnt] | None,
 ) -> Inference:
-    """What the rules and wishes give in each of the person's cultures, combined by weight."""
+    """The values for each of the person's cultures, combined by weight."""
     cases = cases_of(declared, rulebook, situation=told, at=at)
     parts = [
         Part(
@@ -129,35 +129,35 @@ def _by_culture(
 
 
 def _no_culture(rulebook: Rulebook) -> Facts:
-    """That nothing is known of a person's culture, nor of what follows from it."""
+    """Inputs that mark a person's culture, and everything derived from it, as unknown."""
     return {"culture": None} | {variable.name: None for variable in reads_culture(rulebook)}
 
 
 @dataclass(frozen=True, slots=True)
 class CultureCase:
-    """A person as one of their cultures has it."""
+    """A person's inputs by one of their cultures."""
 
     name: str
-    """What the culture is called; empty for a person who declared none."""
+    """Name of the culture; empty for a person who declared none."""
     weight: float
     inputs: Mapping[str, Fact]
-    """By variable of the rulebook; only what is disclosed."""
+    """Known inputs, by variable of the rulebook."""
     settings: Mapping[str, float | str]
-    """What they asked for that the rulebook judges and that can be granted; by parameter."""
+    """Settings that the rulebook defines and can grant, by parameter."""
     rests: Mapping[str, Category]
-    """What they asked for and cannot be granted without consent; by parameter."""
+    """Settings that are suspended without consent, by parameter."""
     notes: tuple[str, ...] = ()
     sources: Mapping[str, str] = field(default_factory=dict)
-    """Where inputs come from that the person did not declare themselves, by variable."""
+    """Sources of inputs that the person did not declare, by variable."""
 
 
 def cases_of(
     declared: Declared, rulebook: Rulebook, *, situation: Facts | None = None, at: date | None = None
 ) -> tuple[CultureCase, ...]:
-    """What the rulebook is told of a person: once for every culture, or once.
+    """The rulebook's inputs for a person: one case per culture, or a single one.
 
     Raises:
-        InputError: as `infer_for` does.
+        InputError: As for `infer_for`.
     """
     now, heard = _told_now(situation or {}, rulebook)
     facts, notes, standings = _checked(declared, rulebook, at)
@@ -175,7 +175,7 @@ def cases_of(
         for one in standings
     ] or [("", 1.0, _inputs(rulebook, {**facts, **now}), (), {})]
     for _, _, inputs, _, _ in told:
-        rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
+        rulebook.checked_inputs(inputs)  # before the settings, whose location in the file differs
     rests = resting(wishes, (inputs for _, _, inputs, _, _ in told), rulebook)
     notes = (*notes, *(note_of_rest(name, category) for name, category in rests.items()))
     settings = {name: wish for name, wish in wishes.items() if name not in rests}
@@ -186,21 +186,21 @@ def cases_of(
 
 
 def _left(sources: Mapping[str, str], told: Facts) -> Mapping[str, str]:
-    """Those of variables that nobody spoke of directly."""
+    """Sources of the variables that were not stated directly."""
     return {name: source for name, source in sources.items() if name not in told}
 
 
 def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tuple[str, ...]]:
-    """What is told here and now as the rulebook can hear it; None where it counts as not told."""
+    """The facts stated for the encounter in the rulebook's terms; None if unknown."""
     told = {name: None if fact == UNKNOWN else fact for name, fact in situation.items()}
     heard, notes = own_words(told, rulebook)
     return {name: heard.get(name) for name in told}, (*notes, *notes_of_unread_facts(told, rulebook))
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
-    """Refuse a fact that the rulebook cannot be told, most likely a typo.
+    """Reject a fact that the rulebook does not accept, most likely a typo.
 
-    `PERSONAL` facts and consent to touch are accepted by all.
+    `PERSONAL` facts and consent to touch are accepted by all rulebooks.
     """
     for name in facts:
         if name not in rulebook.facts and name not in (*PERSONAL, CONSENT):
@@ -212,7 +212,7 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
 def _checked(
     declared: Declared, rulebook: Rulebook, at: date | None
 ) -> tuple[Facts, tuple[str, ...], tuple[WeightedCulture, ...]]:
-    """Facts, notes and cultures of a profile, each looked at by itself, so that a complaint has a line."""
+    """Facts, notes and cultures of a profile, each validated separately, so that errors have a line."""
     profile = declared.profile
     with _placing(declared, *profile.location("age")):
         facts, notes = own_words(profile.facts(at), rulebook)
@@ -239,7 +239,7 @@ def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Itera
 
 
 def _refuse_idle_region(declared: Declared, standings: tuple[WeightedCulture, ...]) -> None:
-    """A region beside cultures that all have scores would be left aside in silence."""
+    """Reject a region that would silently be ignored, as all cultures have scores."""
     region = declared.profile.region
     if region is None or any(one.notes or one.region == region or not one.facts for one in standings):
         return
@@ -253,7 +253,7 @@ def _refuse_idle_region(declared: Declared, standings: tuple[WeightedCulture, ..
 
 
 def _inputs(rulebook: Rulebook, known: Facts) -> dict[str, Fact]:
-    """What the rulebook can be told; None where a variable is not to follow from another fact either."""
+    """The rulebook's inputs; None blocks the derivation of a variable from another fact."""
     return {
         name: fact
         for name, fact in known.items()

@@ -1,8 +1,8 @@
-"""Which rulebook decides: one a run, and why that one.
+"""Selects the rulebook of a run, with the reason.
 
 The paper's own rules rest on contested evidence: for the same culture they keep most men farther away than
-women. They are what the paper is about, so an example goes by them. As soon as a stored profile or a real
-robot takes part, only what studies support decides.
+women. As the paper is about them, examples use them. As soon as a stored profile or a real robot takes part,
+only rules supported by studies are used.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from comity_fis.validation.yaml_file import YamlFile
 
 PAPER = "bruno2017"
-"""The rules of Bruno et al. (2017), and what the acts need besides."""
+"""The rules of Bruno et al. (2017), and what the acts require in addition."""
 EVIDENCE = "evidence"
-"""Only what studies support to a moderate degree at least."""
+"""Only rules with at least moderate support by studies."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,25 +33,25 @@ class ChosenRulebook:
 
     file: YamlFile
     where: Where
-    """Where it is named: the scenario's line, or the command line."""
+    """Location of its name: the scenario's line, or the command line."""
     why: str
-    """Why it is this one."""
+    """The reason for it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Which:
-    """A shipped rulebook, and why it is that one."""
+    """A built-in rulebook, and the reason for it."""
 
     name: str
     why: str
 
 
 def which_rulebook(people: Iterable[Declared], *, real_robot: bool = False) -> Which:
-    """The rulebook where neither the command nor the scenario names one.
+    """The default rulebook, if neither the command nor the scenario names one.
 
     Args:
-        people: Everybody who takes part.
-        real_robot: Whether a real robot carries it out.
+        people: Profiles of everybody who takes part.
+        real_robot: Whether a real robot executes the plan.
     """
     if real_robot:
         return Which(EVIDENCE, "a real robot takes part")
@@ -64,15 +64,15 @@ def which_rulebook(people: Iterable[Declared], *, real_robot: bool = False) -> W
 def chosen_rulebook(
     file: ScenarioFile, declared: Mapping[str, Declared], asked: str | None = None
 ) -> ChosenRulebook:
-    """The rulebook that was asked for, else the scenario's, else the right one for those who take part.
+    """The requested rulebook, else the scenario's, else the default one for the people.
 
     Args:
         file: The scenario.
-        declared: Everybody's profile, by person.
-        asked: A shipped name or a file that goes before the scenario's.
+        declared: All profiles, by person.
+        asked: A built-in name or a file that overrides the scenario's.
 
     Raises:
-        InputError: if there is none, or it is no YAML.
+        InputError: There is none, or it is not YAML.
     """
     written = file.scenario.rulebook
     if asked:

@@ -1,4 +1,4 @@
-"""What a person asked for, of which a rulebook may know only some: nobody is refused for the rest."""
+"""A person's settings that a rulebook defines; settings of other rulebooks are not an error."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ if TYPE_CHECKING:
 
 
 def decided_here(wishes: Wishes, rulebook: Rulebook) -> tuple[dict[str, float | str], tuple[str, ...]]:
-    """The wishes that a rulebook judges, and a note for each that only another shipped one could grant.
+    """The settings that a rulebook defines, and a note for each that only another built-in one could grant.
 
-    That a person asked for no touch has its effect everywhere, and needs no note. A name
-    that no shipped rulebook knows is most likely a slip, and stays for the rulebook to refuse.
+    A request not to be touched has its effect everywhere, and needs no note. A name that no built-in rulebook
+    knows is most likely a typo, and is left for the rulebook to reject.
 
     Args:
-        wishes: As declared.
-        rulebook: The rules.
+        wishes: The declared settings.
+        rulebook: The rulebook.
     """
     strange = [name for name in wishes if name not in rulebook.parameters]
     elsewhere = [name for name in strange if name in _shipped_parameters()]
