@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from comity_fis.learning.signals import Signal
 
 STAGE, PERSON = "acquaintance", "guest"
-"""The built-in scenario for the visits, and the visited person in it."""
+"""The shipped scenario for the visits, and the visited person in it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class Acquaintance:
     """A simulated person, and how often the robot visits."""
 
     profile: str
-    """A built-in or stored name, or a file."""
+    """A shipped or stored name, or a file."""
     rulebook: str
     every_days: int
     begin: date
@@ -89,8 +89,8 @@ def acquainted(
     """Set up repeated visits to a person, with what was learnt about them.
 
     Args:
-        profile: A built-in or stored name, or a file.
-        rulebook: A built-in name or a file; None: the suitable one for the person.
+        profile: A shipped or stored name, or a file.
+        rulebook: A shipped name or a file; None: the suitable one for the person.
         every_days: Days between two visits.
         begin: Day of the first visit; None: today, or the day of the last stored simulated visit. Later
             observations are ignored.

@@ -53,7 +53,7 @@ class OddReadings:
             self._note(now_s, what, text)
 
     def _odd_names(self, tracks: Sequence[PersonTrack]) -> Iterator[tuple[str, str]]:
-        """Names that resemble those of the scenario; none is recorded, as it may be a passer-by's."""
+        """Notes on names that are not in the scenario, without the names: one may be a passer-by's."""
         known = {name.lower(): name for name in self._people}
         for track in tracks:
             if track.person is None or track.person in self._people:

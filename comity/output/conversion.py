@@ -36,7 +36,7 @@ def converted(
     """Write `out` in the format given by its file extension.
 
     Args:
-        source: A built-in rulebook, a rulebook file or a `.fis` file.
+        source: A shipped rulebook, a rulebook file or a `.fis` file.
         out: A `.fis` or YAML file, new or written by Comity.
         tolerance: Maximum error of a trapezoid that replaces a curve MATLAB does not have.
         parameters: Parameters to convert, with those their rules read; empty: all.

@@ -95,9 +95,9 @@ def cast_of(
 
     Args:
         file: The scenario.
-        profiles: Profiles that replace the scenario's, by person: built-in or stored names, files, or their
+        profiles: Profiles that replace the scenario's, by person: shipped or stored names, files, or their
             content.
-        rulebook: A rulebook that replaces the scenario's: a built-in name or a file.
+        rulebook: A rulebook that replaces the scenario's: a shipped name or a file.
         at: A day that replaces the scenario's.
         learnt: Learnt corrections, by person and parameter; None: those in the store.
 

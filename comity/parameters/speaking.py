@@ -47,7 +47,7 @@ def at_site(file: ScenarioFile, *, language: str | None = None, wordings: Iterab
 
 
 def phrasebook_of(file: ScenarioFile) -> Phrasebook:
-    """The built-in languages, overridden by the scenario's own wordings.
+    """The shipped languages, overridden by the scenario's own wordings.
 
     Raises:
         InputError: A file is missing or not a file of wordings.

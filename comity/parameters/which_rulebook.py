@@ -40,7 +40,7 @@ class ChosenRulebook:
 
 @dataclass(frozen=True, slots=True)
 class Which:
-    """A built-in rulebook, and the reason for it."""
+    """A shipped rulebook, and the reason for it."""
 
     name: str
     why: str
@@ -69,7 +69,7 @@ def chosen_rulebook(
     Args:
         file: The scenario.
         declared: All profiles, by person.
-        asked: A built-in name or a file that overrides the scenario's.
+        asked: A shipped name or a file that overrides the scenario's.
 
     Raises:
         InputError: There is none, or it is not YAML.

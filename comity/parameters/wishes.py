@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 def decided_here(wishes: Wishes, rulebook: Rulebook) -> tuple[dict[str, float | str], tuple[str, ...]]:
-    """The settings that a rulebook defines, and a note for each that only another built-in one could grant.
+    """The settings that a rulebook defines, and a note for each that only another shipped one could grant.
 
-    A request not to be touched has its effect everywhere, and needs no note. A name that no built-in rulebook
+    A request not to be touched has its effect everywhere, and needs no note. A name that no shipped rulebook
     knows is most likely a typo, and is left for the rulebook to reject.
 
     Args:

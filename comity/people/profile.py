@@ -259,12 +259,12 @@ NOBODY = Declared(Profile(name="nobody in particular"), None)
 def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Declared:
     """Load a profile by name, or from a file.
 
-    Built-in names take precedence, so that built-in scenarios mean the same everywhere; then stored people;
+    Shipped names take precedence, so that shipped scenarios mean the same everywhere; then stored people;
     then files, which a path such as `./amal` denotes unambiguously. The note `about` of a stored person is
     never loaded. A person whose consent to be remembered has ended is deleted.
 
     Args:
-        name: A built-in or stored name, or a path.
+        name: A shipped or stored name, or a path.
         beside: Base folder of a relative path; None: the current folder.
         where: Location of the name, for messages.
 

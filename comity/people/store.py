@@ -294,7 +294,7 @@ def advising(name: str) -> Iterator[None]:
 
 
 def refuse_name(name: str) -> None:
-    """Reject a name that is not a valid folder name everywhere, or that is built in.
+    """Reject a name that is not a valid folder name everywhere, or that ships with Comity.
 
     Raises:
         InputError: With an example of a valid name.

@@ -139,7 +139,7 @@ def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[s
 
 
 def served(visit: PlannedVisit, options: Options) -> tuple[str, ...]:
-    """People greeted at a visit, in canonical order."""
+    """People greeted at a visit, the one whom the robot reaches first."""
     reached = visit.spot.place
     people = people_at(Stop(reached, visit.company), options)
     return (reached, *(name for name in people if name != reached))
@@ -286,7 +286,7 @@ def _best_stays(order: Sequence[Stop], options: Options, start: Spot) -> tuple[S
 
 
 def _price_of(stay: Stay, stop: Stop, options: Options) -> int:
-    """Cost of a stay without its legs, relative to the costs common to all stays of the visit."""
+    """Cost of a stay without its legs, up to a constant that all stays of the visit share."""
     if stop.company is not None:
         return options.companies[stop.company].spots[stay.spot]
     return options.people[stop.person].least_dislike(bringing=stay.bringing)

@@ -75,7 +75,7 @@ class IsComingTold(Condition):
         return not self._text
 
     def explain(self) -> Account | None:
-        """What is missing."""
+        """Whether the approach was announced, and if not, why."""
         return Account(self._text or f"{self._meeting.person} was told", parameter=ANNOUNCED)
 
 
@@ -127,7 +127,7 @@ class Announcement(BodyAct):
 
     @abstractmethod
     def words(self) -> Utterance:
-        """What is said."""
+        """The words to say."""
 
     def explain(self) -> Account | None:
         """The words said, and that the person cannot see."""
@@ -222,7 +222,7 @@ class IsLeaveTold(Condition):
         return self._meeting.shared.announced in (None, self._goes_to)
 
     def explain(self) -> Account | None:
-        """Who it is."""
+        """The person who needs the announcement."""
         who = self._meeting.shared.announced
         if who in (None, self._goes_to):
             return None
@@ -281,7 +281,7 @@ class SayLeaving(Action):
         self._performing.end()
 
     def explain(self) -> Account | None:
-        """What was said."""
+        """The words said."""
         said = "was told" if self._performing.is_done else "could not be told"
         fault = trouble_of(self._meeting.robot, VOICE) if self._performing.is_lost else None
         return Account(f"{self._who} does not see, and {said} “{self._text}”", fault=fault)

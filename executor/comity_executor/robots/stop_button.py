@@ -47,7 +47,7 @@ class StopButton:
 
 
 def is_false(said: object) -> bool:
-    """Whether an answer is the word False, numpy's included, which is no instance of bool."""
+    """Whether a value is False, including numpy's False, which is not an instance of bool."""
     if type(said).__module__ == "numpy":
         return type(said).__name__ in ("bool", "bool_") and not said
     return said is False

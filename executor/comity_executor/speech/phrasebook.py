@@ -1,4 +1,4 @@
-"""The languages with wordings for the robot: the built-in ones, overridden by a site's own files."""
+"""The languages with wordings for the robot: the shipped ones, overridden by a site's own files."""
 
 from __future__ import annotations
 

@@ -193,4 +193,4 @@ def _help(values: Inference) -> tuple[Use, ...]:
 
 
 SPEAKER = Speaker()
-"""A speaker with the built-in wordings at an English-speaking site."""
+"""A speaker with the shipped wordings at an English-speaking site."""

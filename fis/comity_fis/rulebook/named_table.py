@@ -1,4 +1,4 @@
-"""The table of scores that a rulebook names: a built-in one, or a CSV file next to the rulebook."""
+"""The table of scores that a rulebook names: a shipped one, or a CSV file next to the rulebook."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Decides whether a user's text is a built-in name or the path of a file."""
+"""Decides whether a user's text is a shipped name or the path of a file."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def looks_like_a_file(name: str, path: Path) -> bool:
-    """Whether the text denotes a file rather than a built-in name.
+    """Whether the text denotes a file rather than a shipped name.
 
     Args:
         name: The text.
@@ -14,5 +14,5 @@ def looks_like_a_file(name: str, path: Path) -> bool:
     """
     try:
         return bool(Path(name).suffix) or "/" in name or "\\" in name or path.exists()
-    except (OSError, ValueError):  # built-in names have no NUL byte and are not too long for the system
+    except (OSError, ValueError):  # shipped names have no NUL byte and are not too long for the system
         return True

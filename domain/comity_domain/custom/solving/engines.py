@@ -180,7 +180,7 @@ def _in_time(results: Results, seconds: float) -> Results:
 
 
 def _is_better(plan: Any, than: Any, problem: Problem, name: str) -> bool:
-    """Whether a plan is better; at equal cost the later one: the proof's plan does not depend on timing."""
+    """Whether a plan costs no more: at equal cost the later, proven one counts; it is deterministic."""
     return name != FAST_DOWNWARD or _cost(plan, problem) <= _cost(than, problem)
 
 

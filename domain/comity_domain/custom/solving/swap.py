@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 MOST_TRIED, MOST_ATOMS = 200, 100_000
 """Limits on the alternatives tried for a plan, each by a run of the validator; steps share them equally.
 
-The first limits the runs. The second limits the atoms, since the validator looks at every possible atom in
-each run (about 3 s in all).
+The first limits the runs, the second the possible atoms in all runs together, since the validator looks at
+each of them (about 3 s).
 """
 LONGEST_PLAN = 200
 """Maximum number of steps; no alternatives are tried for longer plans."""
