@@ -66,7 +66,7 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
 
 
 def _is_adult(prepared: PlannedEpisode, person: str, *, in_earnest: bool) -> bool:
-    """Whether learning is allowed: not about children; in real runs only about known adults."""
+    """Whether learning is allowed: not about children; in real runs only about adults, known or stated."""
     is_child = is_under_age(prepared.profiles[person], prepared.day)
     return not is_child and (is_child is False or not in_earnest or prepared.file.scenario.adults_only)
 

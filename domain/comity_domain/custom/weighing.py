@@ -118,7 +118,7 @@ class _Weighing:
         return min(HIGHEST, max(LOWEST, (other_fixed - fixed) / (moving - other_moving)))
 
     def line(self, actions: Sequence[GroundAction], options: list[tuple[str, str]]) -> tuple[float, float]:
-        """A plan's cost independent of the weights, and its weighted cost at a factor of 1."""
+        """A plan's cost that these weights do not affect, and the part they scale, at a factor of 1."""
         fixed = moving = 0.0
         for action in actions:
             row = row_of(action, self.bound)
