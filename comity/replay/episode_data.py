@@ -1,4 +1,4 @@
-"""Everything that the page shows of one run, as plain lists and dictionaries."""
+"""All data of one run for the page, as plain lists and dictionaries."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ SHOWN = (
     "disturbances",
     "error",
 )
-"""What the page shows of a run's account."""
+"""Entries of a run's account that the page shows."""
 
 
 def episode_data(folder: RunFolder) -> dict[str, object]:
-    """What the page is told about a run.
+    """The page's data of a run.
 
     Raises:
         InputError: if a file of the run is missing or damaged.
@@ -71,14 +71,14 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
 
 
 def _routes(run: SavedRun) -> list[list[object]]:
-    """The planned routes as `[t, [[x, y], ...]]`, in millimetres of accuracy."""
+    """Planned routes as `[t, [[x, y], ...]]` [s], [m], to the millimetre."""
     return [
         [route.time_s, [[round(x, 3), round(y, 3)] for x, y in route.points]] for route in planned_routes(run)
     ]
 
 
 def _blackboard(folder: RunFolder) -> list[list[object]]:
-    """What leaves wrote, as `[t, entry, value, leaf]`; nothing of a run that an older version wrote."""
+    """Blackboard writes as `[t, entry, value, leaf]`; empty for a run of an older version without them."""
     path = folder / BLACKBOARD
     writes = read_blackboard(path) if path.is_file() else ()
     return [[one.t, one.entry, one.value, one.leaf] for one in writes]

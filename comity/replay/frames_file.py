@@ -1,4 +1,4 @@
-"""The frames of a run as they were written, and what is wrong with a file that holds none."""
+"""Reading of a run's frames, with errors for invalid files."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def frames_of(path: Path) -> Frames:
     """The frames of a run.
 
     Raises:
-        InputError: if the file is missing or damaged; with the line where the damage is.
+        InputError: if the file is missing or damaged, with the line of the damage.
     """
     if not path.is_file():
         raise _refusal(path, None, f"the {path.name} of a run", "no such file")
@@ -39,7 +39,7 @@ def frames_of(path: Path) -> Frames:
 
 
 def _first_fault(path: Path) -> InputError:
-    """What is wrong first in a file that cannot be used."""
+    """The first error in an invalid file."""
     try:
         with path.open(encoding="utf-8", newline="") as file:
             rows = csv.DictReader(file)
@@ -59,7 +59,7 @@ def _first_fault(path: Path) -> InputError:
 
 
 def _fault(row: Mapping[str, str | None]) -> tuple[str, str] | None:
-    """What a row should have, and has instead."""
+    """Expected and actual content of an invalid row; None for a valid one."""
     for column in _NUMBERS:
         cell = row[column]
         if not _is_number(cell):

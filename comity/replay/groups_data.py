@@ -1,4 +1,4 @@
-"""What groups keep open between them, whenever it changes: the same as in pictures and animations."""
+"""O-spaces of groups over time, as in pictures and animations."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 
 def groups_data(scene: Scene, frames: Frames) -> list[dict[str, object]]:
-    """The spaces from a time [s] on, by time: middle, radius [m] and members of each.
+    """O-spaces by start time [s]: centre [m], radius [m] and members of each.
 
-    A space is where its group stood until a person leaves the group, or comes back.
+    A space keeps its group's position until a person leaves the group, or comes back.
     """
     return [{"t": t, "spaces": [_space(space) for space in spaces]} for t, spaces in _turns(scene, frames)]
 

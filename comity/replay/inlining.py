@@ -1,9 +1,8 @@
-"""Many ES modules as one script: each becomes a function that hands out what it exports.
+"""Bundling of ES modules into one script: each becomes a function that returns its exports.
 
-The page is opened from a mail attachment or a stick, where a browser refuses to load a module from a file
-beside it. So the modules are joined when the page is written, in the order in which they need each other,
-each in a scope of its own. They keep to one form: `import { a, b } from "./other.js";` on top, and `export`
-before a function, a class or a constant.
+The page is opened from a mail attachment or a USB stick, where browsers refuse to load modules from files. So
+the modules are joined when the page is written, in dependency order, each in its own scope. They must use one
+form: `import { a, b } from "./other.js";` at the top, and `export` before a function, a class or a constant.
 """
 
 from __future__ import annotations
@@ -16,14 +15,15 @@ _EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const) +(\w+))
 
 
 def joined(modules: Mapping[str, str], entry: str) -> str:
-    """One script that runs a module and all that it needs.
+    """One script that runs a module and its dependencies.
 
     Args:
-        modules: The sources by name, without `.js`.
+        modules: Sources by name, without `.js`.
         entry: The module to start with.
 
     Raises:
-        ValueError: if a module is missing, needs itself, or imports in another form: a mistake of ours.
+        ValueError: if a module is missing, depends on itself, or imports in another form: a programming
+            error.
     """
     parts = [_scope(name, modules[name]) for name in _in_order(modules, entry, ())]
     return '"use strict";\n' + "\n".join(dict.fromkeys(parts))

@@ -1,4 +1,4 @@
-"""The page: markup, style, script and data in one file that asks the network for nothing."""
+"""The page: markup, style, script and data in one HTML file, without network requests."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
 
 MARK = b'<meta name="generator" content="Comity replay">'
-"""Near the start of every page: such a file may be replaced by another page."""
+"""Marker near the start of every page: such a file may be replaced by another page."""
 
 STYLES = ("colours", "page", "plan", "transport", "world", "tree", "why", "screens")
-"""The parts of the style, in their order: what comes later goes before."""
+"""Parts of the style sheet, in order: later rules override earlier ones."""
 
 
 def replay_page(folder: RunFolder, other: RunFolder | None = None) -> str:
@@ -28,7 +28,7 @@ def replay_page(folder: RunFolder, other: RunFolder | None = None) -> str:
 
     Args:
         folder: The run.
-        other: Another one to compare with.
+        other: A second run to compare with; None for one run.
 
     Raises:
         InputError: if a file of a run is missing or damaged.
@@ -40,7 +40,7 @@ def replay_page(folder: RunFolder, other: RunFolder | None = None) -> str:
 
 
 def _names(folders: Sequence[RunFolder]) -> list[str]:
-    """What to call the runs: by their folders, and by those above where these are called the same."""
+    """Names of the runs: their folders, or the parent folders if those have the same name."""
     paths = [folder.path.resolve() for folder in folders]
     names = [path.name for path in paths]
     if len(set(names)) == len(names):
@@ -52,13 +52,13 @@ def _names(folders: Sequence[RunFolder]) -> list[str]:
 
 
 def page_of(data: Mapping[str, object]) -> str:
-    """The page around some data; the same data give the same bytes."""
+    """The page with embedded data; deterministic."""
     before, after = _shell()
     return f"{before}{inline_json(data)}{after}"
 
 
 def inline_json(data: object) -> str:
-    """JSON that a script element can hold: nothing in it ends the element, or a line of a script."""
+    """JSON that can be embedded in a script element: it cannot end the element, or a line of the script."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     for sign in "<>&\u2028\u2029":
         text = text.replace(sign, f"\\u{ord(sign):04x}")
@@ -67,7 +67,7 @@ def inline_json(data: object) -> str:
 
 @cache
 def _shell() -> tuple[str, str]:
-    """What stands before the data and after it."""
+    """The parts of the page before and after the data."""
     sources = {
         path.name: path.read_text(encoding="utf-8")
         for path in files("comity.replay").joinpath("web").iterdir()

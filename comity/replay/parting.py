@@ -1,4 +1,4 @@
-"""Where two runs part, for the page."""
+"""The divergence of two runs, for the page."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def parting(folder: RunFolder, other: RunFolder) -> list[dict[str, object]]:
-    """The first difference in numbers, and the first in what was done; events by their places."""
+    """The first difference in numbers, and the first in actions; events by their indices."""
     one, two = load(folder).history, load(other).history
     return [
         {

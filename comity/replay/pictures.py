@@ -26,21 +26,21 @@ __all__ = ["GIF_MARK", "check_picture", "draw_run", "film_run", "film_stimulus",
 
 
 def draw_run(run: SavedRun, path: Path) -> None:
-    """Write a PNG, SVG or PDF, by the path's ending: planned route, driven path, each person's distances."""
+    """Write a PNG, SVG or PDF, by suffix: planned route, driven path, each person's preferred distance."""
     draw_picture(path, run.scene, run.frames, title=_title(run), **_shown(run))
 
 
 def check_picture(path: Path) -> None:
-    """Refuse a file for the picture of a run before anything is computed.
+    """Check the path of a run's picture before anything is computed.
 
     Raises:
-        InputError: for another ending than a picture's, or a file that Comity did not write.
+        InputError: for another suffix than a picture's, or an existing file not written by Comity.
     """
     refuse_foreign({path: MARKS[form_of(path, "--picture")]})
 
 
 def write_picture(folder: RunFolder, path: Path) -> None:
-    """Draw the picture of a run into a file of one's own, which the user alone may read.
+    """Draw the picture of a run into a private file, which only the user may read.
 
     Raises:
         InputError: if it cannot be written.
@@ -55,12 +55,12 @@ def film_run(run: SavedRun, path: Path) -> None:
 
 
 def film_stimulus(run: SavedRun, path: Path, speed: float) -> None:
-    """Write a GIF that shows what happens and tells no value: no distances, no route, no title.
+    """Write a GIF that reveals no values: no distances, no route, no title.
 
     Args:
-        run: What is filmed.
-        path: Of the GIF.
-        speed: Simulated seconds per second of playing.
+        run: The run.
+        path: Path of the GIF.
+        speed: Playback speed, in simulated seconds per second.
     """
     people = tuple(replace(person, personal_distance_m=None) for person in run.scene.people)
     scene = replace(run.scene, people=people)
@@ -68,7 +68,7 @@ def film_stimulus(run: SavedRun, path: Path, speed: float) -> None:
 
 
 class _Shown(TypedDict):
-    """What both show besides the scene and its frames."""
+    """Arguments that picture and GIF share, besides the scene and its frames."""
 
     rings: list[Ring]
     events: list[ActEvent]
@@ -86,7 +86,7 @@ def _shown(run: SavedRun) -> _Shown:
 
 
 def rings_of(run: SavedRun) -> list[Ring]:
-    """One for each person who was visited or out of reach, in the order of the visits."""
+    """Rings for people who were visited or not reached, in the order of the visits."""
     planned = _reach_steps(run)
     return [
         _ring(visit, planned.get(visit.person))
@@ -113,7 +113,7 @@ def _ring(visit: VisitAnswer, planned: StepAnswer | None) -> Ring:
 
 
 def _label(visit: VisitAnswer) -> str:
-    """The profile, and below it what there is to remark."""
+    """The profile's name, and below it remarks on the visit."""
     remark = visit.reason or visit.deviation_reason or (visit.unverified and "not verified")
     if visit.outcome == "unreachable":
         remark = "could not be served"
@@ -122,14 +122,14 @@ def _label(visit: VisitAnswer) -> str:
 
 
 def _reach_steps(run: SavedRun) -> dict[str, StepAnswer]:
-    """How each person was to be reached, by the last plan that had them."""
+    """The approach step for each person, from the last plan that has one."""
     later = (step for revision in run.account.revisions for step in revision.steps)
     steps = (step for step in (*run.plan.steps, *later) if step.action == "Reach_user")
     return {step.arguments[1]: step for step in steps}
 
 
 def _acts(run: SavedRun) -> list[ActEvent]:
-    """Everything that was said and done; of runs that do not list it, what visits tell."""
+    """All acts; for runs that do not list them, those in the visits."""
     account = run.account
     listed = [(act.person, act) for act in account.acts]
     told: list[tuple[str, ActAnswer]] = [(one.person, act) for one in account.visits for act in one.acts]

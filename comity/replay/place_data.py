@@ -1,4 +1,4 @@
-"""The place, seen from above: room, walls, furniture, and every door as it looks open and shut."""
+"""The place from above: rooms, walls, furniture, and every door in its open and closed state."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def place_data(scene: Scene) -> dict[str, object]:
-    """Corners and lines in metres; areas only where there are several."""
+    """Corners and lines [m]; areas only if there are several."""
     return {
         "room": scene.room.corners,
         "holes": scene.room.holes,

@@ -1,4 +1,4 @@
-"""The routes that plans were made with, between the places where the robot meant to stand."""
+"""Planned routes between docking poses."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 
 
 def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
-    """One for the first plan and for every one that took over, by time; empty where there is no way.
+    """The routes of the first plan and of every replacement, by time; empty if there is no path.
 
-    A run with pseudonyms has none: no profile is there from which its poses would follow.
+    A pseudonymised run has none: its docking poses cannot be computed without profiles.
 
-    A plan knew where people stood when it was made, and nothing of what came later: nor do these routes.
+    A plan, and therefore its route, uses people's positions at the time of planning only.
     """
     if run.account.shared:
         return ()
@@ -57,7 +57,7 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
 
 
 def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]) -> tuple[XY, ...]:
-    """From where the robot stands over all places of the plan; nothing where a way is missing."""
+    """Corners of the route from the robot through all docking poses; empty if a path is missing."""
     try:
         ways = RouteMap(scene)
         found: list[XY] = []
@@ -66,7 +66,7 @@ def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAn
             if route is None:
                 return ()
             found += route.points
-    except (InputError, SceneError, KeyError):  # a person stands in another person's place at that moment
+    except (InputError, SceneError, KeyError):  # people overlap at that time
         return ()
     return tuple(found)
 
@@ -74,7 +74,7 @@ def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAn
 def _stops(
     scene: Scene, ways: RouteMap, visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]
 ) -> Iterator[XY]:
-    """Where the robot means to stand, one after the other."""
+    """Docking poses in the plan's order."""
     by_name = {visitee.name: visitee for visitee in visitees}
     places = places_for(scene, ways, visitees)
     for step in steps:

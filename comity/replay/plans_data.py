@@ -1,4 +1,4 @@
-"""The plan from the start, and every one that took over, with the values that each was made with."""
+"""The first plan and every replacement, with the parameter values that each was made with."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Json = dict[str, Any]
 
 
 def plans_data(plan: PlanAnswer, account: RunAnswer) -> list[Json]:
-    """The first plan, and then what became of it, by time."""
+    """The first plan, and then the plan updates, by time."""
     unserved = {one.person: one.reason for one in plan.unreachable}
     first = {"t": 0.0, "kind": "planned", "because": [], "cost": plan.cost, "steps": plan.steps}
     revisions = map(plain, account.revisions)
@@ -28,7 +28,7 @@ def plans_data(plan: PlanAnswer, account: RunAnswer) -> list[Json]:
 
 
 def _without_contributions(plan: Json) -> Json:
-    """They stand with the values."""
+    """A plan without contributions, which are part of the values."""
     steps = [{key: step[key] for key in step if key != "contributions"} for step in plan["steps"]]
     return {**plan, "steps": steps}
 
@@ -36,12 +36,12 @@ def _without_contributions(plan: Json) -> Json:
 def stages_of(
     cast: Cast, first: Mapping[str, Inference], revisions: Iterable[RevisionAnswer]
 ) -> list[Mapping[str, Inference]]:
-    """Whose values each plan was the first to be made with, and these values; one stage for each plan.
+    """For each plan, the values that it was the first to use, by person.
 
     Args:
-        cast: The people of the run's scenario, resolved.
-        first: Everybody's values at the start.
-        revisions: What became of the plan; what a person said counts from the next one on.
+        cast: People of the run's scenario, resolved.
+        first: Initial values by person.
+        revisions: Plan updates; a person's statement counts from the next one on.
     """
     stages, waiting = [first], list(changes_of_values(cast).values())
     for revision in revisions:

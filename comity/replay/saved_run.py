@@ -1,4 +1,4 @@
-"""A run as it was written down: what its page, its picture and its GIF are made of."""
+"""A stored run: the source of its page, its picture and its GIF."""
 
 from __future__ import annotations
 
@@ -29,23 +29,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class SavedRun:
-    """A run read back from its folder."""
+    """A run read from its folder."""
 
     account: RunAnswer
     plan: PlanAnswer
-    """The first one."""
+    """The first plan."""
     file: ScenarioFile
-    """Resolved: profiles and rulebook are written out in it."""
+    """The resolved scenario, which contains its profiles and rulebook."""
     cast: Cast
     values: Mapping[str, Inference]
-    """Parameters at the start, by person."""
+    """Initial parameters, by person."""
     frames: Frames
     scene: Scene
-    """At the start, but with each person's own distance as they asked for it last."""
+    """The initial scene, but with each person's finally preferred distance."""
 
 
 def read_run(folder: RunFolder) -> SavedRun:
-    """Read a run back.
+    """Read a run.
 
     Raises:
         InputError: if a file of the run is missing or damaged.
@@ -61,7 +61,7 @@ def read_run(folder: RunFolder) -> SavedRun:
 
 
 def values_told(account: RunAnswer) -> dict[str, Inference]:
-    """The values that a run with pseudonyms tells: no profile is there that they would follow from again."""
+    """Values stored in a pseudonymised run, where they cannot be inferred without profiles."""
     return {
         person: Inference(
             rulebook=account.rulebook,
@@ -81,7 +81,7 @@ def _value(name: str, told: SettledAnswer) -> ParameterValue:
         spread=told.spread,
         origin=told.origin,
         contributions=told.contributions,
-        desirability=Choice({}),  # not told
+        desirability=Choice({}),  # not stored
         fired=(),
         note="",
     )
@@ -93,7 +93,7 @@ def _later(cast: Cast, end_s: float) -> dict[str, Inference]:
 
 
 def _refuse_cut(path: Path, frames: Frames, account: RunAnswer) -> None:
-    """A run that is done knows how long it was."""
+    """Refuse frames that are shorter than a finished run."""
     end_s = _end_s(frames)
     if account.status == "done" and abs(end_s - account.simulated_s) > INSTANT_S:
         raise damaged(path, ValueError(f"frames up to {end_s:g} s of {account.simulated_s:g} s"))

@@ -1,4 +1,4 @@
-"""Numbers over time in few bytes: whole millimetres and thousandths, each as the step from the one before."""
+"""Compact time series: integers in thousandths (such as millimetres), delta-encoded."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def steps(numbers: Iterable[float]) -> list[int]:
-    """The first number and then the steps, in thousandths of a unit; a single one where all steps are 0."""
+    """The first number, then differences, in thousandths of a unit; one number if all differences are 0."""
     whole = [round(1000 * number) for number in numbers]
     if not any(b - a for a, b in pairwise(whole)):
         return whole[:1]
@@ -19,7 +19,7 @@ def steps(numbers: Iterable[float]) -> list[int]:
 
 
 def tracks_of(frames: Frames) -> dict[str, object]:
-    """Where everybody was: times [ms], x and y [mm], headings [mrad], as steps."""
+    """Delta-encoded tracks of robot and people: times [ms], x and y [mm], headings [mrad]."""
     return {
         "count": len(frames),
         "t": steps(frames.time_s.tolist()),

@@ -1,4 +1,4 @@
-"""The tree, its events, and why each came about: every cause is written once and then only numbered."""
+"""The tree, its events and their causes; each cause is stored once and referred to by index."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 def tree_data(history: History, people: Iterable[str]) -> dict[str, object]:
     """Nodes as `[name, kind, parent, action, person]`, events as `[t, path, status, halt, causes, grounds]`.
 
-    Causes are places in the list of causes. Grounds are the places of the events that an event stands on, the
-    one that switched it first.
+    Causes are indices into the list of causes. Grounds are the indices of the events that an event depends
+    on; the one that triggered it comes first.
     """
     known = tuple(people)
     causes: dict[Cause, int] = {}

@@ -1,4 +1,4 @@
-"""What the robot went by, down to the membership functions: values, rules that fired, what was known."""
+"""The values behind the robot's behaviour: parameters, fired rules, inputs and membership functions."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     from comity_fis import FiredRule, Inference, Known, Parameter, ParameterValue, Rule, Rulebook, Variable
 
 _SAMPLES = 48
-"""Straight pieces of a curved membership function: none is longer than 3 pixels in the page."""
+"""Number of line segments of a curved membership function; none is longer than 3 pixels on the page."""
 
 
 def values_data(rulebook: Rulebook, stages: Sequence[Mapping[str, Inference]]) -> dict[str, object]:
-    """Everybody's values, and the parameters, rules and variables that they need to be understood.
+    """Values by person, and the parameters, rules and variables needed to explain them.
 
     Args:
         rulebook: The rules.
-        stages: By plan, those whose values are new with it.
+        stages: By plan, the people whose values are new with it.
     """
     inferences = [inference for stage in stages for inference in stage.values()]
     shown = [value for inference in inferences for value in inference.parameters.values()]
@@ -53,7 +53,7 @@ def _person(inference: Inference, read: Iterable[str]) -> dict[str, object]:
 
 
 def _band(wanted_m: float) -> list[float]:
-    """Within which distances a greeting goes on [m]."""
+    """Distance range in which a greeting continues [m]."""
     limits = DEFAULT_LIMITS
     return [max(limits.safety_floor_m, wanted_m - limits.leave_closer_m), wanted_m + limits.leave_farther_m]
 
@@ -116,7 +116,7 @@ def _variable(variable: Variable) -> dict[str, object]:
 def _outline(
     degree: Callable[[float], float], knots: tuple[float, ...], low: float, high: float
 ) -> list[list[float]]:
-    """Points that straight lines join to a membership function; its corners where it has such lines."""
+    """Vertices of a polyline for a membership function; its exact corners if it is piecewise linear."""
     corners = {x for x in knots if low <= x <= high} | {low, high}
     if len(knots) != 4:
         corners |= {low + (high - low) * k / _SAMPLES for k in range(_SAMPLES + 1)}

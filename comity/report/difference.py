@@ -1,10 +1,10 @@
-"""Differences as people read them."""
+"""Readable differences of values."""
 
 from __future__ import annotations
 
 
 def difference(value: float | None, unit: str | None, *, sign: bool = True) -> str:
-    """`+9.4 cm`, `33.3 deg`, or a dash for nothing; metres in centimetres."""
+    """A difference such as `+9.4 cm` or `33.3 deg`, or a dash for None; metres in centimetres."""
     if value is None:
         return "-"
     shown = shown_unit(unit)
@@ -12,7 +12,7 @@ def difference(value: float | None, unit: str | None, *, sign: bool = True) -> s
 
 
 def bare(value: float | None, unit: str | None, *, sign: bool = True) -> str:
-    """The same without its unit."""
+    """A difference without its unit."""
     if value is None:
         return "-"
     digits = 1 if unit in ("m", "deg") else 3
@@ -21,12 +21,12 @@ def bare(value: float | None, unit: str | None, *, sign: bool = True) -> str:
 
 
 def shown_unit(unit: str | None) -> str:
-    """In which unit differences are shown; empty for a plain number."""
+    """Unit of displayed differences; empty for a plain number."""
     return {"m": "cm", "1": "", None: ""}.get(unit, str(unit))
 
 
 def share(part: float) -> str:
-    """A share as a whole percentage that says 0 and 100 only of none and all."""
+    """A share as a whole percentage; 0 and 100 are shown only for exactly none and all."""
     if 0 < part < 0.01:
         return "under 1 %"
     if 0.99 < part < 1:

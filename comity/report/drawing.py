@@ -1,4 +1,4 @@
-"""What all figures share: the sheet with its words, the colours, the bytes of files."""
+"""Common drawing code of all figures: sheet layout with text, colours, and file formats."""
 
 from __future__ import annotations
 
@@ -22,30 +22,30 @@ P = ParamSpec("P")
 
 COLOURS, INK, GREY = colours.PALETTE, colours.INK, colours.GREY
 FAINT, PALE = "#C4C8CE", "#F3F1EC"
-"""Of lines and of grounds: too light for words."""
+"""Colours of lines and backgrounds: too light for text."""
 
 WIDTH_IN, DPI = 8.0, 150
-"""1200 pixels."""
+"""Width of a sheet [in] and its resolution: 1200 pixels."""
 LEFT_IN, RIGHT_IN = 0.85, 0.35
 TITLE, LABEL, BODY, NOTE = 17.0, 13.0, 12.0, 10.5
-"""Points; large enough to read at a third of the width."""
+"""Font sizes [pt]; readable at a third of the width."""
 LINE = 1.35
-"""Of the size of the letters."""
+"""Line height, relative to the font size."""
 LETTER = 0.6
-"""Mean width of a bold letter in its size; others are a tenth narrower."""
+"""Mean width of a bold letter, relative to the font size; regular letters are a tenth narrower."""
 
 PLATE = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
-"""Under words that a line would cross."""
+"""Background of text that a line would cross."""
 
 MARK = b"Software\x00Comity"
-"""What a PNG of ours has near its start."""
+"""Marker near the start of our PNG files."""
 MARKS = {"png": MARK, "svg": b"<dc:title>Comity</dc:title>", "pdf": PDF_MARK}
-"""What a picture of ours has near its start or at its end, by its form."""
+"""Marker near the start or end of our picture files, by format."""
 
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """Words beside what they name."""
+    """A text label next to an object."""
 
     x: float
     text: str
@@ -53,7 +53,7 @@ class Label:
 
 
 def drawn(draw: Callable[P, Figure]) -> Callable[P, bytes]:
-    """A drawing as PNG bytes: the same for the same matplotlib, whatever the user's settings or the date."""
+    """A drawing as PNG bytes: the same for a matplotlib version, whatever the user's settings or the date."""
 
     @wraps(draw)
     def png(*args: P.args, **kwargs: P.kwargs) -> bytes:
@@ -63,22 +63,22 @@ def drawn(draw: Callable[P, Figure]) -> Callable[P, bytes]:
 
 
 def picture(draw: Callable[[], Figure], form: str, dpi: float = DPI) -> bytes:
-    """A drawing as the bytes of a file in one of `FORMS`, the same whatever the user's settings or the date.
+    """A drawing as a file in one of `FORMS`, deterministic whatever the user's settings or the date.
 
     Args:
-        draw: Makes it.
+        draw: Function that creates the figure.
         form: `png`, `svg` or `pdf`.
-        dpi: Pixels to an inch of a PNG.
+        dpi: Resolution of a PNG [pixels/in].
     """
     with _own_style():
         return as_bytes(_settled(draw()), form, dpi if form == "png" else None)
 
 
 def form_of(path: Path | None, option: str) -> str:
-    """The form that the ending of a picture's name asks for: one of `FORMS`, `png` where it has none.
+    """The format by the suffix of a picture's name: one of `FORMS`, `png` if it has none.
 
     Raises:
-        InputError: for another ending.
+        InputError: for another suffix.
     """
     form = "png" if path is None else path.suffix.lower().removeprefix(".") or "png"
     if form not in FORMS:
@@ -92,7 +92,7 @@ def form_of(path: Path | None, option: str) -> str:
 
 
 def _settled(figure: Figure) -> Figure:
-    """With the places that a layout found, to a millionth: their last digits differ each time."""
+    """Fix the positions found by a layout, rounded to a millionth: their last digits are not reproducible."""
     if figure.get_layout_engine() is not None:
         figure.draw_without_rendering()
         figure.set_layout_engine("none")
@@ -108,11 +108,11 @@ def sheet(
     """A figure with a title, a sentence, panels from top to bottom, and a note on where it comes from.
 
     Args:
-        title: In a few words.
-        about: What to see in it.
-        heights_in: Of the panels [in].
-        note: Where numbers and shapes come from.
-        left_in: Room for the words beside the panels [in].
+        title: A short title.
+        about: A sentence on what to see.
+        heights_in: Heights of the panels [in].
+        note: Source of numbers and shapes.
+        left_in: Left margin for labels [in].
     """
     from matplotlib.figure import Figure
 
@@ -143,7 +143,7 @@ def sheet(
 
 
 def degrees_axis(ax: Axes, labels: Iterable[Label]) -> None:
-    """The axis of memberships, with the terms' names above what they name, in as many rows as it takes."""
+    """Set up the axis of memberships, with the terms' names above their shapes, in as many rows as needed."""
     low, high = ax.get_xlim()
     letter = LETTER * LABEL / 72 / _width_in(ax) * (high - low)
     ends: list[float] = []
@@ -166,27 +166,27 @@ def degrees_axis(ax: Axes, labels: Iterable[Label]) -> None:
 
 
 def scaled_axis(ax: Axes, low: float, high: float, name: str) -> None:
-    """The axis of a variable's values."""
+    """Set up the axis of a variable's values."""
     margin = 0.01 * (high - low)
     ax.set_xlim(low - margin, high + margin)
     ax.set_xlabel(folded(name, WIDTH_IN - LEFT_IN - RIGHT_IN, BODY, 1)[0], size=BODY, color=GREY)
 
 
 def held_inside(ax: Axes, x: float, text: str, size: float) -> float:
-    """Where to centre words that stand over `x` so that they do not leave the panel."""
+    """Centre of a text above `x` that keeps the text inside the panel."""
     low, high = ax.get_xlim()
     half = len(text) * LETTER * size / 72 / _width_in(ax) * (high - low) / 2
     return min(max(x, low + half), high - half) if 2 * half < high - low else (low + high) / 2
 
 
 def folded(text: str, width_in: float, size: float, lines: int) -> list[str]:
-    """A text in at most so many lines; of a longer one the middle is left out, for its end tells it apart.
+    """A text wrapped to a number of lines; if too long, cut in the middle, as its end is distinctive.
 
     Args:
-        text: Of any length.
-        width_in: Room for a line [in].
-        size: Of the letters, in points.
-        lines: As many at most.
+        text: The text.
+        width_in: Width of a line [in].
+        size: Font size [pt].
+        lines: Maximum number of lines.
     """
     room = max(int(width_in * 72 / (size * LETTER * 0.93)), 8)
     whole = wrap(text, room) or [text]
@@ -199,12 +199,12 @@ def folded(text: str, width_in: float, size: float, lines: int) -> list[str]:
 
 
 def _end(text: str, room: int) -> str:
-    """The last whole words that there is room for; letters where a word is longer."""
+    """The last whole words that fit; letters if a word is too long."""
     return text[-room:].partition(" ")[2] or text[-room:]
 
 
 def heading(ax: Axes, text: str) -> None:
-    """The name of one panel among several."""
+    """Title of one of several panels."""
     ax.text(
         -0.55 / _width_in(ax),
         1.0 + 0.14 / _height_in(ax),
@@ -217,7 +217,7 @@ def heading(ax: Axes, text: str) -> None:
 
 
 def colour(i: int) -> str:
-    """The colour of the i-th thing; they repeat."""
+    """Colour of the i-th object; colours repeat."""
     return COLOURS[i % len(COLOURS)]
 
 
@@ -228,14 +228,14 @@ def _own_style() -> Iterator[None]:
     own = {
         "font.family": "DejaVu Sans",
         "axes.unicode_minus": True,
-        "text.parse_math": False,  # a dollar in a user's words is a dollar
+        "text.parse_math": False,  # a dollar sign in a user's text is literal
     }
     with style.context(["default", own]), words_as_words():
         yield
 
 
 def bare(ax: Axes) -> Axes:
-    """The axes without a box, in the colours of the sheet."""
+    """Remove the box of the axes, and use the sheet's colours."""
     ax.spines[["top", "right"]].set_visible(False)
     ax.spines[["left", "bottom"]].set_color(FAINT)
     ax.tick_params(labelsize=BODY, labelcolor=GREY, color=FAINT)
@@ -243,17 +243,17 @@ def bare(ax: Axes) -> Axes:
 
 
 def wrapped(text: str, size: float) -> list[str]:
-    """A text in lines of the width of the sheet; the size of its letters in points."""
+    """A text wrapped to the width of the sheet; `size` is the font size [pt]."""
     return wrap(text, int((WIDTH_IN - 0.6) * 72 / (size * LETTER * 0.9)))
 
 
 def lines_in(lines: Sequence[str], size: float) -> float:
-    """Height of lines of text [in]; the size of its letters in points."""
+    """Height of lines of text [in]; `size` is the font size [pt]."""
     return len(lines) * size * LINE * 1.2 / 72
 
 
 def _row(ax: Axes) -> float:
-    """The height of one row of labels, in memberships, where three rows leave most of the panel."""
+    """Height of one row of labels, in units of membership, so that three rows leave most of the panel."""
     return 0.24 / _height_in(ax) * 1.3
 
 

@@ -1,4 +1,4 @@
-"""The picture of a map, or of a scenario before anything moves."""
+"""The picture of a map, or of a scenario before execution."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from comity_sim2d import PlaceMap, Scene
 
 ROS_MARKS = {".yaml": YAML_MARK, ".pgm": PGM_MARK}
-"""What a file of a ROS map of ours has near its start, by its ending."""
+"""Marker near the start of our ROS map files, by suffix."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,17 +34,17 @@ class Drawing:
     about: str
     place: PlaceMap | Scene
     rings_m: Mapping[str, float]
-    """How far people would like the robot to stay, by name."""
+    """Preferred distance of each person [m], by name."""
     seed: int = 0
-    """Of the passers-by."""
+    """Seed of the passers-by."""
 
     @property
     def slug(self) -> str:
-        """A file's name for it."""
+        """File name without suffix."""
         return re.sub(r"[^\w.-]+", "-", self.name).strip("-.") or self.kind
 
     def picture(self, form: str) -> bytes:
-        """The content of a PNG, SVG or PDF file."""
+        """The picture as PNG, SVG or PDF bytes."""
         return draw_map(
             self.place,
             title=self.name,
@@ -55,7 +55,7 @@ class Drawing:
         )
 
     def _counts(self) -> str:
-        """How many rooms, doors and so on a map has; nothing about a scenario, which shows people."""
+        """Number of rooms, doors and so on of a map; empty for a scenario, which shows people."""
         if self.kind == "scenario":
             return ""
         place = self.place
@@ -69,11 +69,11 @@ class Drawing:
         return f"{', '.join(counted(*part) for part in parts if part[0])}."
 
     def ros_map(self) -> dict[str, bytes]:
-        """The files of a ROS map, by name."""
+        """Files of a ROS map, by name."""
         return ros_map_files(self.place, self.slug)
 
     def graph(self, form: str) -> bytes:
-        """The same of its rooms, named places and doors as a graph."""
+        """Picture of its topology (rooms, named places and doors) as a graph."""
         return draw_topology(self.place, title=self.name, form=form)
 
 
@@ -81,11 +81,11 @@ def drawing_of(name: str, seed: int) -> Drawing:
     """A map or a scenario, shipped or from a file.
 
     Args:
-        name: A map's file ends with `.map.yaml`, or is a ROS map; every other one is a scenario's.
-        seed: For random places.
+        name: Path of a map (`.map.yaml`, or a ROS map), else a scenario.
+        seed: Seed of random places.
 
     Raises:
-        InputError: if it is neither, or cannot be.
+        InputError: if it is neither, or invalid.
     """
     if name in shipped_maps() or name.endswith(SUFFIX) or _is_ros_map(Path(name)):
         drawn = load_map(name)

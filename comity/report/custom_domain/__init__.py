@@ -1,1 +1,1 @@
-"""Plans in a domain of the user's own, in words: the plan, one step, its stability, what others change."""
+"""Custom-domain plans in words: the plan, one step, its stability, the effect of other profiles."""

@@ -1,4 +1,4 @@
-"""A plan in a domain of the user's own, as an answer and for a person to read."""
+"""A plan in a custom domain, as JSON output and as text."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def custom_plan_answer(
     """The answer of `comity plan --domain ... --json`.
 
     Args:
-        bound: What was planned.
+        bound: The planning problem.
         found: The plan.
-        renamed: Names that exported PDDL could not keep.
-        files: What was written.
+        renamed: Names changed in exported PDDL.
+        files: Written files.
     """
     plan, people = found.plan, _people(bound)
     costs: dict[str, Any] = {
@@ -61,13 +61,13 @@ def _steps(bound: Bound, found: CustomPlan, people: Collection[str]) -> Iterator
 def no_custom_plan_answer(
     bound: Bound | None, failed: PlanningFailed, *, renamed: Mapping[str, str], files: tuple[str, ...]
 ) -> PlanAnswer:
-    """The answer where there is no plan, as a scenario has it.
+    """The answer without a plan, in the same form as for a scenario.
 
     Args:
-        bound: What was to be planned; None where it was not even read.
-        failed: Why not.
-        renamed: Names that exported PDDL could not keep.
-        files: What was written.
+        bound: The planning problem; None if it could not be read.
+        failed: The reason.
+        renamed: Names changed in exported PDDL.
+        files: Written files.
     """
     return PlanAnswer(
         scenario=None,
@@ -96,7 +96,7 @@ def _own(bound: Bound, renamed: Mapping[str, str], files: tuple[str, ...]) -> Cu
 
 
 def custom_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The answer as text."""
     from rich.padding import Padding
 
     assert answer.own is not None
@@ -113,7 +113,7 @@ def custom_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
         price = f"   cost {step.cost}" if tells_costs else ""
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)}){price}{time}"
         if not step.parameters:
-            continue  # nobody's preference is bound to it
+            continue  # no preference is bound to it
         yield Padding(step.why.text, _IN)
         yield from (Padding(line, (0, 0, 0, 7)) for line in _others(step))
     for file in answer.own.files:

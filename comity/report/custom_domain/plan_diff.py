@@ -1,4 +1,4 @@
-"""What other profiles, rules or another day change in a plan of a custom domain, and why."""
+"""Changes of a custom-domain plan due to other profiles, rules or another date, with reasons."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def custom_diff(before: Planned, after: Planned) -> DiffAnswer:
     """The answer of `comity plan --domain ... --diff`.
 
     Args:
-        before: The binding as it is written.
-        after: The same with other profiles, another rulebook or another day.
+        before: The binding as written.
+        after: The binding with other profiles, another rulebook or another date.
     """
     pairs = _pairs(before[1], after[1])
     return DiffAnswer(
@@ -43,7 +43,7 @@ def _order(found: CustomPlan) -> tuple[str, ...]:
 
 
 def _parameters(before: Bound, after: Bound) -> Iterator[ParameterChangeAnswer]:
-    """Those that the binding uses, of everybody who has a profile."""
+    """Changed parameters used by the binding, for all people with a profile."""
     assert before.people is not None
     assert after.people is not None
     bound = before.binding
@@ -66,7 +66,7 @@ def _parameters(before: Bound, after: Bound) -> Iterator[ParameterChangeAnswer]:
 
 
 def _pairs(before: CustomPlan, after: CustomPlan) -> list[Pair]:
-    """The steps of both plans, each beside the one that does the same, as nearly as there is one."""
+    """Steps of both plans, paired with the most similar step of the other plan."""
     old = list(zip(before.plan.steps, before.whose, strict=True))
     new = list(zip(after.plan.steps, after.whose, strict=True))
     pairs: list[Pair] = []
@@ -84,7 +84,7 @@ def _for_whom(owned: Owned) -> object:
 
 
 def _matched(old: list[Owned], new: list[Owned], alike: Callable[[Owned], object]) -> Iterator[Pair]:
-    """Pairs that are alike, taken out of both lists, in the order of the new plan."""
+    """Matching pairs, removed from both lists, in the order of the new plan."""
     waiting = defaultdict[object, list["Owned"]](list)
     for owned in old:
         waiting[alike(owned)].append(owned)

@@ -20,9 +20,9 @@ def custom_stability(bound: Bound, found: CustomPlan, limit_s: float) -> Stabili
     """The answer of `comity plan --domain ... --stability`.
 
     Args:
-        bound: What was planned.
+        bound: The planning problem.
         found: Its plan.
-        limit_s: Seconds for each engine call.
+        limit_s: Time limit for each planner call [s].
     """
     weighed = weigh(bound, found, time_limit_s=limit_s)
     return StabilityAnswer(
@@ -45,7 +45,7 @@ def custom_stability(bound: Bound, found: CustomPlan, limit_s: float) -> Stabili
 
 
 def custom_stability_text(found: StabilityAnswer) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The answer as text."""
     from rich.padding import Padding
 
     span = f"from {found.lowest:g} to {found.highest:g} times the weights"

@@ -1,4 +1,4 @@
-"""One step of a plan in a domain of the user's own: what it is made of, and the best plan without it."""
+"""Explanation of a custom-domain plan's step: its costs, and the best plan without it."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ def custom_step_why(
 
     Args:
         answer: The plan.
-        bound: What was planned.
-        found: The plan as it was found.
-        asked: As `asked_step` takes it.
-        limit_s: Seconds for the engine, which is asked once more.
+        bound: The planning problem.
+        found: The plan found by the planner.
+        asked: The step, in the form of `asked_step`.
+        limit_s: Time limit for the additional planner call [s].
 
     Raises:
         InputError: if the plan has no such step.
@@ -57,7 +57,7 @@ def _named(step: StepAnswer) -> str:
 
 
 def custom_why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The answer as text."""
     from rich.padding import Padding
 
     step = why.step

@@ -1,1 +1,1 @@
-"""Episodes in words and pictures: the account, the trace and its reasons, figures, where two runs part."""
+"""Episodes in words and pictures: account, trace and causes, metrics, divergence of two runs."""

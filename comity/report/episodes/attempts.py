@@ -1,4 +1,4 @@
-"""What was tried again: an action that failed or ran out of time, and began once more."""
+"""Retried actions: those that failed or timed out, and started again."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
 
 
 def repeated(events: Iterable[TraceEvent], nodes: Iterable[Node]) -> Iterator[AttemptsAnswer]:
-    """The actions that were tried again, in the order of their first failures.
+    """Retried actions, in the order of their first failures.
 
-    An action goes by its name: a new plan that has it tries it again, too. One that was preempted or that
-    stopped because its goal was achieved has not failed, and what begins later is no second attempt.
+    Actions are identified by name, so a new plan with the same action also retries it. A preempted action, or
+    one whose goal was achieved, has not failed, so a later start is no retry.
 
     Args:
-        events: The trace.
-        nodes: The trees.
+        events: Events of the trace.
+        nodes: Nodes of the trees.
     """
     actions = {node.path for node in nodes if node.kind == "action"}
     failed: dict[str, list[FailedAttemptAnswer]] = {}

@@ -1,4 +1,4 @@
-"""What the leaves of a run shared at a time."""
+"""The blackboard of a run at a given time."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 
 def blackboard_at(folder: RunFolder, until: float | None) -> tuple[Write, ...]:
-    """The last value of every entry that was written by a time, in the order of the entries.
+    """The last value written to every entry up to a time, in the order of the entries.
 
     Args:
         folder: The run.
-        until: The time [s]; the end when None.
+        until: The time [s]; None for the end.
 
     Raises:
-        InputError: if the run has no such file, it is damaged, or the time is none.
+        InputError: if the run has no such file, it is damaged, or the time is invalid.
     """
     check_time(until)
     writes = read_blackboard(folder / BLACKBOARD)

@@ -1,4 +1,4 @@
-"""How far past a person the robot looks whom it visits, at rest: as it docks it may turn still."""
+"""Angle between the robot's heading and the visited person, at rest: it may still turn while docking."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def facing_error_deg(visit: Visit, stopping: Stopping | None) -> float | None:
-    """At the rest in which it docked; where it never rested as it docked; None where it never did."""
+    """The angle [deg] at rest after docking; if it never rested, as it docked; None if it never docked."""
     if visit.docked_at is None:
         return None
     at_rest = stopping.robot_facing_error_deg if stopping else None

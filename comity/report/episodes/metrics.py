@@ -1,4 +1,4 @@
-"""The figures of runs: as a table for a reader, and in long form for a statistics program."""
+"""Metrics of runs: as a table, and in long form for statistics programs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 COLUMNS = ("run", "scenario", "rulebook", "seed", "person", "profile", "metric", "value", "unit")
 MARK = ",".join(COLUMNS).encode()
-"""The first line of such a file, which may be replaced by another one."""
+"""First line of a metrics file, which identifies files that may be replaced."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ def measured(folder: RunFolder) -> MeasuredRun:
 
 
 def metrics_answer(runs: Sequence[MeasuredRun]) -> MetricsAnswer:
-    """Everything in long form, with what each figure means."""
+    """All metrics in long form, with their definitions."""
     figures = tuple(figure for run in runs for figure in _figures(run))
     return MetricsAnswer(
         figures=figures,
@@ -55,12 +55,12 @@ def metrics_answer(runs: Sequence[MeasuredRun]) -> MetricsAnswer:
 
 
 def metrics_csv(answer: MetricsAnswer) -> str:
-    """One figure a line."""
+    """One metric per line."""
     return csv_text(COLUMNS, ([getattr(figure, column) for column in COLUMNS] for figure in answer.figures))
 
 
 def metrics_text(runs: Sequence[MeasuredRun], answer: MetricsAnswer) -> Iterator[RenderableType]:
-    """Run by run: the whole episode, then each person; of several runs means by profile; then the sources."""
+    """Metrics run by run (the whole episode, then each person), means by profile if several, then sources."""
     for run in runs:
         account = run.account
         ended = account.outcome or account.status
@@ -104,7 +104,7 @@ def _number(value: float | None, unit: str) -> str:
 
 
 def _by_profile(figures: Iterable[FigureAnswer]) -> dict[str, dict[str, float]]:
-    """Mean of each metric of a person over all people of a profile, where it has a value."""
+    """Mean of each per-person metric over all people of a profile who have a value."""
     values: dict[str, dict[str, list[float]]] = {}
     for figure in figures:
         if figure.profile is not None:

@@ -1,4 +1,4 @@
-"""Why the robot was nearer to a person than they like, while it neither visited nor left them."""
+"""Reasons why the robot was within a person's preferred distance while neither visiting nor leaving them."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ if TYPE_CHECKING:
     XY = tuple[float, float]
 
 SHORTEST_S = 0.1
-"""A shorter stay is told by nothing: it is the precision of docking and of the frames."""
+"""Minimum length of a reported stay [s]: shorter ones are below the precision of docking and frames."""
 SAME_M = 0.05
-"""Routes that differ by less are as long [m]."""
+"""Routes count as equally long if their lengths differ by less than this [m]."""
 FOLLOWS_M = 0.03
-"""How exactly the robot follows its route [m]."""
+"""Precision with which the robot follows its route [m]."""
 EDGE_M = 0.05
-"""At the edge of a person's distance, as beside a person who was visited [m]."""
+"""Tolerance within which a position counts as on the boundary of a person's distance, as when docked [m]."""
 ASKED_S = 15.0
-"""So long after a request to let it pass the robot still goes by it [s]."""
+"""Time for which a request to let it pass remains in effect [s]."""
 BEFORE_S = 1.0
-"""So long before a stay it is looked at who comes to whom [s]."""
+"""Time before a stay in which the approaching party is determined [s]."""
 
 
 def nearness_answers(episode: Episode) -> Iterator[Disturbance]:
-    """Every stay within the distance of a person whose distance is known, with its reason, by time."""
+    """Every stay within a known preferred distance, with its reason, by time."""
     known = episode.known
     intrusion = intrusion_of(episode.frames, known)
     stays = [
@@ -61,7 +61,7 @@ def nearness_answers(episode: Episode) -> Iterator[Disturbance]:
 
 
 def _text(stay: IntrusionSpan, episode: Episode, known: Known) -> str:
-    """How near, how near they would have it, and why."""
+    """The actual distance, the preferred distance, and the reason, in words."""
     frames, person = episode.frames, stay.person
     gaps = clearances_m(frames)[:, frames.entities.index(person) - 1]
     own = own_distances_m(frames.time_s, known.own_m[person], known.later_m.get(person, ()))
@@ -78,16 +78,16 @@ def _text(stay: IntrusionSpan, episode: Episode, known: Known) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Why:
-    """What led to one stay."""
+    """The cause of one stay."""
 
     episode: Episode
     stay: IntrusionSpan
     own_m: float
     nearest_s: float
-    """When the robot was nearest to the person."""
+    """Time at which the robot was nearest to the person [s]."""
 
     def text(self) -> str:
-        """What a person did, else where the robot stood, else what routes there were."""
+        """The person's action, else the robot's position, else the available routes, in words."""
         return self._of_person() or self._of_place() or self._of_routes()
 
     def _of_person(self) -> str:
@@ -131,12 +131,12 @@ class _Why:
 
     @property
     def _left(self) -> tuple[float, str]:
-        """When the robot was last before a person, and before whom; the start, and nobody."""
+        """Time of the last docking before the stay [s], and the person; 0 and an empty name if none."""
         return max((visit for visit in self._docked if visit[0] < self.stay.start_s), default=(0.0, ""))
 
     @property
     def _docked(self) -> list[tuple[float, str]]:
-        """When the robot stood before whom, by time."""
+        """Times [s] and people of dockings, by time."""
         visits = self.episode.visits
         return sorted((visit.docked_s, visit.person) for visit in visits if visit.docked_s is not None)
 
@@ -153,31 +153,31 @@ class _Why:
         return self._at(self.episode.prepared.scene.robot.name, t)
 
     def _closed_by_person(self, since_s: float) -> float:
-        """By how much the person came nearer to where the robot was [m]."""
+        """By how much the person came nearer to the robot's earlier position [m]."""
         here = self._robot(since_s)
         return dist(here, self._person(since_s)) - dist(here, self._person(self.nearest_s))
 
     def _closed_by_robot(self, since_s: float) -> float:
-        """By how much the robot came nearer to where the person was [m]."""
+        """By how much the robot came nearer to the person's earlier position [m]."""
         there = self._person(since_s)
         return dist(self._robot(since_s), there) - dist(self._robot(self.nearest_s), there)
 
     def _is_near(self, t: float) -> bool:
-        """Whether the robot stood within the person's distance, or at its edge."""
+        """Whether the robot was docked within the person's distance, or at its boundary."""
         scene = self.episode.prepared.scene
         bodies_m = scene.robot.radius_m + scene.person(self.stay.person).radius_m
         return dist(self._robot(t), self._person(t)) < self.own_m + bodies_m + EDGE_M
 
     def _of_route(self, t: float, goal_s: float) -> str | None:
-        """What a route that keeps clear of everybody would have taken then; None where it was taken."""
+        """The extra length of a route clear of everybody at that time, in words; None if negligible."""
         scene = scene_at(self.episode.prepared.scene, self.episode.frames, t, turns=self.episode.door_turns)
         try:
             ways = RouteMap(scene)
             start, goal = self._robot(t), self._robot(goal_s)
             route, polite = ways.route(start, goal), ways.polite(start, goal)
-        except SceneError:  # bodies overlap at that moment
+        except SceneError:  # bodies overlap at that time
             return None
-        if route is None:  # a person stood then where the robot stands later
+        if route is None:  # a person stood where the robot was to dock
             return None
         if polite is None:
             return "no route keeps clear of everybody"

@@ -1,4 +1,4 @@
-"""Where two runs part, and what went wrong in one of them only."""
+"""Divergence of two runs, and faults that occurred in only one of them."""
 
 from __future__ import annotations
 
@@ -20,9 +20,10 @@ if TYPE_CHECKING:
 
 
 def parting(one: StoredTrace, other: StoredTrace) -> tuple[Divergence, ...]:
-    """Where two runs part: first in the numbers behind what they do, then in what they do, and when.
+    """The first divergences of two runs: in parameter values, then in actions and their times.
 
-    A fault may make a run late without a cause at any node: those that one run alone had by then are told.
+    A fault may delay a run without being the cause of any node's state, so faults of one run up to then are
+    reported.
     """
     return tuple(_with_faults(found, one, other) for found in differences(one.history, other.history))
 

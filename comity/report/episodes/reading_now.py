@@ -1,4 +1,4 @@
-"""What the robot read of a person at the time that is asked about, beside what it read at the switch."""
+"""The robot's reading of a person at the requested time, in addition to the reading at the state change."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswer]:
-    """The last reading of every person up to a time [s], by name; up to the end when None.
+    """By name, the last reading of every person up to a time [s]; None for the end.
 
     Raises:
-        InputError: The run's file of readings is damaged.
+        InputError: if the run's file of readings is damaged.
     """
     path = folder / READINGS
     last: dict[str, ReadingAnswer] = {}
@@ -43,7 +43,7 @@ def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswe
 
 
 def reading_for(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -> ReadingAnswer | None:
-    """The reading of the person that a node is about; None where it is about nobody who was read."""
+    """The reading of the person whom a node concerns; None if there is none."""
     return readings.get(why.event.person) if why.event.person else None
 
 

@@ -1,4 +1,4 @@
-"""What happened while an episode was under way, and what became of the plan, as its account tells it."""
+"""Events during an episode, and the resulting plan updates, as in its account."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 def revision_answers(
     events: Iterable[TraceEvent], revisions: Iterable[PlanUpdate]
 ) -> Iterator[RevisionAnswer]:
-    """Every revision with the plan that it led to.
+    """Every plan update with the resulting plan.
 
     Args:
-        events: The trace.
-        revisions: One for every event `rebound` or `replanned`, in their order.
+        events: Events of the trace.
+        revisions: Plan updates, one for every event `rebound` or `replanned`, in order.
     """
     following = iter(revisions)
     for event in events:
@@ -43,6 +43,6 @@ def revision_answers(
 
 
 def door_answers(turns: Iterable[DoorTurn]) -> Iterator[DoorTurnAnswer]:
-    """Every door that was opened or shut."""
+    """All door movements."""
     for turn in turns:
         yield DoorTurnAnswer(t=turn.t, door=turn.door, open=turn.is_open)

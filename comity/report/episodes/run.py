@@ -52,13 +52,13 @@ if TYPE_CHECKING:
     from comity_sim2d import ActEvent
 
 SAME_CM = 0.05
-"""Half of the last digit that is told: below it distances are the same."""
+"""Half of the last displayed digit [cm]: distances that differ by less are equal."""
 
 
 def account_before(
     prepared: PlannedEpisode, folder: RunFolder, seed: int, *, robot: str | None = None
 ) -> RunAnswer:
-    """What can be said before the world moves; of a real robot how it is called."""
+    """The account before execution; `robot` is the name of a real robot."""
     return RunAnswer(
         status="running",
         outcome=None,
@@ -88,13 +88,13 @@ def account_before(
 
 
 def _command(folder: RunFolder, seed: int, engine: str) -> list[str]:
-    """The command that runs it again."""
+    """The command that repeats the run."""
     option = [] if engine == ENGINE else ["--engine", engine]
     return ["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed), *option]
 
 
 def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
-    """What happened, in numbers."""
+    """The account after execution, with its metrics."""
     measured = of_episode(episode.metrics)
     simulated_s, near = measured["duration_s"], nearness_answers(episode)
     return replace(
@@ -118,7 +118,7 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
 
 
 def _floats(metrics: Mapping[str, float]) -> dict[str, float]:
-    """Counts as numbers like all others, `2.0`."""
+    """Convert counts to floats, for example `2.0`."""
     return {name: float(value) for name, value in metrics.items()}
 
 
@@ -134,7 +134,7 @@ def _loop(report: LoopReport | None) -> LoopAnswer | None:
 
 
 def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
-    """What became of the plan and of the doors so far: a run that is cut short keeps it."""
+    """The account so far, with plan updates and door movements: an interrupted run keeps it."""
     return replace(
         before,
         revisions=tuple(revision_answers(live.events, live.revisions)),
@@ -144,7 +144,7 @@ def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
 
 
 def visit_answers(episode: Episode) -> Iterator[VisitAnswer]:
-    """Everybody in the order in which the robot came to them; those it never reached come last."""
+    """All visits in the order in which the robot reached people; unreached people come last."""
     prepared = episode.prepared
     for visit in sorted(episode.visits, key=_reached_s):
         acts = tuple(ActAnswer(**_facts(event)) for event in _acts_for(visit.person, episode.acts))
@@ -174,13 +174,13 @@ def visit_answers(episode: Episode) -> Iterator[VisitAnswer]:
 
 
 def _reached_s(visit: Visit) -> tuple[float, bool]:
-    """When the robot was with a person [s]; a person it docked at comes before their companions."""
+    """Time at which the robot was with a person [s]; a person it docked at sorts before their company."""
     at_s = visit.docked_s if visit.greeted_s is None else visit.greeted_s
     return (inf if at_s is None else at_s, visit.together_with is not None)
 
 
 def _acts_for(person: str, acts: Sequence[ActEvent]) -> Iterator[ActEvent]:
-    """What was said and done to a person, with what was picked up for them."""
+    """Acts directed at a person, and pick-ups for them."""
     for i, event in enumerate(acts):
         given = (e.person for e in acts[i:] if e.act == HAND_OVER and e.thing == event.thing)
         if person == (next(given, None) if event.act == PICK_UP else event.person):
@@ -188,7 +188,7 @@ def _acts_for(person: str, acts: Sequence[ActEvent]) -> Iterator[ActEvent]:
 
 
 def _facts(event: ActEvent) -> dict[str, Any]:
-    """What an answer says of an act, without the person it was for."""
+    """Fields of an act, without its addressee."""
     return {
         "act": event.act,
         "start_s": event.t_start,
@@ -205,7 +205,7 @@ def _facts(event: ActEvent) -> dict[str, Any]:
 
 
 def _words(event: ActEvent) -> dict[str, Any]:
-    """What an utterance is made of, where it is made of wordings."""
+    """Wordings of an utterance, if it has any."""
     said = event.utterance
     if not isinstance(said, Utterance):
         return {}
@@ -249,7 +249,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
 def _planned_instead(
     steps: Iterable[PlanStep], values: Inference, person: str
 ) -> Iterator[PlannedInsteadAnswer]:
-    """Of categories; a number that the plan moves is told as wanted and reached."""
+    """Categories chosen instead of the preferred ones; numbers are shown as target and actual."""
     for step in steps:
         for parameter, planned in step.parameters.items():
             inferred = values.parameters.get(parameter)
@@ -265,7 +265,7 @@ def _planned_instead(
 
 
 def reached_text(answer: RunAnswer) -> Iterator[RenderableType]:
-    """How it ended, and the people in the order of the visits, with times and what was reached."""
+    """The outcome, and the people in the order of visits, with times and actual values."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
     late = sum(bool(visit.late_s) for visit in answer.visits)
     why = f": {answer.rulebook_reason}" if answer.rulebook_reason else ""
@@ -297,7 +297,7 @@ def reached_text(answer: RunAnswer) -> Iterator[RenderableType]:
 
 
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
-    """People in the order of the visits, with times; what was reached, which values were used, and why."""
+    """Visits in order, with times, actual values, parameter values and their reasons."""
     yield from reached_text(answer)
     for visit in answer.visits:
         notes = (visit.reason or visit.deviation_reason, visit.unverified)
@@ -338,7 +338,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
 
 
 def _went_by(value: ParameterValue, visit: VisitAnswer) -> str:
-    """A value; of the approach speed also the fastest that the robot truly came, after an arrow."""
+    """A value; for the approach speed also the actual maximum, after an arrow."""
     if value.name == "approach_speed" and visit.approach_speed_actual_m_s is not None:
         actual = number(visit.approach_speed_actual_m_s, value.unit)
         return f"{number(value.value)} → {actual}"
@@ -346,7 +346,7 @@ def _went_by(value: ParameterValue, visit: VisitAnswer) -> str:
 
 
 def _touched(answer: RunAnswer) -> Iterator[str]:
-    """That the robot touched something, which is what nobody wants."""
+    """A warning if the robot touched something."""
     counts = {
         "people": answer.metrics.get("person_contacts"),
         "walls or doors": answer.metrics.get("wall_contacts"),
@@ -375,7 +375,7 @@ def _reached(visit: VisitAnswer) -> tuple[str, ...]:
 
 
 def _times(visit: VisitAnswer) -> str:
-    """When the robot docked and when the greeting was over, a dash for what was not."""
+    """Times of docking and of the end of the greeting, or a dash."""
     times_s = (visit.docked_at_s, visit.greeted_s)
     if times_s == (None, None):
         return "-"
@@ -383,7 +383,7 @@ def _times(visit: VisitAnswer) -> str:
 
 
 def _happened(answer: RunAnswer) -> Iterator[str]:
-    """Faults, changes and messages at their times, and the attempts that were repeated."""
+    """Faults, changes and messages with their times, and retried actions."""
     met = [one for one in answer.disturbances if one.kind != "walk"]
     if met or answer.repeated:
         yield "\nWhat happened on the way"
@@ -398,7 +398,7 @@ def _happened(answer: RunAnswer) -> Iterator[str]:
 
 
 def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
-    """What became of the plan while it was under way."""
+    """Plan updates during the episode."""
     if answer.revisions:
         yield "\nWhat became of the plan"
     for revision in answer.revisions:
@@ -407,7 +407,7 @@ def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
 
 
 def _done(answer: RunAnswer) -> Iterator[RenderableType]:
-    """What was said and done, when and how."""
+    """Acts with times and manner."""
     acts = [(visit.person, act) for visit in answer.visits for act in visit.acts if not act.stopped]
     if acts:
         yield "\nWhat was said and done"
@@ -428,7 +428,7 @@ def _told(act: ActAnswer) -> tuple[str, str]:
 
 
 def _differences(answer: RunAnswer) -> Iterator[str]:
-    """How differently people were met, in numbers: every pair of up to three, and the extremes of more."""
+    """Differences between people in numbers: every pair of up to three people, else the extremes."""
     met = [visit for visit in answer.visits if visit.distance_actual_m is not None]
     pairs = list(combinations(met, 2))
     if len(met) > 3:

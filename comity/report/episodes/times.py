@@ -1,4 +1,4 @@
-"""Times that a person asks a trace about, and the refusal of what is none."""
+"""Validation of times that a user asks about."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from comity_fis import InputError, Where
 
 
 def check_time(until: float | None) -> None:
-    """Refuse what is no time; None is the end.
+    """Refuse an invalid time; None is the end.
 
     Raises:
-        InputError: if it is negative, infinite or no number.
+        InputError: if it is negative, infinite or not a number.
     """
     if until is not None and not 0.0 <= until < inf:
         raise InputError(
@@ -23,14 +23,14 @@ def check_time(until: float | None) -> None:
 
 
 def check_times(between: tuple[float, float] | None, end_s: float) -> None:
-    """Refuse a span that is none.
+    """Refuse an invalid span.
 
     Args:
-        between: First and last time [s]; None: all times.
-        end_s: When the run ended, for the remedy.
+        between: First and last time [s]; None for all times.
+        end_s: End of the run [s], for the remedy.
 
     Raises:
-        InputError: if one is no time, or they are in the wrong order.
+        InputError: if a time is invalid, or they are in the wrong order.
     """
     if between is not None and not 0.0 <= between[0] <= between[1] < inf:
         raise InputError(
@@ -42,7 +42,7 @@ def check_times(between: tuple[float, float] | None, end_s: float) -> None:
 
 
 def _two_times(first: float, last: float, end_s: float) -> str:
-    """What to write in the place of two times that are none, or in the wrong order."""
+    """Remedy for two times that are invalid, or in the wrong order."""
     if last == inf and 0.0 <= first < inf:
         return f"Write --between {first:g} {max(first, ceil(end_s)):g}: the run ended at {end_s:.2f} s."
     if not (isfinite(first) and isfinite(last)) or max(first, last) < 0.0:
@@ -51,10 +51,10 @@ def _two_times(first: float, last: float, end_s: float) -> str:
 
 
 def time_of(word: str) -> float | None:
-    """The time that a word means; None where it is no number.
+    """The time [s] that a word denotes; None if it is no number.
 
     Raises:
-        InputError: if it is a number and no time.
+        InputError: if it is a number, but an invalid time.
     """
     try:
         t = float(word)

@@ -40,13 +40,13 @@ NO_READINGS: Mapping[str, ReadingAnswer] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class StoredTrace:
-    """A trace as it was read back."""
+    """A stored trace."""
 
     episode: str
     history: History
     account: RunAnswer
     ending: str | None
-    """What became of a run that is not done."""
+    """State of an unfinished run; None if it is done."""
 
 
 def load(folder: RunFolder) -> StoredTrace:
@@ -83,7 +83,7 @@ def _ending(folder: RunFolder, account: RunAnswer) -> str | None:
 
 
 def _refuse_other(path: Path, digest: str | None) -> None:
-    """Refuse a trace that is not the one that the run ended with: it was cut, or changed."""
+    """Refuse a trace that differs from the one the run ended with: it was truncated or changed."""
     if digest is not None and sha256(path.read_bytes()).hexdigest() != digest:
         raise InputError(
             expected=f"the trace that the run's {RUN} names by its digest",
@@ -100,12 +100,12 @@ def selected(
 
     Args:
         recorded: The trace.
-        node: A part of the names; all nodes when None.
-        between: First and last time [s]; all times when None.
-        until: The last time [s]; the end when None.
+        node: Part of the nodes' names; None for all nodes.
+        between: First and last time [s]; None for all times.
+        until: The last time [s]; None for the end.
 
     Raises:
-        InputError: if no node is called so, a time is none, or the times are in the wrong order.
+        InputError: if no node matches, a time is invalid, or the times are in the wrong order.
     """
     _check_node(recorded, node)
     check_time(until)
@@ -119,7 +119,7 @@ def selected(
 def selected_disturbances(
     recorded: StoredTrace, *, node: str | None, between: tuple[float, float] | None, until: float | None
 ) -> tuple[Disturbance, ...]:
-    """What happened around the tree at some times; as `selected`, which refuses what is no node or time."""
+    """Disturbances at some times; arguments as for `selected`, which checks them."""
     first, last = _span(between, until)
     return tuple(
         one for one in recorded.account.disturbances if first <= one.t <= last and (node or "") in one.about
@@ -161,15 +161,15 @@ def _check_node(recorded: StoredTrace, node: str | None) -> None:
 
 
 def reasons(recorded: StoredTrace, word: str, until: float | None) -> tuple[NodeExplanation, ...]:
-    """Why the tree did what it did.
+    """Causes of the tree's behaviour.
 
     Args:
         recorded: The trace.
-        word: A time [s], or a part of a node's name: then what such nodes did last.
-        until: The last time that counts for nodes [s]; the end when None.
+        word: A time [s], or part of a node's name, for the last events of such nodes.
+        until: The last time that counts for nodes [s]; None for the end.
 
     Raises:
-        InputError: if it is neither, or such nodes did nothing yet.
+        InputError: if it is neither, or such nodes have no events yet.
     """
     history = recorded.history
     if (t := time_of(word)) is not None:
@@ -205,13 +205,13 @@ def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") ->
 
 
 def refuse_several(asked: Mapping[str, bool]) -> None:
-    """Refuse two questions in one.
+    """Refuse options that exclude each other.
 
     Args:
-        asked: By option, whether it was used; no two of them go together.
+        asked: Whether each option was used; at most one may be.
 
     Raises:
-        InputError: if two were.
+        InputError: if more than one was.
     """
     used = [option for option, is_used in asked.items() if is_used]
     if len(used) > 1:
@@ -223,7 +223,7 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
 
 
 def after_end_text(recorded: StoredTrace, why: str) -> Iterator[str]:
-    """What needs to be said where a person asks about a time beyond the end."""
+    """A note if the requested time is after the end."""
     t = time_of(why)
     if t is None or t <= recorded.history.end_s:
         return
@@ -234,7 +234,7 @@ def after_end_text(recorded: StoredTrace, why: str) -> Iterator[str]:
 
 
 def end_text(recorded: StoredTrace, chosen: Sized, until: float | None) -> Iterator[str]:
-    """What needs to be said where a time is beyond the end, or nothing was chosen."""
+    """A note if a time is after the end, or nothing was selected."""
     end = f"the run ended at t={recorded.history.end_s:.2f} s"
     if recorded.ending:
         end = f"the last change known is at t={recorded.history.end_s:.2f} s"
@@ -247,15 +247,15 @@ def end_text(recorded: StoredTrace, chosen: Sized, until: float | None) -> Itera
 
 
 def size_text(bytes_per_minute: Mapping[str, int]) -> str:
-    """How much room a run takes."""
+    """Disk space of a run per minute, in words."""
     sizes = (f"{name} {size / 1000:.0f} kB" for name, size in bytes_per_minute.items())
     return f"{', '.join(sizes)} per simulated minute"
 
 
 def events_text(events: Iterable[TraceEvent], disturbances: Iterable[Disturbance]) -> Iterator[str]:
-    """One line for every event: when, which node, what, and the nearest cause; and for every disturbance.
+    """One line for every event (time, node, status, nearest cause) and for every disturbance.
 
-    At one time the disturbance stands first: the world moves before the tree is ticked.
+    At equal times the disturbance comes first: the world is stepped before the tree is ticked.
     """
     around = ((one.t, f"t={one.t:6.2f}  {disturbance_text(one)}") for one in disturbances)
     changes = ((event.t, _event_text(event)) for event in events)
@@ -263,13 +263,13 @@ def events_text(events: Iterable[TraceEvent], disturbances: Iterable[Disturbance
 
 
 def disturbance_text(one: Disturbance) -> str:
-    """What happened, and until when."""
+    """A disturbance and its end."""
     until = "" if one.end_s is None or one.end_s == one.t else f", until t={one.end_s:.2f} s"
     return f"{one.kind}: {one.text}{until}"
 
 
 def _event_text(event: TraceEvent) -> str:
-    """When, which node, what, and the nearest cause."""
+    """An event: time, node, status and nearest cause."""
     halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
     near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
     causes = "; ".join(near) if event.status in OF_PLANS else " because ".join(reversed(near))
@@ -278,7 +278,7 @@ def _event_text(event: TraceEvent) -> str:
 
 
 def tree_at(recorded: StoredTrace, until: float | None) -> str:
-    """The tree as it was at a time (at the end when None), with how often each node changed."""
+    """The tree at a time (None for the end), with the number of state changes of each node."""
     history = recorded.history
     states = history.states(until)
     counts = Counter(event.path for event in history.events if until is None or event.t <= until)

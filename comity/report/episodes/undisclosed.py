@@ -1,4 +1,4 @@
-"""What was not disclosed and yet outvoted what was, at a moment of a run: for the reasons of its trace."""
+"""Undisclosed facts that outvoted disclosed ones at a time of a run, for the causes in its trace."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ class Undisclosed:
     """Everybody's parameters in a run."""
 
     first: Mapping[str, Inference]
-    """By person, at the start."""
+    """Initial parameters by person."""
     later: Sequence[tuple[float, str, Inference]]
-    """From when on [s], the person, and the parameters since then."""
+    """Later parameters: start time [s], person, and parameters from then on."""
 
     def said(self, event: TraceEvent, cause: Cause) -> str:
-        """What to add to a parameter behind an event; empty for other causes, and where facts decided it."""
+        """Note for a parameter behind an event; empty for other causes, or if disclosed facts decided it."""
         about = event.person
         if cause.kind != "parameter" or about is None:
             return ""
@@ -42,7 +42,7 @@ class Undisclosed:
 
 
 def undisclosed_in(folder: RunFolder) -> Undisclosed:
-    """Read from the scenario in a run folder, in which everything is written out.
+    """Read the parameters from the resolved scenario in a run folder.
 
     Raises:
         InputError: if it is missing or damaged.

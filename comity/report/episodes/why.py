@@ -1,4 +1,4 @@
-"""Why the tree did something, and where two runs part: the answers in words."""
+"""Causes of the tree's behaviour, and divergences of two runs, in words."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ OF_PLANS = {
     "replanned": "replanned",
     "not_replanned": "not replanned",
 }
-"""What becomes of a plan, as it stands behind `was`."""
+"""Plan updates, as verbs after `was`."""
 _STATES = {"running": "is running", "success": "succeeded", "failure": "failed"}
 
 
 def reason_answer(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -> ReasonAnswer:
-    """A reason as `comity trace --json` has it, with the readings of the time that is asked about."""
+    """A cause as in `comity trace --json`, with the readings at the requested time."""
     return ReasonAnswer(
         event=event_answer(why.event),
         switched_by=event_answer(why.switched_by) if why.switched_by else None,
@@ -37,7 +37,7 @@ def reason_answer(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -
 
 
 def difference_answer(divergence: Divergence) -> DifferenceAnswer:
-    """A difference of two runs as `comity trace --diff --json` has it."""
+    """A divergence of two runs as in `comity trace --diff --json`."""
     return DifferenceAnswer(
         t=divergence.t,
         in_behaviour=divergence.in_behaviour,
@@ -50,12 +50,12 @@ def difference_answer(divergence: Divergence) -> DifferenceAnswer:
 def why_text(
     reasons: Iterable[NodeExplanation], readings: Mapping[str, ReadingAnswer], undisclosed: Undisclosed
 ) -> Iterator[str]:
-    """For every node, what it does and the results that it stands on; each result down to the facts, once.
+    """For every node, its state and the results that it depends on; each result down to the facts, once.
 
     Args:
         reasons: One for each node.
-        readings: What the robot read of people at the time that is asked about.
-        undisclosed: What outvoted disclosed facts.
+        readings: The robot's readings of people at the requested time.
+        undisclosed: Undisclosed facts that outvoted disclosed ones.
     """
     told: set[tuple[float, int]] = set()
     for why in reasons:
@@ -76,7 +76,7 @@ def why_text(
 
 
 def differences(one: History, other: History) -> tuple[Divergence, ...]:
-    """Where two runs part: first in the numbers behind what they do, then in what they do, and when."""
+    """The first divergences of two runs: in parameter values, then in actions and their times."""
     first = first_divergence(one, other)
     if first is None or first.in_behaviour:
         return (first,) if first else ()
@@ -85,7 +85,7 @@ def differences(one: History, other: History) -> tuple[Divergence, ...]:
 
 
 def differences_text(found: Iterable[Divergence], names: tuple[str, str]) -> Iterator[RenderableType]:
-    """When two runs part, what each did, and the links that differ behind it."""
+    """Time of divergence, the action of each run, and the causal links that differ."""
     found = tuple(found)
     if not found:
         yield "The two runs did the same at the same times, for the same reasons."
@@ -126,18 +126,18 @@ def _state(event: TraceEvent) -> str:
 
 
 def links(because: Sequence[Cause]) -> str:
-    """The condition, the reading that turned it, and the fault behind it."""
+    """The condition, the reading that changed it, and the fault behind it."""
     near = [cause.text for cause in because if cause.kind in ("reading", "condition")]
     return (", as ".join(reversed(near)) if len(near) < 3 else "; ".join(near)) + fault_text(because)
 
 
 def fault_text(because: Iterable[Cause]) -> str:
-    """The fault behind a chain, in brackets; nothing where there is none."""
+    """The fault behind a causal chain, in brackets; empty without one."""
     return "".join(f" ({cause.text})" for cause in because if cause.kind == "fault")
 
 
 def _chain(event: TraceEvent, undisclosed: Undisclosed) -> Iterator[str]:
-    """The links beyond the reading, down to the variables."""
+    """Links beyond the reading, down to the variables."""
     for cause in event.because:
         if cause.kind not in ("fault", "reading", "condition"):
             outvoted = undisclosed.said(event, cause)
@@ -145,7 +145,7 @@ def _chain(event: TraceEvent, undisclosed: Undisclosed) -> Iterator[str]:
 
 
 def event_answer(event: TraceEvent) -> EventAnswer:
-    """An event as `comity trace --json` has it."""
+    """An event as in `comity trace --json`."""
     return EventAnswer(
         t=event.t,
         node=event.node,

@@ -1,1 +1,1 @@
-"""One person over time: what is known of them, visits to them, one life, the answer to a question."""
+"""One person over time: stored data, visits, yearly changes, the answer to a question."""

@@ -1,4 +1,4 @@
-"""What became of the answer to the one question."""
+"""Result of the person's answer to the single question."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def ask_answer(
 def ask_text(
     question: Question, answer_m: float | None, counts_as: CountsAs | None, value: ParameterValue | None
 ) -> Iterator[RenderableType]:
-    """What counts from now on, and how near the robot comes."""
+    """The value from now on, and the resulting distance of the robot."""
     if counts_as is None or value is None:
         yield "Left open: nothing is changed."
         return

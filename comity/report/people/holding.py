@@ -1,4 +1,4 @@
-"""Which folders were searched for a person, and what holds them."""
+"""Folders searched for a person's data, and what was found."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from comity.output.holding import Searched
 
 SHOWN = 50
-"""Of what was not read, in a folder."""
+"""Maximum number of unread files listed per folder."""
 NOTE = (
     "Copies elsewhere, backups, and runs with pseudonyms, which hold no name, cannot be found: "
     "those are yours to delete."
@@ -25,12 +25,12 @@ NOTE = (
 def holding_text(
     name: str, searched: Collection[Searched], deleted: Collection[Path] = ()
 ) -> Iterator[RenderableType]:
-    """Folder by folder: how much was searched, what was found, and what could not be read.
+    """By folder: the number of searched files, what was found, and what could not be read.
 
     Args:
-        name: Of the person.
-        searched: Where.
-        deleted: Runs that are gone by now.
+        name: Name of the person.
+        searched: Searched folders.
+        deleted: Deleted runs.
     """
     if not searched:
         yield "Searched no folder: there is none called runs here. --in DIR names others."

@@ -1,4 +1,4 @@
-"""One life over the years, as a table."""
+"""A person's parameters over the years, as a table."""
 
 from __future__ import annotations
 
@@ -66,12 +66,12 @@ def life_text(name: str, years: Sequence[Year]) -> Iterator[RenderableType]:
 
 
 def _bare(value: ParameterValue) -> str:
-    """Without its unit, which stands in the head."""
+    """The value without its unit, which is in the heading."""
     return number(value.value, value.unit).removesuffix(f" {value.unit}")
 
 
 def _short(value: ParameterValue, names: Sequence[str]) -> str:
-    """`distance [m]`: the last word of a name where that says which, so that a life fits on a page."""
+    """Short heading such as `distance [m]`: the last word of a name if unambiguous, to fit on a page."""
     last = value.name.rsplit("_", 1)[-1]
     unique = sum(name.rsplit("_", 1)[-1] == last for name in names) == 1
     name = last if unique else words(value.name)
@@ -79,7 +79,7 @@ def _short(value: ParameterValue, names: Sequence[str]) -> str:
 
 
 def changing(years: Sequence[Year]) -> list[str]:
-    """The parameters that are not the same in all years."""
+    """Parameters that change over the years."""
     return [
         name
         for name in years[0].inference.parameters

@@ -1,4 +1,4 @@
-"""One life over the years, as a picture: every parameter that changes, and what changed it."""
+"""A person's parameters over the years, as a picture: each that changes, and what changed it."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from comity.adaptation.life import Year
 
 NUMBER_IN, WORD_IN = 1.9, 0.9
-"""Heights of the panels [in]."""
+"""Heights of numeric and of nominal panels [in]."""
 
 
 @drawn
 def life_picture(name: str, years: Sequence[Year]) -> Figure:
-    """Numbers as lines with the band by which people vary, words as steps, changes of facts as rules."""
+    """Numbers as lines with the spread between individuals, categories as steps, changed facts as rules."""
     varying = changing(years) or list(years[0].inference.parameters)[:1]
     numeric = {one for one in varying if not isinstance(years[0].inference[one].value, str)}
     events = [(year.day.year, change) for year in years for change in year.changed]
@@ -46,7 +46,7 @@ def life_picture(name: str, years: Sequence[Year]) -> Figure:
 
 
 def _events(ax: Axes, events: Sequence[tuple[int, str]], years: Sequence[Year]) -> None:
-    """Each on a line of its own, on the side where there is room."""
+    """Label changes of facts, each on its own line, on the side with more space."""
     first, last = years[0].day.year, years[-1].day.year
     for row, (when, change) in enumerate(events or [(years[0].day.year, "nothing")]):
         late = when - first > 0.6 * (last - first)

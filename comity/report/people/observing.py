@@ -1,4 +1,4 @@
-"""What was written down of people, and how near the robot comes from now on."""
+"""Recorded observations of people, and the resulting distance of the robot."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ def observe_answer(
     """The answer of `comity profile observe --json`.
 
     Args:
-        observed: What was written down, each with whom it is about.
-        undone: What was taken back.
-        values: By person, from now on.
+        observed: Recorded observations, each with the person.
+        undone: Withdrawn observations.
+        values: Values from now on, by person.
     """
     observed = tuple(observed)
     return ObserveAnswer(
@@ -43,7 +43,7 @@ def observe_answer(
 
 
 def _notes(observed: Iterable[Named]) -> Iterator[str]:
-    """Of each person, the days on which they had not agreed yet that meetings teach about them."""
+    """For each person, the days before they consented to learning from meetings."""
     early: dict[str, set[date]] = {}
     for name, seen in observed:
         if not was_covered(name, "learn", seen.day):
@@ -58,7 +58,7 @@ def _notes(observed: Iterable[Named]) -> Iterator[str]:
 
 
 def observe_text(answer: ObserveAnswer) -> Iterator[RenderableType]:
-    """A line for each observation, said and seen apart, and then each person's distance."""
+    """A line for each observation, statements and sightings separately, then each person's distance."""
     for row in answer.observed:
         yield f"{row.how.capitalize():5} {_line(row)}"
     for row in answer.undone:

@@ -1,4 +1,4 @@
-"""What is known of a person, and what follows from it: every value with what it is made of."""
+"""A person's profile, and the values inferred from it with their contributions."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ class ShownProfile:
     inference: Inference
     learnt: Mapping[str, Any] | None
     note: str
-    """Free words about the person; no answer for programs has those of a person who is kept."""
+    """Free text about the person; JSON output omits it for a stored person."""
     consents: ConsentFile | None
-    """What they agreed to; None where nothing was recorded."""
+    """Their consents; None if none are recorded."""
 
 
 def profile_answer(shown: ShownProfile) -> ProfileAnswer:
@@ -103,7 +103,7 @@ def _consents(shown: ShownProfile) -> Iterator[tuple[str, str]]:
 
 
 def _learnt(learnt: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """What a person showed, and what they said, for every situation that it happened in."""
+    """What a person showed and said, by situation."""
     everything = LearntFile.model_validate(learnt).conversational_distance
     situations = {str(dict(one.situation)): one.situation for one in everything}
     for situation in situations.values():
@@ -145,7 +145,7 @@ def _value(value: ParameterValue, inference: Inference) -> Iterator[RenderableTy
 
 
 def _grounds(fired: FiredRule, inference: Inference) -> tuple[str, str]:
-    """What a rule says and how far it can be trusted."""
+    """A rule's text, and its grade of evidence."""
     rule = fired.rule
     keys = ", ".join(source.key for source in rule.sources)
     return (

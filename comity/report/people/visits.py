@@ -1,4 +1,4 @@
-"""Visits to one person: the answer, and the table of them."""
+"""Visits to one person, as JSON output and as a table."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def visits_answer(
     remembered_as: str | None,
     today: date,
 ) -> VisitsAnswer:
-    """The visits in numbers."""
+    """The answer with all visits."""
     liked_m = sum(comfort.wants_m) / 2
     days = [acquaintance.begin + timedelta(meeting.days) for meeting in meetings]
     return VisitsAnswer(
@@ -105,7 +105,7 @@ def _row(visit: MeetingAnswer) -> tuple[str, ...]:
 
 
 def _shown(visit: MeetingAnswer) -> str:
-    """What the robot noticed, and what it was in truth where that is something else."""
+    """The reaction that the robot noticed, and the true one if different."""
     if visit.noticed is None:
         return "was not reached"
     truth = "" if visit.shown in (visit.noticed, None) else f" (in truth {SAID[visit.shown]})"

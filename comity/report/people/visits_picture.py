@@ -1,4 +1,4 @@
-"""Visits to one person as a picture: what the robot believed, where it stood, what the person showed."""
+"""Visits to one person as a picture: believed preference, actual distance, and the person's reactions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MARKS = {
     "ask_closer": ("v", GREEN),
     "nothing": ("o", INK),
 }
-"""Up: the person wanted more distance; down: less."""
+"""Markers by reaction: upwards if the person wanted more distance, downwards if less."""
 NOTE_TEXT = (
     "A simulated person; every visit is an episode in the 2D world. The robot starts from the model's value "
     "and its spread, and learns only from what it saw and heard."
@@ -31,7 +31,7 @@ NOTE_TEXT = (
 
 @drawn
 def visits_picture(answer: VisitsAnswer) -> Figure:
-    """Distance over visits."""
+    """Distance over the number of the visit."""
     low, high = answer.likes_m
     figure, (ax,) = sheet(
         f"{answer.profile.replace('_', ' ')}: {len(answer.visits)} visits",
@@ -83,7 +83,7 @@ def _draw_stops(ax: Axes, answer: VisitsAnswer) -> None:
 
 
 def _name_marks(ax: Axes, answer: VisitsAnswer) -> None:
-    """What the marks mean, of those that are there."""
+    """Legend of the markers that occur."""
     from matplotlib.lines import Line2D
 
     seen = dict.fromkeys(visit.noticed for visit in answer.visits if visit.noticed)

@@ -1,1 +1,1 @@
-"""Plans in words: what the robot means to do, why so, what else would cost, what others change."""
+"""Plans in words: steps, reasons, alternative costs, and the effect of other profiles."""

@@ -1,4 +1,4 @@
-"""Which step of a plan a person means who asks `--why STEP`."""
+"""The plan step that a user means by `--why STEP`."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ if TYPE_CHECKING:
 
 MOST_NAMED = 6
 GREETING = "greet_"
-"""What the names of all greetings start with: who asks for one of a person means the one of their company."""
+"""Name prefix of all greetings: a greeting of one person may be that of their company."""
 _ASKED = re.compile(r"([^()]*)(?:\((.*)\))?", re.DOTALL)
 
 
 def asked_step(steps: Sequence[StepAnswer], asked: str, name: Callable[[StepAnswer], str]) -> int:
-    """The number, from 1, of the step that is meant.
+    """The number of the meant step, from 1.
 
     Args:
-        steps: The plan's.
+        steps: Steps of the plan.
         asked: A number, an action, a person, or an action with some of its arguments or people in brackets.
-        name: How a step is best asked for.
+        name: Returns the best name to ask for a step.
 
     Raises:
-        InputError: if it is none of them, or several.
+        InputError: if it matches no step, or several.
     """
     if not steps:
         raise _refused("a plan with steps", asked, "There is nothing to do in this plan.")
@@ -45,7 +45,7 @@ def asked_step(steps: Sequence[StepAnswer], asked: str, name: Callable[[StepAnsw
 
 
 def _meant(steps: Sequence[StepAnswer], asked: str) -> list[int]:
-    """The numbers of the steps that the words fit: as they stand, or as the greeting of a company."""
+    """Numbers of the steps that match the words, directly or as the greeting of a company."""
     action, words = _parsed(asked)
     for is_action in (_same, _both_greet):
         fits = [i for i, step in _numbered(steps) if is_action(step.action, action) and words <= _words(step)]
@@ -56,7 +56,7 @@ def _meant(steps: Sequence[StepAnswer], asked: str) -> list[int]:
 
 
 def _nearest(steps: Sequence[StepAnswer], asked: str, name: Callable[[StepAnswer], str]) -> str:
-    """Another step for the same person, or the one whose name is most alike."""
+    """Another step for the same person, or the one with the most similar name."""
     _, words = _parsed(asked)
     for i, step in _numbered(steps):
         if words and words <= {_bare(person) for person in step.people} and "(" in asked:
@@ -69,7 +69,7 @@ def _numbered(steps: Sequence[StepAnswer]) -> Iterator[tuple[int, StepAnswer]]:
 
 
 def _parsed(asked: str) -> tuple[str, set[str]]:
-    """The action, and the words in brackets behind it."""
+    """The action, and the words in its brackets."""
     found = _ASKED.match(asked)
     action = found[1] if found else ""
     return _bare(action), {_bare(word) for word in _inside(asked).split(",") if word.strip()}
@@ -93,7 +93,7 @@ def _both_greet(action: str, asked: str) -> bool:
 
 
 def _bare(word: str) -> str:
-    """Without blanks and capitals."""
+    """The word without spaces, in lower case."""
     return "".join(word.lower().split())
 
 

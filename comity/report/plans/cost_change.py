@@ -1,4 +1,4 @@
-"""Where the difference of two plans' costs comes from: step by step, part by part, with the reason."""
+"""Cost difference of two plans: by step and cost term, with reasons."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
 
 TRAVEL, NEARNESS, WAITING = "travel", "nearness", "waiting"
 Because = Callable[[str, "PlanStep | None", "PlanStep | None"], str]
-"""Of a part of the costs, and the step in both plans."""
+"""Returns the reason for a change, from the cost term and the step in both plans."""
 Key = tuple[str, str, int]
-"""An action, the person or the company that it is for, and how many such steps come before it."""
+"""Step key: action, person or company, and number of earlier steps with the same two."""
 
 
 def cost_changes(before: PlannedEpisode, after: PlannedEpisode) -> Iterator[StepCostChangeAnswer]:
-    """Every step that is not made of the same costs in both plans, in the order of the plans.
+    """Steps with different costs in the two plans, in the order of the plans.
 
     Args:
-        before: The scenario as it is written.
-        after: The same with other profiles, or another rulebook.
+        before: The scenario as written.
+        after: The scenario with other profiles, or another rulebook.
     """
     was, is_ = _by_key(before.plan), _by_key(after.plan)
     for key in dict.fromkeys((*is_, *was)):
@@ -44,13 +44,13 @@ def cost_changes(before: PlannedEpisode, after: PlannedEpisode) -> Iterator[Step
 def step_change(
     old: PlanStep | None, new: PlanStep | None, people: tuple[str, ...], because: Because
 ) -> Iterator[StepCostChangeAnswer]:
-    """How a step is not made of the same costs in two plans; nothing where it is.
+    """Cost changes of a step between two plans; nothing if equal.
 
     Args:
-        old: In the one plan; None where it has none such.
-        new: In the other.
-        people: For whom it is.
-        because: Why a part of the costs, by its name, is not the same.
+        old: The step in the first plan; None if missing.
+        new: The step in the second plan; None if missing.
+        people: People of the step.
+        because: Returns the reason for the change of a cost term.
     """
     parts, step = tuple(_parts(old, new, because)), new or old
     if parts and step is not None:
@@ -103,13 +103,13 @@ def _because(
 
 
 def _earlier(step: PlanStep, plan: Plan) -> str:
-    """The people that are greeted before a person."""
+    """People greeted before a person, in words."""
     stops = [visit.spot.place for visit in visits_of(plan)]
     return ", ".join(stops[: stops.index(step.person)]) or "nobody"
 
 
 def _preferences(step: PlanStep, before: Mapping[str, Inference], after: Mapping[str, Inference]) -> str:
-    """The distance [m] that each person of a company prefers between the robot and themselves."""
+    """Preferred distance [m] of each person of a company, before and after."""
     name, preferred = "conversational_distance", []
     for person in step.people:
         was, is_ = (number(values[person][name].number, "m") for values in (before, after))

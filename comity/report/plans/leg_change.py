@@ -1,4 +1,4 @@
-"""Why a way of a plan is longer or shorter than that of another plan: where it begins, ends, and bends."""
+"""Reasons why a path differs in length between two plans: start, end, and bends."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
 HERE = (START.place, START.side)
 UNITS = {DISTANCE: "m", BEARING: "deg"}
 SHOWN = {"m": 0.0005, "deg": 0.05}
-"""Less than this is not seen in print."""
+"""Smallest displayed difference by unit."""
 
 
 def why_this_leg(old: PlanStep, new: PlanStep, before: PlannedEpisode, after: PlannedEpisode) -> str:
-    """What of two ways to the same person or place is not the same.
+    """Differences between the paths to the same person or place.
 
     Args:
-        old: The step of the one plan.
-        new: That of the other one.
-        before: What the first was planned for.
-        after: What the other was planned for.
+        old: Step of the first plan.
+        new: Step of the second plan.
+        before: Episode of the first plan.
+        after: Episode of the second plan.
     """
     begins, bends = _begins(old, new, before.plan, after.plan), _bends(new, before.values, after)
     reasons = [*begins, *_ends(old, new), *bends]
@@ -64,7 +64,7 @@ def _place(origin: tuple[str, str] | None) -> str:
 
 
 def _moved(old: PlanStep, new: PlanStep) -> Iterator[str]:
-    """What of the place before a person is another one; of another side, the distance alone."""
+    """Changes of the docking pose; for another side, only the distance."""
     names = (DISTANCE, BEARING) if old.arguments[-1] == new.arguments[-1] else (DISTANCE,)
     for name in names:
         was, is_ = old.parameters.get(name), new.parameters.get(name)
@@ -74,7 +74,7 @@ def _moved(old: PlanStep, new: PlanStep) -> Iterator[str]:
 
 
 def _stand(step: PlanStep, plan: Plan) -> PlanStep | None:
-    """The step that brought the robot where this one sets out; None where nobody is there."""
+    """The step after which the robot starts this one; None at the start."""
     earlier = plan.steps[: plan.steps.index(step)]
     stands = [one for one in earlier if BEARING in one.parameters]
     stood = stands[-1] if stands else None
@@ -82,7 +82,7 @@ def _stand(step: PlanStep, plan: Plan) -> PlanStep | None:
 
 
 def _bends(new: PlanStep, before: Mapping[str, Inference], after: PlannedEpisode) -> Iterator[str]:
-    """The people next to the path that prefer to be passed at another distance than before."""
+    """People next to the path whose preferred passing distance changed."""
     stood, start = _stand(new, after.plan), _start(new, after)
     goal = _goal(new, after.scene, after.asked.places)
     ends = {new.person} | ({stood.person} if stood else set())

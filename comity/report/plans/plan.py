@@ -1,4 +1,4 @@
-"""A plan: what the robot means to do, how, and why so."""
+"""A plan: its steps, values and reasons."""
 
 from __future__ import annotations
 
@@ -59,12 +59,12 @@ def plan_answer(prepared: PlannedEpisode) -> PlanAnswer:
 
 
 def quality_of(plan: Plan) -> dict[str, Any]:
-    """By which engine a plan was found, and how far it can be trusted to be the best."""
+    """The engine that found a plan, and what is proven about its optimality."""
     return {name: getattr(plan, name) for name in ("engine", "optimal", "reproducible", "killed")}
 
 
 def _unverified(plan: Plan, robot: RobotBody) -> Iterator[str]:
-    """The people that the sensor would not show from the target distance, with why."""
+    """People whom the sensor cannot see from the target distance, with the reason."""
     for step in plan.steps:
         distance_m = step.parameters.get(DISTANCE)
         if step.action == "Reach_user" and isinstance(distance_m, float):
@@ -74,7 +74,7 @@ def _unverified(plan: Plan, robot: RobotBody) -> Iterator[str]:
 
 
 def _unheard(plan: Plan, values: Mapping[str, Inference]) -> Iterator[str]:
-    """The people who are to be told something and do not hear."""
+    """People to whom something is to be said, and who do not hear."""
     visited = {name for step in plan.steps for name in step.people}
     for name, inferred in values.items():
         if name in visited and NOTE_OF_SAY in inferred.notes:
@@ -82,11 +82,11 @@ def _unheard(plan: Plan, values: Mapping[str, Inference]) -> Iterator[str]:
 
 
 def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswer, ...]:
-    """The steps of a plan, each with what its values are made of.
+    """The steps of a plan, each with the contributions of its values.
 
     Args:
         plan: The plan.
-        values: By person, as they were planned with.
+        values: Values that the plan was made with, by person.
     """
     return tuple(
         replace(
@@ -97,7 +97,7 @@ def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswe
 
 
 def step_answer(step: PlanStep, values: Inference | None) -> StepAnswer:
-    """A step, with what its values are made of where they are a person's."""
+    """A step, with the contributions of its values if they are a person's."""
     return StepAnswer(
         action=step.action,
         arguments=step.arguments,
@@ -112,17 +112,17 @@ def step_answer(step: PlanStep, values: Inference | None) -> StepAnswer:
 
 
 def no_plan(*, reproducible: bool) -> dict[str, Any]:
-    """What an answer without a plan says of it.
+    """Plan fields of an answer without a plan.
 
     Args:
-        reproducible: Whether no limit had a part in that.
+        reproducible: Whether the result is independent of limits.
     """
     quality = {"engine": "none", "optimal": False, "reproducible": reproducible, "killed": False}
     return {"solved": False, **quality, "cost": None, "bound": None, "gap": None, "steps": ()}
 
 
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
-    """The answer where there is no plan."""
+    """The answer without a plan."""
     return PlanAnswer(
         scenario=file.scenario.name,
         failure=FailureAnswer(reason=failed.reason, remedy=failed.remedy),
@@ -139,9 +139,9 @@ def _already(file: ScenarioFile) -> tuple[str, ...]:
 
 
 ALTERNATIVES_SHOWN = 3
-"""The cheapest ones; `--json` has all."""
+"""Number of alternatives shown, the cheapest; `--json` has all."""
 SILENT = frozenset({"text", "thing", "place", "modality"})
-"""Parameters that the step's own line says already."""
+"""Parameters that are already in the step's own line."""
 UNITS = {
     DISTANCE: "m",
     "approach_direction": "deg",
@@ -152,7 +152,7 @@ UNITS = {
 
 
 def _below_the_headline(answer: PlanAnswer) -> Iterator[str]:
-    """Whose rules decide, what the validator says, and how to read the costs."""
+    """Lines below the headline: the rulebook, the validator's result, and how to read costs."""
     if answer.rulebook is not None:
         yield f"Rulebook {answer.rulebook}: {answer.rulebook_reason}."
     if (checked := answer.validation) is not None:
@@ -163,7 +163,7 @@ def _below_the_headline(answer: PlanAnswer) -> Iterator[str]:
 
 
 def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The answer as text."""
     from rich.padding import Padding
 
     skips = any(step.action == "Skip_visit" for step in answer.steps)
@@ -201,12 +201,12 @@ def _others(count: int) -> str:
 
 
 def choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:
-    """What another way to do a step comes to; with whom the robot stands before, where it is another one."""
+    """Choices of an alternative step; includes the person before whom the robot stands, if different."""
     return arguments[2:] if arguments[1:2] == step.arguments[1:2] else arguments[1:]
 
 
 def _ways_out(goal: Unmet) -> Iterator[str]:
-    """What would have to change, a line for each condition."""
+    """Changes that would make a goal achievable, a line for each condition."""
     if not goal.conditions:
         yield "  No single thing would change that."
         return
@@ -215,7 +215,7 @@ def _ways_out(goal: Unmet) -> Iterator[str]:
 
 
 def _values(step: StepAnswer) -> Iterator[str]:
-    """The parameters, each with its unit; the direction together with the side that was made of it."""
+    """Parameters with units; the approach direction is combined with the resulting side."""
     for name, value in step.parameters.items():
         text, origin = number(value, UNITS.get(name)), origin_in_words(step, name)
         if name in SILENT:

@@ -1,4 +1,4 @@
-"""What another profile or rulebook changes in a plan, and why."""
+"""Changes of a plan due to another profile or rulebook, with reasons."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ if TYPE_CHECKING:
     from comity_fis import Inference
 
 SAME = 1e-9
-"""Numbers nearer to each other are the same, relative to the larger one of them and 1."""
+"""Numbers closer than this are equal, relative to the larger one of them and 1."""
 
 
 def plan_diff(before: PlannedEpisode, after: PlannedEpisode) -> DiffAnswer:
     """The answer of `comity plan --diff`.
 
     Args:
-        before: The scenario as it is written.
-        after: The same with other profiles, or another rulebook.
+        before: The scenario as written.
+        after: The scenario with other profiles, or another rulebook.
     """
     return DiffAnswer(
         cost=(before.plan.cost, after.plan.cost),
@@ -41,12 +41,12 @@ def plan_diff(before: PlannedEpisode, after: PlannedEpisode) -> DiffAnswer:
 def diff_text(
     diff: DiffAnswer, *, against: str = "the scenario as it is written", plain: bool = False
 ) -> Iterator[RenderableType]:
-    """The same, for a person to read.
+    """The answer as text.
 
     Args:
         diff: The answer.
-        against: With what it compares.
-        plain: Whether a step's arguments are all its own, as in PDDL, and none is the robot or the person.
+        against: What the plan is compared with.
+        plain: Whether to show all arguments of a step, as in PDDL, without separating robot and person.
     """
     from rich.padding import Padding
 
@@ -71,7 +71,7 @@ def diff_text(
 
 
 def _costs(diff: DiffAnswer, *, plain: bool) -> Iterator[RenderableType]:
-    """What the difference of the costs is made of; nothing where no step costs anything else."""
+    """Cost difference by term; nothing if no step's costs differ."""
     from rich.padding import Padding
 
     if not diff.costs or diff.cost is None:
@@ -85,7 +85,7 @@ def _costs(diff: DiffAnswer, *, plain: bool) -> Iterator[RenderableType]:
 
 
 def _named(step: StepCostChangeAnswer, *, plain: bool) -> str:
-    """`Reach_user(guest: front)`, where both plans have it with both choices."""
+    """Name such as `Reach_user(guest: front)` if both plans have the step with the same choices."""
     if plain:
         whole = (f"{step.action}({', '.join(way)})" for way in (step.before, step.after) if way is not None)
         return " → ".join(dict.fromkeys(whole))
@@ -117,7 +117,7 @@ def _parameters(
 
 
 def _choices(before: Plan, after: Plan) -> Iterator[ChoiceChangeAnswer]:
-    """Sides and greetings by person: a company that is greeted at once is a greeting of each of them."""
+    """Sides and greetings by person; a joint greeting of a company counts for each of them."""
     was, is_ = _chosen(before), _chosen(after)
     for person, action in dict.fromkeys((*was, *is_)):
         old, new = was.get((person, action)), is_.get((person, action))
@@ -134,7 +134,7 @@ def _choices(before: Plan, after: Plan) -> Iterator[ChoiceChangeAnswer]:
 
 
 def _chosen(plan: Plan) -> dict[tuple[str, str], tuple[tuple[str, ...], PlanStep]]:
-    """What is chosen for each person, and the step that says why."""
+    """Choices for each person, and the step that explains them."""
     return {
         (person, "greeting" if step.action.startswith("Greet_") else step.action): (step.arguments[2:], step)
         for step in plan.steps
@@ -143,7 +143,7 @@ def _chosen(plan: Plan) -> dict[tuple[str, str], tuple[tuple[str, ...], PlanStep
 
 
 def same(one: float | str, other: float | str) -> bool:
-    """Whether two values are the same word, or numbers that nobody can tell apart."""
+    """Whether two values are the same word, or numerically indistinguishable."""
     if isinstance(one, str) or isinstance(other, str):
         return one == other
     return abs(one - other) <= SAME * max(1.0, abs(one), abs(other))

@@ -41,7 +41,7 @@ WEIGHTS = {"side": "the weight of sides", "greeting": "the weight of greetings",
 
 
 def stability_text(found: StabilityAnswer | None) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The answer as text."""
     from rich.padding import Padding
 
     if found is None:

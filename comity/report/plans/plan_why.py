@@ -1,4 +1,4 @@
-"""One step of a plan: what it is made of, and what everything else would have cost."""
+"""Explanation of a plan step: its costs, and those of all alternatives."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def step_why(answer: PlanAnswer, prepared: PlannedEpisode, asked: str) -> StepWh
 
     Args:
         answer: The plan.
-        prepared: What it was made of.
-        asked: As `asked_step` takes it.
+        prepared: The planned episode.
+        asked: The step, in the form of `asked_step`.
 
     Raises:
         InputError: if the plan has no such step.
@@ -69,12 +69,12 @@ def _contrast(
 
 
 def _stop(answer: PlanAnswer, number: int) -> int:
-    """How many stops come before a step."""
+    """Number of docking poses before a step."""
     return sum(step.action == "Reach_user" for step in answer.steps[: number - 1])
 
 
 def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The answer as text."""
     from rich.padding import Padding
 
     step = why.step
@@ -91,7 +91,7 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
 
 
 def _instead(why: StepWhyAnswer) -> Iterator[RenderableType]:
-    """Every other way to do the step, and what it would cost."""
+    """All alternatives of the step, with their costs."""
     from rich.padding import Padding
 
     step = why.step
@@ -138,7 +138,7 @@ def _contrast_text(contrast: ContrastAnswer) -> str:
 
 
 def _value(value: StepValueAnswer, step: StepAnswer) -> tuple[str, str, str]:
-    """Whose it is where the step serves several, what is planned, and what the person's own is made of."""
+    """Person (if the step serves several), planned value, and contributions of the person's own value."""
     name = words(value.parameter)
     if len(step.people) > 1:
         name = f"{value.person}: {name}"

@@ -1,4 +1,4 @@
-"""How good a plan is proven to be, in words."""
+"""Optimality of a plan, in words."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ if TYPE_CHECKING:
 
 
 def quality(answer: PlanAnswer, *, proven: str = "no plan costs less") -> str:
-    """What is known about cheaper plans.
+    """What is known about cheaper plans, in words.
 
     Args:
         answer: The plan.
-        proven: What is said of an optimal one.
+        proven: Wording for an optimal plan.
     """
     if answer.optimal:
         return proven

@@ -1,4 +1,4 @@
-"""How an approach direction, which has no left or right, becomes the bearing of a side."""
+"""Conversion of an approach direction, which has no left or right, to the bearing of a side."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ SIDES = (
     "An approach direction counts off the person's front, to the left and the right alike: on the side front "
     "the two cancel out, and the bearing is 0."
 )
-"""Why 11.7 deg off the front may well be approached straight on."""
+"""Explanation why a direction of 11.7 deg may be approached from the front."""
 
 
 def toward(steps: Iterable[PlanStep], person: str, parameter: str) -> str:
-    """` → front` after the approach direction of a person who is visited, else nothing."""
+    """Suffix ` → front` for the approach direction of a visited person, else empty."""
     if parameter != "approach_direction":
         return ""
     sides = [step.arguments[-1] for step in steps if step.action == "Reach_user" and step.person == person]

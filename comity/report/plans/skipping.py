@@ -1,4 +1,4 @@
-"""What leaving a person out costs, and what it is weighed against."""
+"""The prize of a dropped visit, and the cost it is compared with."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 def skipping(prepared: PlannedEpisode, name: str) -> SkippingAnswer:
-    """The price of leaving a person out, and what serving them would have cost instead.
+    """The prize of a dropped visit, and what serving the person would have cost.
 
     Args:
-        prepared: A scenario whose plan leaves them out.
-        name: Of a person.
+        prepared: A planned episode that drops the visit.
+        name: Name of the person.
     """
     visitee = next(one for one in prepared.visitees if one.name == name)
     within_reach = name not in prepared.asked.request.dropped_m
@@ -38,7 +38,7 @@ def skipping(prepared: PlannedEpisode, name: str) -> SkippingAnswer:
 
 
 def skipping_text(skipping: SkippingAnswer) -> Iterator[str]:
-    """The same, for a person to read."""
+    """The answer as text."""
     yield f"the scenario prices that at {skipping.price} cm (`skip: {skipping.price / 100:g}`)"
     if skipping.serving is None:
         yield f"they cannot be served: {skipping.reason}"

@@ -1,4 +1,4 @@
-"""What the values of a step are made of: culture, situation, what was learnt, wishes, and safety."""
+"""Contributions to a step's values: culture, situation, learning, wishes, and safety."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ if TYPE_CHECKING:
 Contributions = dict[str, "tuple[Contribution, ...]"]
 
 ORIGINS = {"setting": "asked for", "neutral": "neutral value"}
-"""Origins that people call otherwise."""
+"""Readable names of origins."""
 
 
 def contributions_of(parameters: Mapping[str, object], inference: Inference | None) -> Contributions:
-    """What each parameter of a step is made of, by name; nothing of what no rulebook decides, such as a text.
+    """Contributions to each parameter of a step, by name; none for values without a rule, such as a text.
 
     Args:
-        parameters: Of the step.
-        inference: Whose they are; None where they are nobody's.
+        parameters: Parameters of the step.
+        inference: Inference of the person; None if they are nobody's.
     """
     known = inference.parameters if inference else {}
     return {name: known[name].contributions for name in parameters if name in known}
@@ -35,8 +35,8 @@ def step_values(step: StepAnswer, values: Mapping[str, Inference]) -> Iterator[S
     """Each value of a step for each person whom it serves, with the reason for it.
 
     Args:
-        step: Of a plan.
-        values: By person.
+        step: The step.
+        values: Values by person.
     """
     for person in step.people:
         inference = values[person]
@@ -56,7 +56,7 @@ def step_values(step: StepAnswer, values: Mapping[str, Inference]) -> Iterator[S
 
 
 def origin_in_words(step: StepAnswer, parameter: str) -> str:
-    """` (asked for)`, ` (culture + learnt)`; empty for culture alone, and for a word that the plan chose."""
+    """Suffix such as ` (culture + learnt)`; empty for culture alone, and for a planned choice."""
     made_of = step.contributions.get(parameter, ())
     if all(one.origin == "culture" for one in made_of):
         return ""
