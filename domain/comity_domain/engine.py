@@ -20,6 +20,10 @@ from comity_domain.planner import ENGINE
 class ComityEngine(Engine, OneshotPlannerMixin):  # type: ignore[misc]
     """Plans problems of `problem_of`, each to the proven optimum for up to 12 people."""
 
+    def __init__(self, **_options: object) -> None:
+        Engine.__init__(self)
+        OneshotPlannerMixin.__init__(self)
+
     @property
     def name(self) -> str:
         """See `ENGINE`."""

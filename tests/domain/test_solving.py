@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from dataclasses import replace
@@ -221,6 +222,52 @@ def test_what_is_no_problem_is_refused():
     with pytest.raises(InputError) as refused:
         solve("visits")
     assert (refused.value.expected, refused.value.got) == ("a Problem of unified-planning", "'visits'")
+
+
+def _called(value, user):
+    """With the name of the one user in the place of USER."""
+    if isinstance(value, dict):
+        return {_called(key, user): one for key, one in value.items()}
+    if isinstance(value, tuple):
+        return tuple(_called(one, user) for one in value)
+    return user if value == "USER" else value
+
+
+@pytest.mark.parametrize(
+    ("entries", "expected"),
+    [
+        ({"by_s": {"nobody": 60.0}}, "a user of the problem in by_s"),
+        ({"announced": frozenset(["nobody"])}, "a user of the problem in announced"),
+        ({"ties": {("nobody", "left"): 1}}, "a user or group of the problem in ties"),
+        ({"details": {"nothing_to_do": "word"}}, "a task of the problem in details"),
+        ({"durations_s": {(None, "moon"): 1.0}}, "a place of the problem in durations_s"),
+        ({"by_s": {"USER": 0.0}}, "by_s of USER in seconds, > 0"),
+        ({"by_s": {"USER": math.nan}}, "by_s of USER in seconds, > 0"),
+        ({"by_s": {"USER": "60"}}, "by_s of USER in seconds, > 0"),
+        ({"durations_s": {(None, "USER"): -1.0}}, "durations_s of (None, 'USER') in seconds, >= 0"),
+        ({"by_s": {"USER": 60.0}}, "durations_s of (None, 'USER'), as there is a deadline"),
+    ],
+)
+def test_a_timing_that_does_not_fit_its_problem_is_refused(entries, expected, rich_request):
+    request = rich_request(1, 3)
+    user = id_of(request.visitees[0].name)
+    timing = Timing(**{field: _called(value, user) for field, value in entries.items()})
+    with pytest.raises(InputError) as refused:
+        solve(problem_of(request), timing)
+    assert refused.value.expected == expected.replace("USER", user)
+
+
+def test_the_engine_refuses_a_problem_without_a_metric_as_the_function_does(rich_request):
+    register()
+    problem = problem_of(rich_request(1, 3))
+    problem.clear_quality_metrics()
+    with OneshotPlanner(name="comity") as planner, pytest.raises(InputError, match="MinimizeActionCosts"):
+        planner.solve(problem)
+
+
+def test_without_a_timing_none_is_as_good(rich_request):
+    problem = problem_of(rich_request(2, 1))
+    assert str(solve(problem, None)) == str(solve(problem))
 
 
 def test_a_problem_without_a_route_has_no_plan(rich_request):

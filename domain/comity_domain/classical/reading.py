@@ -25,6 +25,7 @@ from comity_domain.classical.initial_state import (
 )
 from comity_domain.classical.naming import PddlNames, PddlWord
 from comity_domain.classical.timing import NO_TIMING, Timing
+from comity_domain.classical.timing_check import require_timing
 from comity_domain.problem.agenda import PLAIN, Agenda, Offer, TakeLeave, Task
 from comity_domain.problem.spot import START, Spot
 from comity_fis.errors import InputError, Where, shown
@@ -55,6 +56,7 @@ def choices_of(problem: Problem, timing: Timing = NO_TIMING) -> tuple[Options, P
     """
     _require_visit_domain(problem)
     stated = _Stated(problem)
+    require_timing(timing, stated.types, stated.ways())
     choices = stated.choices(timing)
     names = stated.names(choices)
     _require_same(
@@ -74,8 +76,8 @@ class _Stated:
     """The initial values of a problem."""
 
     def __init__(self, problem: Problem) -> None:
-        self._kinds = {each.name: each.type.name for each in problem.all_objects}
-        self._users = [name for name, kind in self._kinds.items() if kind == "user"]
+        self.types = {each.name: each.type.name for each in problem.all_objects}
+        self._users = [name for name, kind in self.types.items() if kind == "user"]
         self.values = {
             _atom(atom): value.constant_value()
             for atom, value in problem.explicit_initial_values.items()
@@ -88,6 +90,12 @@ class _Stated:
         self._turns = self._all_turns()
         self._agendas = {user: self._tasks(user) for user in self._users}
 
+    def ways(self) -> Iterator[tuple[str, str]]:
+        """Start and end of every way to a user or a location, several times if there are several sides."""
+        for fluent in ("route", "way_to"):
+            for start, _side, place, _to in self._by_fluent[fluent]:
+                yield start, place
+
     def choices(self, timing: Timing) -> Options:
         """See `choices_of`."""
         prices = self._by_fluent["skip_cost"]
@@ -95,14 +103,14 @@ class _Stated:
         people = {user: self._person(user, timing) for user in self._users if user not in dropped}
         companies = {name: self._company(name, timing) for (name,) in self._by_fluent["whole"]}
         spots = [spot for person in people.values() for spot in person.spots()]
-        robot = next((name for name, kind in self._kinds.items() if kind == "robot"), "")
+        robot = next((name for name, kind in self.types.items() if kind == "robot"), "")
         legs = dict(self._legs())
         dislikes = dict.fromkeys(spots, 0)
         return Options(robot, people, companies, legs, dislikes, timing.durations_s, dropped)
 
     def names(self, choices: Options) -> PddlNames:
         """The PDDL name of each word; all but tasks, objects and turns keep their names."""
-        ids = {PddlWord(kind, name): name for name, kind in self._kinds.items()}
+        ids = {PddlWord(kind, name): name for name, kind in self.types.items()}
         ids |= zip(turns_of(choices), self._turns, strict=False)
         for person in choices.people.values():
             ids |= zip(tasks(person), self._agendas[person.name], strict=True)

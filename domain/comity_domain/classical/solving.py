@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from unified_planning.plans import SequentialPlan
 
 
-def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0) -> SequentialPlan:
+def solve(problem: Problem, timing: Timing | None = None, *, time_limit_s: float = 30.0) -> SequentialPlan:
     """The cheapest plan of a visit problem; with its timing, the plan that `make_plan` finds.
 
     A problem does not state which of several equally expensive plans is the most desirable; its timing does.
@@ -27,12 +27,12 @@ def solve(problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float =
         time_limit_s: Wall-clock time [s], > 0; if it runs out, the plan is the best one found so far.
 
     Raises:
-        InputError: The problem states something that `problem_of` cannot.
+        InputError: The problem states something that `problem_of` cannot, or the timing does not fit it.
         NoPlan: There is no plan.
         PlanningFailed: No plan was found; `cut_off` if the time limit is the reason.
         ValueError: The time limit is not positive.
     """
-    return solved(problem, timing, time_limit_s=time_limit_s)[0]
+    return solved(problem, NO_TIMING if timing is None else timing, time_limit_s=time_limit_s)[0]
 
 
 def solved(
