@@ -1,7 +1,7 @@
 """The study of random rooms: whole episodes among people who stand, walk on errands and pass by.
 
 `python tests/room_study.py [ROOMS]` prints a table of 1,000 rooms of the kind `stand`, and 500 each of `walk`
-(some walk along routes of the scenario) and `mix` (passers-by, too), one of 500 rooms in which people stay,
+(some walk along routes of the scenario) and `mix` (passers-by, too), one of 40 rooms in which people stay,
 step aside or let the robot pass when it asks, and one that compares profiles in the same rooms. Rooms are
 drawn from a wide range: one to three parts with doorways, furniture, both drives, noise and delay of the
 sensors, short sight. The judge (`judging`) reads the frames.
@@ -34,8 +34,8 @@ KINDS = ("stand", "walk", "mix")
 ANSWERS = {"stay": "", "step aside": ", steps_aside: true", "let pass": ", lets_pass: true"}
 """The rooms of the kind `stand` by what people do when the robot asks to pass: everyone declares the facts
 that a reduced margin depends on, and the robot has the least margin that it can keep."""
-MANY = {"stand": 1000, "walk": 500, "mix": 500, "stay": 500, "step aside": 500, "let pass": 500}
-ROOMS_BY_PROFILE = 60
+MANY = {"stand": 1000, "walk": 500, "mix": 500, "stay": 40, "step aside": 40, "let pass": 40}
+ROOMS_BY_PROFILE = 20
 """Of each kind; nine profiles meet the same rooms."""
 NAMES = ("ada", "ben", "cyd", "dot", "eli", "fay", "gus", "hal")
 PROFILES = (

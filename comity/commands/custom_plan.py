@@ -53,13 +53,14 @@ class CustomQuestion:
         return Others(self.profiles, self.rulebook, self.at)
 
 
-def refuse_beside_domain(option: str, scenario: str | None, seed: int) -> None:
+def refuse_beside_domain(option: str, scenario: str | None, seed: int, *, validates: bool) -> None:
     """Refuse what means nothing for a domain of the user's own.
 
     Args:
         option: The one that says that it is about such a domain.
         scenario: What is named beside it.
         seed: Likewise.
+        validates: Whether `--validate` is asked for.
 
     Raises:
         InputError: for the first option that was given.
@@ -70,6 +71,9 @@ def refuse_beside_domain(option: str, scenario: str | None, seed: int) -> None:
     if seed:
         remedy = "Leave it out: nothing in PDDL is left to chance."
         raise _refused("--seed", "a seed only with a scenario", f"one beside {option}", remedy)
+    if validates:
+        remedy = "Leave it out: plans in a domain of your own are not validated once more."
+        raise _refused("--validate", "--validate only with a scenario", f"it beside {option}", remedy)
 
 
 def plan_custom_domain(ask: CustomQuestion) -> None:

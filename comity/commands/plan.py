@@ -89,7 +89,8 @@ def plan(
     """
     own = {"--domain": domain, "--problem": problem, "--bind": bind}
     if any(own.values()):
-        refuse_beside_domain(next(option for option, file in own.items() if file), scenario, seed)
+        option = next(option for option, file in own.items() if file)
+        refuse_beside_domain(option, scenario, seed, validates=validate)
         custom_question = CustomQuestion(
             domain=domain,
             problem=problem,

@@ -100,7 +100,7 @@ def test_an_engine_that_breaks_off_says_what_it_does_not_take(comity):
     said = comity("plan", "johanna", "--engine", "aries")
     assert said.code == 1
     told = " ".join(said.err.split())
-    assert "aries broke off: it does not take conditional effects and forall effects" in told
+    assert "aries cannot plan this: it does not take conditional effects and forall effects" in told
     assert "Leave --engine out" in told
 
 

@@ -167,6 +167,15 @@ def test_in_mode_scale_a_cell_that_one_looks_through_is_not_free(tmp_path: Path)
     assert shape(load_map(path)).area == pytest.approx(4.0)
 
 
+@pytest.mark.parametrize("mode", ["RGBA", "LA"])
+def test_in_mode_trinary_opacity_counts_as_a_fourth_channel_of_white(mode: str, tmp_path: Path) -> None:
+    """White cells are free where they are opaque, and unknown where they are transparent: (3 + 0) / 4."""
+    channels = np.full((20, 40, len(mode)), 255, dtype=np.uint8)
+    channels[:, 20:, -1] = 0
+    path = written(tmp_path, YAML.replace("map.pgm", "map.png"), channels, "map.png")
+    assert shape(load_map(path)).area == pytest.approx(4.0)
+
+
 def test_origin_and_yaw_put_the_lower_left_corner_where_ros_has_it(tmp_path: Path) -> None:
     text = YAML.replace("[0.0, 0.0, 0.0]", f"[-5, 2, {math.pi / 2}]")
     assert shape(load_map(written(tmp_path, text))).equals_exact(

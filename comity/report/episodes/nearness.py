@@ -99,13 +99,18 @@ class _Why:
         return f"{person} came to it" if came else ""
 
     def _of_place(self) -> str:
-        for t, other in self._docked:
-            if self.stay.start_s <= t <= self._end_s and other != self.stay.person and self._is_near(t):
-                return f"its place before {other} is as near"
+        """The place within the person's distance where the robot stood nearest to them, if any."""
+        places = [
+            (t, f"its place before {other} is as near")
+            for t, other in self._docked
+            if self.stay.start_s <= t <= self._end_s and other != self.stay.person
+        ]
         left_s, left = self._left
-        if not self._is_near(left_s):
-            return ""
-        return f"it went on from {f'its place before {left}' if left else 'where it started'}"
+        places.append(
+            (left_s, f"it went on from {f'its place before {left}' if left else 'where it started'}")
+        )
+        near = [(self._apart_m(t), text) for t, text in places if self._is_near(t)]
+        return min(near)[1] if near else ""
 
     def _of_routes(self) -> str:
         left_s, _ = self._left
@@ -166,7 +171,11 @@ class _Why:
         """Whether the robot was docked within the person's distance, or at its boundary."""
         scene = self.episode.prepared.scene
         bodies_m = scene.robot.radius_m + scene.person(self.stay.person).radius_m
-        return dist(self._robot(t), self._person(t)) < self.own_m + bodies_m + EDGE_M
+        return self._apart_m(t) < self.own_m + bodies_m + EDGE_M
+
+    def _apart_m(self, t: float) -> float:
+        """Distance of the robot's centre from the person's [m]."""
+        return dist(self._robot(t), self._person(t))
 
     def _of_route(self, t: float, goal_s: float) -> str | None:
         """The extra length of a route clear of everybody at that time, in words; None if negligible."""

@@ -31,8 +31,6 @@ class GreyPicture:
     """Mean of the colour channels, shape (rows, columns), from 0 for black to 1 for white."""
     opaque: NDArray[np.float64]
     """Opacity, from 0 for transparent to 1, of the same shape."""
-    colours: int
-    """Number of channels averaged in `grey`: 1 or 3."""
     has_alpha: bool
 
 
@@ -81,8 +79,8 @@ def _grey(picture: Image.Image) -> GreyPicture:
     values = np.asarray(picture, dtype=np.float64)
     values = values / (DEEP if picture.mode.startswith("I") else 255.0)
     if values.ndim == 2:
-        return GreyPicture(values, np.ones(values.shape), 1, has_alpha=False)
+        return GreyPicture(values, np.ones(values.shape), has_alpha=False)
     has_alpha = picture.mode in ("LA", "RGBA")
-    colours = values[..., :-1] if has_alpha else values
+    grey = (values[..., :-1] if has_alpha else values).mean(axis=-1)
     opaque = values[..., -1] if has_alpha else np.ones(values.shape[:2])
-    return GreyPicture(colours.mean(axis=-1), opaque, colours.shape[-1], has_alpha=has_alpha)
+    return GreyPicture(grey, opaque, has_alpha=has_alpha)

@@ -156,8 +156,9 @@ def cells(picture: GreyPicture, ros: RosMapFile) -> tuple[NDArray[np.bool_], NDA
 
     Args:
         picture: The picture that the map names.
-        ros: Its thresholds and mode. `trinary` treats a translucent cell as darker, `scale` as unknown; `raw`
-            has the values of an occupancy grid, 0 to 100 %, above which cells are unknown.
+        ros: Its thresholds and mode. `trinary` averages red, green, blue and opacity, as nav2's map server
+            does, so that a translucent cell is darker; `scale` treats it as unknown; `raw` has the values of
+            an occupancy grid, 0 to 100 %, above which cells are unknown.
     """
     grey, opaque = picture.grey, picture.opaque
     known = np.ones(grey.shape, dtype=bool)
@@ -167,7 +168,7 @@ def cells(picture: GreyPicture, ros: RosMapFile) -> tuple[NDArray[np.bool_], NDA
     else:
         shade = grey
         if ros.mode == "trinary" and picture.has_alpha:
-            shade = (grey * picture.colours + 1.0 - opaque) / (picture.colours + 1)
+            shade = (3.0 * grey + opaque) / 4.0
         occupied = shade if ros.negate else 1.0 - shade
         if ros.mode == "scale":
             known = opaque >= 1.0

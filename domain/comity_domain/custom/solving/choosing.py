@@ -147,7 +147,7 @@ def broken_off(name: str, problem: Problem, text: str) -> PlanningFailed:
         return PlanningFailed(f"{name} broke off ({text})", remedy=f"Plan with {instead}.")
     words = listed(sorted(one.lower().replace("_", " ") for one in lacks))
     return PlanningFailed(
-        f"{name} broke off: it does not take {words}, which the problem has",
+        f"{name} cannot plan this: it does not take {words}, which the problem has",
         remedy=f"Leave --engine out, or plan with {instead}.",
     )
 
