@@ -109,7 +109,7 @@ def test_an_action_of_the_planner_is_three_files(copy):
     agenda, domain = "comity_domain/problem/agenda.py", "comity_domain/visit.pddl"
     goals = "comity/specification/goals.py"
     copy.edit(agenda, "\n\nPLAIN:", f"\n\n{task}")
-    copy.edit(agenda, ')\n"""The kinds of tasks without', ", Show")
+    copy.edit(agenda, ')\n"""All kinds of plain tasks', ", Show")
     copy.edit(domain, "    (pause ?t - task)\n", "    (picture ?t - task)\n")
     copy.edit(domain, "\n  ; Say goodbye", f"\n{action}")
     copy.edit(goals, "from comity_fis", "from comity_domain.problem.agenda import Show\n")
