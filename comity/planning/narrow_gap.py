@@ -34,6 +34,9 @@ STEP_M = 0.002
 """To this the margin is found at which a path opens [m] (our choice)."""
 THINNEST_M = 0.02
 """Radius of the thinnest robot that is tried [m] (our choice)."""
+ALIKE_M, KEPT_M = 0.01, 0.005
+"""Widths that differ by less than `ALIKE_M` are told in millimetres, and with the `KEPT_M` that routes keep
+from a person beyond the margin [m]."""
 SAME_M = 0.02
 """A gap that would open by a margin so near to that is the one [m]: paths keep off by up to so much more."""
 
@@ -63,11 +66,20 @@ class NarrowGap:
         """Where it is, its width, and the widths that the robot needs."""
         one, *other = self.people
         where = f"between {one} and {other[0]}" if other else f"beside {one}"
-        told = f"the widest gap, {where}, is {self.width_m:.2f} m, and the robot needs {self.needed_m:.2f} m"
+        digits = 3 if self._is_nearly_wide_enough else 2
+        more_m = KEPT_M * len(self.people) if digits == 3 else 0.0
+        needed = f"{self.needed_m + more_m:.{digits}f} m"
+        told = f"the widest gap, {where}, is {self.width_m:.{digits}f} m, and the robot needs {needed}"
         if not self.passable:
             return told
-        let = with_verb(self.passable, "lets", "let")
-        return f"{told}, or {self.needed_past_them_m:.2f} m where {let} it pass at {self.margin_m:.2f} m"
+        let, past_them = with_verb(self.passable, "lets", "let"), self.needed_past_them_m + more_m
+        return f"{told}, or {past_them:.{digits}f} m where {let} it pass at {self.margin_m:.2f} m"
+
+    @property
+    def _is_nearly_wide_enough(self) -> bool:
+        """Whether the width and one of the widths needed may read alike in centimetres."""
+        needed = (self.needed_m, self.needed_past_them_m) if self.passable else (self.needed_m,)
+        return any(abs(each - self.width_m) < ALIKE_M for each in needed)
 
 
 def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | None:

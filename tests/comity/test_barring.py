@@ -127,6 +127,15 @@ def test_the_gap_between_a_person_and_a_wall_is_told(gap_m):
     assert the_gap_told(told) == ("beside bob", pytest.approx(gap_m, abs=0.0051), 0.85)
 
 
+@pytest.mark.parametrize("gap_m", [1.092, 1.1])
+def test_a_gap_that_lacks_millimetres_is_told_in_millimetres(gap_m, tmp_path):
+    """Routes keep 5 mm more from each person than the margin."""
+    path = tmp_path / "between.scenario.yaml"
+    path.write_text(BETWEEN % {"wide": gap_m + 0.9, "middle": gap_m / 2 + 0.45, "eve": gap_m + 0.65})
+    told = prepare(load_scenario(str(path))).asked.unreachable["ada"]
+    assert the_gap_told(told) == ("between bob and eve", pytest.approx(gap_m, abs=0.0005), 1.110)
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.integers(20, 58))
 def test_a_gap_that_is_too_narrow_is_told_with_its_width_and_with_what_the_robot_needs(gap_cm):
