@@ -38,7 +38,7 @@ class KnowingRobot(Robot, Protocol):
         ...
 
     def lost(self) -> Mapping[str, str]:
-        """Missing people whom it no longer searches for, with the reason."""
+        """Missing people that it no longer searches for, with the reason."""
         ...
 
     def would_see(self, person: str) -> bool:

@@ -75,7 +75,7 @@ def keep(seen: Mapping[str, Observation]) -> frozenset[str]:
     """Store observations, by stored name.
 
     Returns:
-        The people for whom they were stored: not those deleted meanwhile.
+        The people whose observations were stored, without those deleted in the meantime.
     """
     return frozenset(name for name, one in seen.items() if remember(name, [one]))
 

@@ -72,7 +72,7 @@ def refuse_beside_domain(option: str, scenario: str | None, seed: int, *, valida
         remedy = "Leave it out: nothing in PDDL is left to chance."
         raise _refused("--seed", "a seed only with a scenario", f"one beside {option}", remedy)
     if validates:
-        remedy = "Leave it out: plans in a domain of your own are not validated once more."
+        remedy = "Leave it out: only the plan of a scenario is validated."
         raise _refused("--validate", "--validate only with a scenario", f"it beside {option}", remedy)
 
 

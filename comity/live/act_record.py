@@ -62,7 +62,7 @@ class ActRecord:
         return ActStatus(name, status.state, status.text)  # type: ignore[arg-type]  # the tree refuses others
 
     def asked_to_pass(self, name: GoalId) -> str | None:
-        """The person whom a running act asks to let the robot pass; None if there is none."""
+        """The person that a running act asks to let the robot pass, or None."""
         act = self._act(name)
         return act.event.person if act.event.act == ASK_TO_PASS and not act.is_over else None
 

@@ -116,7 +116,7 @@ def one_each(tracks: list[PersonTrack]) -> tuple[list[PersonTrack], frozenset[st
 
 
 def stranger(track: PersonTrack) -> Person:
-    """A person of whom only the position is known."""
+    """A person with a known position and nothing else."""
     return Person(f"track {track.track}", track.x_m, track.y_m, wrap_angle(track.heading_rad or 0.0))
 
 

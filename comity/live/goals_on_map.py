@@ -85,7 +85,7 @@ class GoalsOnMap:
             self._base.renew(self._base_goals[-1])
 
     def _mind_margins(self, goal: MotionGoal, blocked_by: tuple[str, ...]) -> None:
-        """Update the people whom the robot may pass at a reduced margin."""
+        """Update the people that the robot may pass at a reduced margin."""
         if goal.pose is None and goal.kind != "go_to":
             return  # the robot turns on the spot
         keep = {} if goal.pose is None else {goal.to: goal.pose.distance_m}

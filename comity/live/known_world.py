@@ -170,7 +170,7 @@ class KnownWorld:
 
         Args:
             person: Name of the person.
-            told_m: Commanded distance from the person [m]; None if there is none.
+            told_m: Commanded distance from the person [m], or None.
         """
         seen, localised = self._seen.of(person), self._localised
         if localised is None or self.is_blind or not (seen.is_seen or self._presumes(person, told_m)):
@@ -200,7 +200,7 @@ class KnownWorld:
         return too_short_for(robot.sensor, robot.radius_m + distance_m)
 
     def pose_for(self, wish: Wish) -> RelativePose | None:
-        """The target pose if it is free, else the most desirable free one; None if there is none."""
+        """The target pose if it is free, else the most desirable free one, or None."""
         if wish.person in self._seen.lost:
             return None
         around, here = self.around, self.pose.xy

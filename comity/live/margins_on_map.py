@@ -63,7 +63,7 @@ class MarginsOnMap:
 
         Args:
             to: The person or place that the robot approaches.
-            blocked_by: People for whom the robot waits.
+            blocked_by: People that the robot waits for.
             keeps_all: Returns whether some route, however long, keeps the full margin from everybody.
         """
         self._clock.take(self._known.now_s())

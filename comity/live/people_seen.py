@@ -88,7 +88,7 @@ class PeopleSeen:
         )
 
     def may_be_at(self, robot: Pose, now_s: float) -> str | None:
-        """A sentence about an unseen person who may have reached the robot by now; None if there is none.
+        """A sentence about an unseen person who may have reached the robot by now, or None.
 
         People do not pass through walls.
         """

@@ -171,7 +171,7 @@ class RobotOnMap:
         distance_desirability: Curve,
         direction_desirability: Curve,
     ) -> RelativePose | None:
-        """The target pose if it is free, else the most desirable free one; None if there is none."""
+        """The target pose if it is free, else the most desirable free one, or None."""
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         return self._known.pose_for(wish)
 

@@ -99,7 +99,7 @@ class Clash:
 
 
 def clash_of(wishes: Mapping[str, object], *, hears: bool, sees: bool) -> Clash | None:
-    """The first setting that a person's perception makes impossible; None if there is none.
+    """The first setting that a person's perception makes impossible, or None.
 
     For a person who can neither hear nor see no setting is to blame: no act reaches them.
 

@@ -19,6 +19,7 @@ import numpy as np
 from comity_fis.listing import with_verb
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RouteMap
+from comity_sim2d.navigation.route_map import SLACK_M
 from comity_sim2d.pose import XY
 from comity_sim2d.robot.reduced_margin import could_pass
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, floor_plan
@@ -34,9 +35,9 @@ STEP_M = 0.002
 """To this the margin is found at which a path opens [m] (our choice)."""
 THINNEST_M = 0.02
 """Radius of the thinnest robot that is tried [m] (our choice)."""
-ALIKE_M, KEPT_M = 0.01, 0.005
-"""Widths that differ by less than `ALIKE_M` are told in millimetres, and with the `KEPT_M` that routes keep
-from a person beyond the margin [m]."""
+ALIKE_M = 0.01
+"""Widths that differ by less are told in millimetres, with the `SLACK_M` that routes keep from each person
+beyond the margin [m]."""
 SAME_M = 0.02
 """A gap that would open by a margin so near to that is the one [m]: paths keep off by up to so much more."""
 
@@ -67,7 +68,7 @@ class NarrowGap:
         one, *other = self.people
         where = f"between {one} and {other[0]}" if other else f"beside {one}"
         digits = 3 if self._is_nearly_wide_enough else 2
-        more_m = KEPT_M * len(self.people) if digits == 3 else 0.0
+        more_m = SLACK_M * len(self.people) if digits == 3 else 0.0
         needed = f"{self.needed_m + more_m:.{digits}f} m"
         told = f"the widest gap, {where}, is {self.width_m:.{digits}f} m, and the robot needs {needed}"
         if not self.passable:

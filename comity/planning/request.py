@@ -247,7 +247,7 @@ def _reason(scene: Scene, visitee: Visitee) -> str:
     if not accepted and visitee.not_from:
         return f"the scenario rules out every side that {person} accepts ({', '.join(sides(visitee.values))})"
     blocked = {side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in accepted}
-    free = {side for _, side in _free_places(scene, visitee)}
+    free = {side for _, side in _free_places(scene, visitee)} if any(blocked.values()) else frozenset()
     seen = "" if visitee.now.hears else f" within {widest_deg(visitee.values):g} deg of where they face"
     why = "" if visitee.now.hears else ", who does not hear"
     return f"no free and reachable place{seen} before {person}{why}: {_told(blocked, free)}"

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity_fis.listing import listed
+
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 
@@ -168,6 +170,11 @@ def spans(numbers: Iterable[int]) -> str:
 def words_of(names: Iterable[str]) -> str:
     """Names as people say them, in a row."""
     return ", ".join(map(words, names))
+
+
+def terms_in_words(terms: Iterable[str]) -> str:
+    """Terms in a sentence: `medium and far`."""
+    return listed(map(words, terms))
 
 
 def stated(fact: object, unit: str | None = None) -> str:

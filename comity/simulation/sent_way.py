@@ -95,7 +95,7 @@ def up_to_a_door(route: Route, doors: Iterable[Door], radius_m: float) -> SentWa
 
 
 def way_of(person: Person, to_m: XY, plan: FloorPlan, others: tuple[Person, ...] = ()) -> Route | None:
-    """The path of a person through a place; None if there is none.
+    """The path of a person through a place, or None.
 
     Args:
         person: The person, at their present position.

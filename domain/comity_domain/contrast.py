@@ -21,7 +21,7 @@ class Contrast:
 
     side: str
     plan: Plan | None
-    """The plan; None if there is none."""
+    """The plan, or None."""
     extra_cost: int | None
     """Additional cost in plan cost units; None if there is no such plan."""
 

@@ -39,6 +39,16 @@ class NoPlan(PlanningFailed):
     """It is proven that no plan reaches the goals."""
 
 
+def require_time_limit(time_limit_s: float) -> None:
+    """Reject a time limit [s] that is not above zero.
+
+    Raises:
+        ValueError: It is not.
+    """
+    if not time_limit_s > 0.0:
+        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
+
+
 def out_of_time(time_limit_s: float) -> PlanningFailed:
     """The error that no plan was found within a time limit [s]."""
     return PlanningFailed(

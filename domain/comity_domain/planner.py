@@ -6,6 +6,7 @@ from time import monotonic
 
 from comity_domain.choices.options import Options
 from comity_domain.classical.order_of import order_of
+from comity_domain.errors import require_time_limit
 from comity_domain.explanation.around import options_around
 from comity_domain.labelling.skipping import leaving, skip_steps
 from comity_domain.ordering.measuring import measured_options
@@ -39,8 +40,7 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> VisitPlan
         PlanningFailed: If none was found; `cut_off` if the limit is the reason.
         ValueError: If the request contains a person whom no plan can serve.
     """
-    if not time_limit_s > 0.0:
-        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
+    require_time_limit(time_limit_s)
     ends_s = monotonic() + time_limit_s
     left = leaving(request, ends_s=ends_s - time_limit_s / 2)
     found = settled(request.dropping(left.names), order_of, time_limit_s=time_limit_s, ends_s=ends_s)

@@ -135,7 +135,7 @@ def test_what_can_be_asked_of_a_scenario_can_be_asked_of_a_custom_domain(comity,
         (("--as", "aiko=germn_man"), "Did you mean 'german_man'?"),
         (("--rulebook", "brno2017"), "Did you mean 'bruno2017'?"),
         (("--seed", "3"), "nothing in PDDL is left to chance"),
-        (("--validate",), "not validated once more"),
+        (("--validate",), "only the plan of a scenario is validated"),
         (("--at", "yesterday"), "--at"),
     ],
 )

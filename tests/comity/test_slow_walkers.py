@@ -38,14 +38,13 @@ goals: [{{greet: anna}}]
 
 
 @pytest.mark.parametrize("sensor", SENSORS)
-@pytest.mark.parametrize("seed", range(4))
-def test_who_walks_at_a_fifth_of_a_metre_a_second_is_greeted_within_two_minutes(
-    seed: int, sensor: str, tmp_path: Path
+def test_who_walks_at_a_fifth_of_a_metre_a_second_is_greeted_and_mostly_within_a_minute(
+    sensor: str, tmp_path: Path
 ) -> None:
-    """Of 24 such walks with each sensor the median took 31 s, 4 longer than a minute and one 114 s."""
-    episode = met(tmp_path, seed, sensor, 0.2)
-    assert episode.visits[0].outcome == "greeted"
-    assert episode.frames.time_s[-1] < 120.0
+    """Of 24 such walks with each sensor 1 and 3 took longer; the medians were 30 and 32 s."""
+    episodes = [met(tmp_path, seed, sensor, 0.2) for seed in range(4)]
+    assert [episode.visits[0].outcome for episode in episodes] == ["greeted"] * 4
+    assert sum(episode.frames.time_s[-1] < 60.0 for episode in episodes) >= 3
 
 
 @pytest.mark.study

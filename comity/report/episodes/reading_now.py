@@ -43,7 +43,7 @@ def readings_at(folder: RunFolder, t: float | None) -> Mapping[str, ReadingAnswe
 
 
 def reading_for(why: NodeExplanation, readings: Mapping[str, ReadingAnswer]) -> ReadingAnswer | None:
-    """The reading of the person whom a node concerns; None if there is none."""
+    """The reading of the person whom a node concerns, or None."""
     return readings.get(why.event.person) if why.event.person else None
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.text import number, stated, step, table, words, words_of
+from comity.report.text import number, stated, step, table, terms_in_words, words, words_of
 from comity.report.values.explanation_words import (
     alternative_row,
     derivative_row,
@@ -12,7 +12,6 @@ from comity.report.values.explanation_words import (
     ordered_rules,
     rule_row,
     speaking,
-    terms_in_words,
     units_of,
 )
 from comity.report.values.inference import concluded, outvoted_text, possible

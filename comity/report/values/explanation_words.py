@@ -5,10 +5,9 @@ from __future__ import annotations
 from math import ceil, floor, inf, isinf, log10
 from typing import TYPE_CHECKING
 
-from comity.report.text import number, step, words
+from comity.report.text import number, step, terms_in_words, words
 from comity.report.values.inference import speaks
 from comity_fis import rests_on_facts
-from comity_fis.listing import listed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -56,11 +55,6 @@ def difference(to: float | str, value: ParameterValue) -> str:
     if text == fine(0.0, value.unit):
         return "the same" if change == 0 else "hardly any"
     return text if change < 0 else f"+{text}"
-
-
-def terms_in_words(terms: Sequence[str]) -> str:
-    """Terms as a sentence has them: `medium and far`."""
-    return listed(map(words, terms))
 
 
 def units_of(explanation: Explanation) -> Mapping[str, str | None]:

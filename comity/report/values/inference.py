@@ -6,7 +6,7 @@ from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 from comity.answers.inference import InferAnswer, SettledAnswer
-from comity.report.text import number, stated, table, words, words_of
+from comity.report.text import number, stated, table, terms_in_words, words, words_of
 from comity_fis import kept_back, outvoting, rests_on_facts
 from comity_fis.inference.value import fact_as_json
 from comity_fis.listing import listed
@@ -120,7 +120,10 @@ def in_brief(value: ParameterValue, inputs: Inputs) -> str:
     if len(value.contributions) > 1 or value.parts or not (value.decided_by_rules and resting):
         return "; ".join(because(value, inputs).splitlines())
     first, *others = resting[:RULES_SHOWN]
-    next_ones = (f"→ {_terms(fired, value.name)} ({speaks(fired, inputs, digits=2)})" for fired in others)
+    next_ones = (
+        f"→ {terms_in_words(concluded(fired, value.name))} ({speaks(fired, inputs, digits=2)})"
+        for fired in others
+    )
     rests = ", ".join((_in_short(first, value.name, inputs), *next_ones))
     hidden = "" if isinstance(value.value, str) else possible(value.fired, inputs)
     return "; ".join(filter(None, (rests, hidden)))
@@ -185,12 +188,8 @@ def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
 
 def _in_short(fired: FiredRule, parameter: str, inputs: Inputs) -> str:
     """`individualism is LC1 → close (rule 3, 0.84)`."""
-    terms = _terms(fired, parameter)
+    terms = terms_in_words(concluded(fired, parameter))
     return f"{words(str(fired.rule.antecedent))} → {terms} ({speaks(fired, inputs, digits=2)})"
-
-
-def _terms(fired: FiredRule, parameter: str) -> str:
-    return listed(map(words, concluded(fired, parameter)))
 
 
 def concluded(fired: FiredRule, parameter: str) -> list[str]:

@@ -35,7 +35,7 @@ def plans(episode: Episode) -> tuple[Planned, ...]:
 
 
 def last_for(made: Sequence[Planned], person: str, action: str = "") -> Planned | None:
-    """The last plan with a step for a person whose action starts with `action`; None if there is none."""
+    """The last plan with a step for a person whose action starts with `action`, or None."""
     for each in reversed(made):
         if any(person in step.people and step.action.startswith(action) for step in each.plan.steps):
             return each

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from comity_domain.classical.problem import sequential_plan
 from comity_domain.classical.reading import choices_of
 from comity_domain.classical.timing import NO_TIMING, Timing
+from comity_domain.errors import require_time_limit
 from comity_domain.ordering.best_order import best_order
 from comity_domain.ordering.order import Order
 from comity_domain.tours.tour import best_tour
@@ -39,8 +40,7 @@ def solved(
     problem: Problem, timing: Timing = NO_TIMING, *, time_limit_s: float = 30.0
 ) -> tuple[SequentialPlan, Order]:
     """The plan of `solve`, and what the search knows about it."""
-    if not time_limit_s > 0.0:
-        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
+    require_time_limit(time_limit_s)
     choices, names = choices_of(problem, timing)
     order = best_order(choices, time_limit_s)
     visits = best_tour(order.stops, choices)

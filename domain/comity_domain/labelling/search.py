@@ -67,7 +67,7 @@ def cheapest(
     at_most: int = NO_LIMIT,
     ends_s: float = math.inf,
 ) -> Cheapest | None:
-    """The cheapest continuation that keeps all deadlines; None if there is none, or none was found.
+    """The cheapest continuation that keeps all deadlines, or None, or none was found.
 
     Ties are broken as in `choices.ties`.
 

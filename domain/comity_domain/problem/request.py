@@ -26,7 +26,7 @@ class Visitee:
     priority_m: float = 0.0
     """Cost for each person greeted before this one, in metres of travel."""
     by_s: float | None = None
-    """Deadline for the end of the greeting, from the start [s]; None if there is none."""
+    """Deadline for the end of the greeting, from the start [s], or None."""
     skip_m: float | None = None
     """Cost of dropping this visit, in metres of travel; None if it must not be dropped."""
     agenda: Agenda = ()

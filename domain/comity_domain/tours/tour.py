@@ -34,7 +34,7 @@ class PlannedVisit:
     returns: tuple[Spot, ...] = ()
     """Docking poses after each object that the robot fetched during the visit."""
     farewell: tuple[str, str] | None = None
-    """Modality and gesture of the farewell; None if there is none."""
+    """Modality and gesture of the farewell, or None."""
 
     @property
     def stop(self) -> Stop:

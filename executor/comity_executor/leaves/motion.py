@@ -88,7 +88,7 @@ class MotionAction(Action):
         self._account = account
 
     def trouble(self, *parts: str) -> str | None:
-        """The fault of the robot or obstruction of its path, among these parts; None if there is none."""
+        """The fault of the robot or obstruction of its path, among these parts, or None."""
         return trouble_of(self.meeting.robot, *parts)
 
     def is_outdated(self) -> bool:

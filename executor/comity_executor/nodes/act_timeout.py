@@ -53,7 +53,7 @@ class ActTimeout(SimulatedTimeout):
         self._again_s, self._begun = 0.0, 1
 
     def next_attempt(self) -> tuple[int, float] | None:
-        """Number and start [s] of the attempt after a failure now; None if there is none."""
+        """Number and start [s] of the attempt after a failure now, or None."""
         again_s = self._clock() + self.pause_s
         return (self._begun + 1, again_s) if again_s < self._end_s else None
 

@@ -30,7 +30,7 @@ class Noticed:
 
 
 def noticed(first: Reading, now: Reading, words: Iterable[Words], t: float) -> Noticed | None:
-    """The signal that a person shows; None if there is none.
+    """The signal that a person shows, or None.
 
     Args:
         first: The reading when the robot came to rest next to the person.

@@ -135,7 +135,7 @@ class WhatIf:
         yield from sorted(filter(None, found), key=lambda flip: flip.change)
 
     def flat_over(self, name: str) -> Interval | None:
-        """The interval around a known number where the parameter is constant; None if there is none."""
+        """The interval around a known number where the parameter is constant, or None."""
         variable, now = self.rulebook.variables[name], self.inference.inputs[name]
         if not isinstance(variable, NumericVariable) or not isinstance(now, int | float):
             return None

@@ -31,7 +31,7 @@ class NominalScale(Generic[V]):
     level: Level
     """Level of the values themselves."""
     coercion: Coercion | None = None
-    """Declared treatment at a higher level; None if there is none."""
+    """Declared treatment at a higher level, or None."""
 
     def equal(self, a: V, b: V) -> bool:
         """Whether two values are the same."""

@@ -86,7 +86,7 @@ class RouteMap:
         return None if least_m is None else max(0.0, least_m - 1e-6)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
-        """The route between two positions of the robot's centre [m]; None if there is none.
+        """The route between two positions of the robot's centre [m], or None.
 
         Args:
             start: A position without contact; one inside a margin is first led out of it.

@@ -54,7 +54,7 @@ class FreeSpace:
         self._ways = [Ways(part) for part in parts]
         self._part_with = lru_cache(maxsize=KEPT)(self._find_part)
         self.way = lru_cache(maxsize=KEPT_WAYS)(self._find_way)
-        """Corner points of the shortest path, or of one close to it (`Ways`); None if there is none."""
+        """Corner points of the shortest path, or of one close to it (`Ways`), or None."""
 
     def _find_way(self, start: XY, goal: XY) -> tuple[XY, ...] | None:
         entry = self._entry(start)

@@ -54,7 +54,7 @@ class VisibilityGraph:
         return len(self._at)
 
     def shortest(self, start: XY, goal: XY) -> list[XY] | None:
-        """Corner points of the shortest path, including both ends; None if there is none."""
+        """Corner points of the shortest path, including both ends, or None."""
         import networkx as nx
 
         if self._is_clear(start, goal):

@@ -30,7 +30,7 @@ class Ways:
         self.free = free
 
     def way(self, start: XY, goal: XY) -> list[XY] | None:
-        """Corner points of a path, including both ends; None if there is none.
+        """Corner points of a path, including both ends, or None.
 
         It is the shortest path if there are at most `MOST_CORNERS` corners. Otherwise it is the cheapest over
         the grid, pulled taut, which is up to a tenth longer. If the grid has no path through a gap narrower

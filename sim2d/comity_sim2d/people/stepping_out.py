@@ -81,7 +81,7 @@ def way_out(
     paths: Footpaths,
     farthest_m: float = FARTHEST_M,
 ) -> list[XY] | None:
-    """The shortest walk to a place where the robot can pass; None if there is none nearby.
+    """The shortest walk to a place where the robot can pass, or None nearby.
 
     Args:
         at: Position of the person [m].
@@ -108,7 +108,7 @@ def way_out(
 def against_the_wall(
     at: XY, way: Sequence[XY], *, radius_m: float, others: Iterable[Disc], plan: FloorPlan
 ) -> list[XY] | None:
-    """A step straight away from the robot's path, as far as there is room; None if there is none.
+    """A step straight away from the robot's path, as far as there is room, or None.
 
     Args:
         at: Position of the person [m].

@@ -10,7 +10,7 @@ from comity_sim2d.robot.acts import HAND_OVER, PICK_UP, ActEvent
 
 
 def carried_at(events: Iterable[ActEvent], t: float) -> str | None:
-    """The object in the robot's hands at a time [s]; None if there is none."""
+    """The object in the robot's hands at a time [s], or None."""
     require_numbers("carried", t=t)
     return next((thing for thing, begin, end in carryings(events) if begin <= t + 1e-9 < end), None)
 

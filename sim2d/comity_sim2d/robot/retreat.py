@@ -29,7 +29,7 @@ class Retreat:
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._mark: tuple[float, XY] | None = None
-        """Start time [s] and position of the current interval of `LASTS_S`; None if there is none."""
+        """Start time [s] and position of the current interval of `LASTS_S`, or None."""
 
     def forget(self) -> None:
         """Reset: the robot visits another person, or this one walks."""

@@ -351,7 +351,7 @@ class SimRobot:
         )
 
     def trouble(self, part: str) -> str | None:
-        """The fault of a part of the robot or its path, in words; None if there is none.
+        """The fault of a part of the robot or its path, in words, or None.
 
         A shut path is no fault if something else blocks the robot.
         """
@@ -361,7 +361,7 @@ class SimRobot:
         return self._faults.of(subject)
 
     def trouble_with(self, person: str) -> str | None:
-        """The fault concerning a person, in words; None if there is none."""
+        """The fault concerning a person, in words, or None."""
         return self._faults.of(active_faults.person(person))
 
     def emergency(self) -> str | bool:

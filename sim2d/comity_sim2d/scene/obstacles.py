@@ -130,7 +130,7 @@ class FloorPlan:
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
 
     def within(self, region: BaseGeometry, xy: XY) -> Blocker | None:
-        """The obstacle in a region that is nearest to a point, with its distance; None if there is none.
+        """The obstacle in a region that is nearest to a point, with its distance, or None.
 
         Args:
             region: Any shape.

@@ -27,7 +27,7 @@ class Beyond:
 
 
 def beyond_classical(problem: Problem) -> Beyond | None:
-    """The first feature beyond classical planning; None if there is none."""
+    """The first feature beyond classical planning, or None."""
     metric = problem.quality_metrics[0] if problem.quality_metrics else None
     if metric is not None and metric.is_maximize_expression_on_final_state():
         return Beyond(MAXIMIZED, ":metric")
@@ -42,7 +42,7 @@ def beyond_classical(problem: Problem) -> Beyond | None:
 
 
 def timed_part(problem: Problem) -> str | None:
-    """The first part with durative actions or timed effects; None if there is none."""
+    """The first part with durative actions or timed effects, or None."""
     from unified_planning.model import InstantaneousAction
 
     if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:

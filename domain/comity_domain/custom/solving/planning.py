@@ -14,7 +14,7 @@ from comity_domain.custom.solving.hindrances import ALL_S, no_plan
 from comity_domain.custom.solving.reason import why
 from comity_domain.custom.solving.solution import GroundAction, Solution
 from comity_domain.custom.solving.swap import argument_of, row_of
-from comity_domain.errors import NoEngine, NoPlan, PlanningFailed
+from comity_domain.errors import NoEngine, NoPlan, PlanningFailed, require_time_limit
 from comity_domain.plans.plan import Plan, PlanStep, StepExplanation
 
 
@@ -31,7 +31,7 @@ class CustomPlan:
     actions: tuple[GroundAction, ...]
     """The steps as ground actions of the planning problem, with their times."""
     whose: tuple[str | None, ...]
-    """The person whose preferences are bound to each step; None if there is none."""
+    """The person whose preferences are bound to each step, or None."""
 
     def changes(self, other: CustomPlan) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Steps only in this plan, and steps only in the other one."""
@@ -54,8 +54,7 @@ def plan_custom(bound: Bound, *, time_limit_s: float = 30.0, diagnose: bool = Tr
         NoPlan: There is no plan; a diagnosis names the failing goal and the condition that prevents it.
         PlanningFailed: None was found within the limits, or no installed engine supports the problem.
     """
-    if not time_limit_s > 0.0:
-        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
+    require_time_limit(time_limit_s)
     try:
         solution = _solved(bound, time_limit_s)
     except NoPlan as failed:
