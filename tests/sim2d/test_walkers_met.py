@@ -12,18 +12,25 @@ from walkers_study import BEHIND_DEG, NEAR_M, approached_again_m, episode, longe
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Walk, World, docked
 from comity_sim2d.pose import Twist
+from comity_sim2d.robot.walkers_met import WALK_M
 
-FOLLOWS_S = 1.5
-"""The robot drives after a person who walks away for at most so long: it has to see it, and to brake [s]."""
+FOLLOWS_S, BRAKES_S = 1.7, 0.7
+"""How long the robot drives after somebody who walks away [s]: at most, and after it has seen it."""
 POSE = DockingPose(0.8, 0.0)
 HALL = Room.rectangle(14.0, 8.0)
 
 
-def hall(walk: Walk | None = None, *, at: tuple[float, float] = (2.0, 4.0), facing: float = 0.0) -> World:
+def hall(
+    walk: Walk | None = None,
+    *,
+    at: tuple[float, float] = (2.0, 4.0),
+    facing: float = 0.0,
+    own_m: float = 0.8,
+) -> World:
     """Ada in a hall, with a robot in its middle that is told to go to her."""
-    ada = Person("p0", *at, facing, personal_distance_m=0.8, walk=walk)
+    ada = Person("p0", *at, facing, personal_distance_m=own_m, walk=walk)
     world = World(Scene(HALL, RobotBody(7.0, 2.0), (ada,)))
-    world.robot.navigate("p0", POSE, speed_m_s=0.7)
+    world.robot.navigate("p0", DockingPose(own_m, 0.0), speed_m_s=0.7)
     return world
 
 
@@ -52,11 +59,12 @@ def stands(world: World) -> tuple[float, float]:
     stops=st.booleans(),
 )
 def test_the_robot_follows_no_walker_from_behind(speed, start, end, stops) -> None:
+    """They have walked by 0.3 m before it knows."""
     if math.dist(start, end) < 0.5 or math.dist(start, (7.0, 2.0)) < 0.6:
         return
     world = hall(Walk((end, start), loop=True, speed_m_s=speed, stops=stops), at=start)
     world.run(20.0)
-    assert longest_behind_s(world.frames) <= FOLLOWS_S
+    assert longest_behind_s(world.frames) <= WALK_M / speed + BRAKES_S
 
 
 @settings(max_examples=10, deadline=None)
@@ -70,6 +78,23 @@ def test_a_person_who_walks_by_has_declined_and_is_not_approached_again(speed, y
     assert approached_again_m(world, 0.8) < 0.1
     world.robot.dock("p0", POSE, speed_m_s=0.4)
     assert world.robot.motion().state == "declined"
+
+
+@settings(max_examples=8, deadline=None)
+@given(speed=st.floats(0.4, 0.9), own_m=st.floats(0.45, 1.6))
+def test_whatever_their_own_distance_the_robot_waits_where_it_can_offer_to_talk(speed, own_m) -> None:
+    """A person who walks by has seen it ahead, and has declined."""
+    world = hall(own_m=own_m)
+    walk_on(world, lambda _: (speed, 0.0), 11.0 / speed)
+    assert world.robot.motion().state == "declined"
+
+
+@settings(max_examples=6, deadline=None)
+@given(speed=st.floats(0.8, 1.4), y=st.floats(2.8, 3.4))
+def test_who_passes_as_the_visit_begins_has_not_declined(speed, y) -> None:
+    world = hall(at=(6.3, y))
+    walk_on(world, lambda _: (speed, 0.0), 2.5)
+    assert world.robot.motion().state != "declined"
 
 
 @settings(max_examples=6, deadline=None)

@@ -32,13 +32,17 @@ WALK_M = 0.3
 """A person who has moved by less than this has made a step, and does not walk [m] (our choice)."""
 OFFER_M = 1.5
 """Distance before a walker at which the robot offers to talk, and stands [m]: within the close phase of
-social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966)."""
+social distance (1.2 to 2.1 m, Hall, The Hidden Dimension, 1966). Farther for people with a large own
+distance (`_offers_at_m`)."""
 COME_M = 0.1
 """The robot has reached a person when this near to the distance of the visit [m] (our choice)."""
 LEAVES_M = 0.5
 """Additional distance at which a walker has turned away [m] (our choice)."""
 LOST_DEG = 120.0
 """Beyond this bearing from a walker's facing an accompanying robot has fallen behind [deg] (our choice)."""
+NOTICED_S = 2.0
+"""Time for which the robot has been visiting a walker before they can take it for an offer [s]: who passes
+by sooner is missed, and has not declined (our choice)."""
 SETTLES_S, FASTER, FASTER_M_S = 1.0, 1.5, 0.3
 """A walker speeds up if their mean speed over `SETTLES_S` [s] exceeds their initial one by the factor
 `FASTER` and by `FASTER_M_S` [m/s] (our choice)."""
@@ -85,7 +89,7 @@ class WalkersMet:
         self._spec, self._senses, self._clock = spec, senses, clock
         self.declined: dict[str, str] = {}
         """People who declined, and how: the robot does not approach them again."""
-        self._person = ""
+        self._person, self._since_s = "", -math.inf
         self._stood: XY | None = None
         """Where the person last stood, or was first seen [m]."""
         self._walks = self._along = False
@@ -105,6 +109,7 @@ class WalkersMet:
         """
         if name != self._person:
             self._person, self._stood, self._along, self._offer = name, None, False, None
+            self._since_s = self._clock.now_s
             self._retreat.forget()
         walker = self._walker(name)
         if walker is None:  # they stopped or turned round: an offer still stands
@@ -114,12 +119,16 @@ class WalkersMet:
         self._retreat.forget()
         stands = docked(robot, self._spec.radius_m, walker.person)
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
+        bodies_m = walker.person.radius_m + self._spec.radius_m
+        aside_m = bodies_m + max(distance_m, walker.person.personal_distance_m or COMFORT_M)
+        offer_m = _offers_at_m(aside_m, bodies_m)
         along = goes_along(self._spec, walker.person)
         if along and math.hypot(*walker.velocity) <= ALONG_M_S:
-            self._along = _is_near(stands) or (self._along and bearing_deg <= LOST_DEG and gap_m <= SOCIAL_M)
+            stays = self._along and bearing_deg <= LOST_DEG and gap_m <= SOCIAL_M
+            self._along = stays or _is_near(stands, offer_m)
         else:
             self._along = False
-            self._note_offer(walker, stands)
+            self._note_offer(walker, stands, offer_m)
         if self._along:
             self._offer = None
             return None
@@ -127,8 +136,6 @@ class WalkersMet:
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
             self._chosen_s = self._clock.now_s
-            beside_m = max(distance_m, walker.person.personal_distance_m or COMFORT_M)
-            aside_m = walker.person.radius_m + beside_m + self._spec.radius_m
             if self._place is None or not _is_beside(self._place, walker, aside_m):
                 self._place = self._choose(walker, aside_m, robot.xy, ways)
         return self._place or (robot.xy if gap_m <= SOCIAL_M else None)
@@ -147,11 +154,12 @@ class WalkersMet:
             self._walks = True
         return walker if self._walks else None
 
-    def _note_offer(self, walker: Walker, stands: Docked) -> None:
+    def _note_offer(self, walker: Walker, stands: Docked, offer_m: float) -> None:
         """Record that a walker sees the robot ahead, and how they decline."""
         person, now_s, offer = walker.person, self._clock.now_s, self._offer
         if offer is None:
-            if _is_near(stands) and self._senses.sees(person.name):
+            is_noticed = now_s - self._since_s >= NOTICED_S and self._senses.sees(person.name)
+            if is_noticed and _is_near(stands, offer_m):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
@@ -161,7 +169,7 @@ class WalkersMet:
             self._offer = _Offer(offer.heading_rad, person.xy, now_s, first_m_s)
             if pace_m_s > max(FASTER * first_m_s, first_m_s + FASTER_M_S):
                 self._decline(person, f"sped up before the robot, to {pace_m_s:.1f} m/s")
-        if bearing_deg > BEHIND_DEG or gap_m > OFFER_M + LEAVES_M:
+        if bearing_deg > BEHIND_DEG or gap_m > offer_m + LEAVES_M:
             turned = math.cos(person.heading_rad - offer.heading_rad) < TURNED_COS
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
             self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
@@ -174,7 +182,8 @@ class WalkersMet:
         """
         person, now_s, offer = self._senses.person(name), self._clock.now_s, self._offer
         stands = docked(robot, self._spec.radius_m, person)
-        has_come = stands.distance_m <= distance_m + COME_M and _is_near(stands) and self._senses.sees(name)
+        reaches_m = distance_m + COME_M
+        has_come = _is_near(stands, reaches_m) and self._senses.sees(name)
         if offer is None and has_come and person.walk is not None and not goes_along(self._spec, person):
             offer = _Offer(person.heading_rad, person.xy, now_s)
         if offer is not None:
@@ -237,9 +246,18 @@ def _is_beside(place: XY, walker: Walker, aside_m: float) -> bool:
     return comes and abs(off_m - aside_m) <= OFF_M
 
 
-def _is_near(stands: Docked) -> bool:
+def _is_near(stands: Docked, within_m: float) -> bool:
     """Whether the robot is near enough to talk, and in the person's view."""
-    return stands.distance_m <= OFFER_M and abs(stands.bearing_deg) <= FACES_DEG
+    return stands.distance_m <= within_m and abs(stands.bearing_deg) <= FACES_DEG
+
+
+def _offers_at_m(aside_m: float, bodies_m: float) -> float:
+    """The gap at which the robot offers to talk [m].
+
+    `OFFER_M`, but no less than the gap at which a walker whose path leads past the robot at `aside_m` begins
+    to lose it from view: nearer, they would never see it ahead.
+    """
+    return max(OFFER_M, aside_m / math.sin(math.radians(FACES_DEG)) - bodies_m + COME_M)
 
 
 def _goes_where_they_face(walker: Walker) -> bool:
