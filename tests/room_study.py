@@ -47,6 +47,8 @@ APART_M = 0.6
 DRAWS = 60
 FLOOR_M, SLACK_M = 0.30, 0.005
 """What the robot keeps from people, and by how much its route may cut that."""
+CUTS_M, SLOW_M_S = 0.02, 0.21
+"""By how much a robot cuts its bends, and how fast it leaves a margin, a tick's change included."""
 DECLARED = "age: 40, hearing: good, sight: good, mobility: full"
 MOVES_M_S = 0.02
 """Slower towards a person, it stands."""
@@ -179,6 +181,7 @@ def episode(kind: str, seed: int, profile: str | None = None) -> dict[str, Any]:
         "by_robot": sum(contact.by_robot for contact in contacts),
         "by_people": sum(not contact.by_robot for contact in contacts),
         "intrusions": intrusions(got.frames),
+        **inside_margins(got.frames),
         "margin_m": case.scene.robot.margin_m,
         "below_margin": intrusions(got.frames, case.scene.robot.margin_m),
         "passages": sum(told.kind == "passage" and "keeps" not in told.text for told in got.disturbances),
@@ -199,6 +202,26 @@ def intrusions(frames: Frames, floor_m: float = FLOOR_M) -> int:
     )
     own = (gap_m[1:] < floor_m - SLACK_M) & (closing > MOVES_M_S)
     return int(own[0].sum() + (own[1:] & ~own[:-1]).sum())
+
+
+def inside_margins(frames: Frames) -> dict[str, float]:
+    """How long the robot drove inside the margin of somebody who stood, and how long fast past them [s]."""
+    steps_s = np.diff(frames.time_s)
+    at = frames.poses[:, :, :2]
+    apart = at[1:, 1:] - at[1:, :1]
+    far_m = np.hypot(apart[..., 0], apart[..., 1])
+    gap_m = far_m - frames.radius_m[1:] - frames.radius_m[0]
+    velocity = np.diff(at, axis=0) / steps_s[:, None, None]
+    speed = np.hypot(velocity[..., 0], velocity[..., 1])
+    drives, stands = speed[:, :1] > MOVES_M_S, speed[:, 1:] < MOVES_M_S
+    inside = (gap_m < FLOOR_M - CUTS_M) & stands & drives
+    closing = (velocity[:, :1] * apart).sum(axis=2) / np.maximum(far_m, 1e-9)
+    past = inside & (speed[:, :1] > SLOW_M_S) & (closing > -speed[:, :1] / 2)  # not away: 60 degrees off
+    return {
+        "inside_s": float(steps_s[inside.any(axis=1)].sum()),
+        "fast_past_s": float(steps_s[past.any(axis=1)].sum()),
+        "nearest_m": float(gap_m[inside].min(initial=FLOOR_M)),
+    }
 
 
 def tables(rooms: int | None = None) -> Iterator[str]:
@@ -225,27 +248,30 @@ def profile_rows(rooms: int) -> list[dict[str, Any]]:
     return studied("rooms", episode, cases)
 
 
+TOTALS = ("by_robot", "by_people", "intrusions", "inside_s", "fast_past_s", "served", "asked", "simulated_s")
+
+
 def table(lines: list[dict[str, Any]]) -> Iterator[str]:
     """The table by kind of room."""
     yield (
         "| rooms | episodes | contacts by the robot | by people | nearer than 0.30 m by itself "
+        "| simulated hours | seconds nearer while driving | of them fast past somebody "
         "| visits served | seconds, median | ms of CPU a simulated second, median / 90th percentile |"
     )
-    yield "|---" * 8 + "|"
+    yield "|---" * 11 + "|"
     for kind in KINDS:
         for noisy in (False, True):
             chosen = [line for line in lines if (line["kind"], line["noisy"]) == (kind, noisy)]
             if not chosen:
                 continue
-            total = {
-                key: sum(line[key] for line in chosen)
-                for key in ("by_robot", "by_people", "intrusions", "served", "asked")
-            }
+            total = {key: sum(line[key] for line in chosen) for key in TOTALS}
             took = np.median([line["simulated_s"] for line in chosen])
             median, high = np.percentile([line["cpu_ms"] for line in chosen], (50, 90))
             yield (
                 f"| {kind}, {'noisy' if noisy else 'perfect'} sensors | {len(chosen)} | {total['by_robot']} "
-                f"| {total['by_people']} | {total['intrusions']} | {total['served'] / total['asked']:.1%} "
+                f"| {total['by_people']} | {total['intrusions']} | {total['simulated_s'] / 3600.0:.1f} "
+                f"| {total['inside_s']:.0f} | {total['fast_past_s']:.0f} "
+                f"| {total['served'] / total['asked']:.1%} "
                 f"| {took:.0f} | {median:.0f} / {high:.0f} |"
             )
 

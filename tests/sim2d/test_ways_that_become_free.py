@@ -147,4 +147,4 @@ def test_a_robot_does_not_change_its_mind_with_everybody_who_shifts_to_and_fro(
     aside_m: float, period_s: float
 ) -> None:
     """Both ways are open all the time; every time the other one is shorter, 24 times at least in 30 s."""
-    assert changes_of_mind(aside_m, period_s) <= 12
+    assert changes_of_mind(aside_m, period_s) <= 16

@@ -89,14 +89,23 @@ class RouteMap:
         """The route between two positions of the robot's centre [m], or None.
 
         Args:
-            start: A position without contact; one inside a margin is first led out of it.
+            start: A position without contact; one inside a margin is first led straight out of it.
             goal: A position that keeps all margins (`Surroundings.blocker`).
             keep: Distances to keep from people, by name, instead of their own; between surfaces [m].
         """
         return self._routes(start, goal, tuple((keep or {}).items()))
 
     def _route(self, start: XY, goal: XY, kept: tuple[tuple[str, float], ...]) -> Route | None:
-        keep = dict(kept)
+        return self._led_out(start, goal, lambda first: self._route_outside(first, goal, dict(kept)))
+
+    def _led_out(self, start: XY, goal: XY, find: Callable[[XY], Route | None]) -> Route | None:
+        """The route that is found from the nearest position outside margins, and the straight line there."""
+        first = self.way_out(start, goal)
+        route = None if first is None else find(first)
+        return route if route is None or first == start else Route((start, *route.points))
+
+    def _route_outside(self, start: XY, goal: XY, keep: Mapping[str, float]) -> Route | None:
+        """The route from a position outside all margins of people."""
         spaces = self.spaces(start, goal, keep=keep)
         groups = self.groups(start, goal)
         if self._is_straight(start, goal, (*spaces, *groups)):
@@ -114,7 +123,11 @@ class RouteMap:
 
     def polite(self, start: XY, goal: XY) -> Route | None:
         """The shortest route that keeps all own distances, however long; None where there is none."""
-        return self._shortest(start, goal, self.spaces(start, goal), self.groups(start, goal))
+
+        def shortest(first: XY) -> Route | None:
+            return self._shortest(first, goal, self.spaces(first, goal), self.groups(first, goal))
+
+        return self._led_out(start, goal, shortest)
 
     def to(self, person: str) -> RouteMap:
         """The routes for a visit to a person."""
@@ -129,8 +142,24 @@ class RouteMap:
         return self._reached(start, goal)
 
     def _reaches(self, start: XY, goal: XY) -> bool:
-        floors = _giving_way(self._floors, start, goal)
-        return self._around((*floors, *self.groups(start, goal))).joins(start, goal)
+        first = self.way_out(start, goal)
+        if first is None:
+            return False
+        floors = _giving_way(self._floors, first, goal)
+        return self._around((*floors, *self.groups(first, goal))).joins(first, goal)
+
+    def way_out(self, start: XY, goal: XY) -> XY | None:
+        """The nearest position outside the margins of all people: the start, where it is outside.
+
+        One from which a route leads to the goal goes before others. None without one within the robot's
+        diameter: farther away, a wall might be between.
+        """
+        floors = _giving_way(self._floors, goal, goal)
+        at = np.array([start])
+        if all(_depth_m(floor, at) <= SLACK_M for floor in floors):
+            return start
+        free = self._around((*floors, *self.groups(start, goal)))
+        return free.nearest(start, goal, 2.0 * self.surroundings.robot_radius_m)
 
     def may_reach(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
         """Whether there would be routes to many goals without people; shape (n,)."""
@@ -156,7 +185,9 @@ class RouteMap:
         """
         points = _ahead(route, way_m)
         spaces = self.spaces((points[0][0], points[0][1]), route.goal, keep=keep)
-        if any(space.without_comfort().depth_m(points).max() > SLACK_M for space in spaces):
+        depths_m = [space.without_comfort().depth_m(points) for space in spaces]
+        # The way out of a margin begins as deep inside it as the robot is.
+        if any(depth_m.max() > max(SLACK_M, depth_m[0]) for depth_m in depths_m):
             return True
         return _discomfort_m(spaces, points) > cost_m + by_m
 
@@ -292,10 +323,10 @@ class RouteMap:
 
 
 def _giving_way(spaces: Iterable[PersonalSpace], start: XY, goal: XY) -> tuple[PersonalSpace, ...]:
-    """Spaces shrunk so that a path can start and end."""
-    # A goal may be inside a person's own distance, but never inside the margin; a start may be anywhere.
-    to_goal = (each.leaving_out(goal, SLACK_M / 2, least_m=each.floor_m - 2 * SLACK_M) for each in spaces)
-    return tuple(each.leaving_out(start, SLACK_M / 2, least_m=each.contact_m) for each in to_goal)
+    """Spaces shrunk so that a path can start and end within people's own distances, not within margins."""
+    for end in (goal, start):
+        spaces = [each.leaving_out(end, SLACK_M / 2, least_m=each.floor_m - 2 * SLACK_M) for each in spaces]
+    return tuple(spaces)
 
 
 @lru_cache(maxsize=128)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
@@ -81,6 +82,21 @@ class FreeSpace:
         """Whether there is a path at all; quicker than finding it."""
         entry = self._entry(start)
         return entry is not None and self._part_with(goal) == entry[0]
+
+    def nearest(self, xy: XY, goal: XY, within_m: float) -> XY | None:
+        """The nearest free point, first of those with a path to a goal; None beyond a distance [m]."""
+        from shapely import Point
+        from shapely.ops import nearest_points
+
+        near = [nearest_points(part, Point(xy))[0] for part in self._parts]
+        far_m = [math.dist(xy, (point.x, point.y)) for point in near]
+        joined = self._part_with(goal)
+        best = min(
+            range(len(near)), key=lambda i: (i != joined or far_m[i] > within_m, far_m[i]), default=None
+        )
+        if best is None or far_m[best] > within_m:
+            return None
+        return near[best].x, near[best].y
 
     def joins_any(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
         """Whether each of many goals has a path, or one that touches the edge; shape (n,)."""

@@ -9,6 +9,7 @@ from functools import partial
 
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.avoidance.contact_recovery import ContactRecovery
+from comity_sim2d.avoidance.leaving_margins import LeavingMargins
 from comity_sim2d.avoidance.speed_governor import NO_LIMITS, SpeedGovernor
 from comity_sim2d.base.base import Base, BaseControl, VelocityCommand
 from comity_sim2d.base.differential import Differential
@@ -89,6 +90,7 @@ class BaseController:
         self._walkers = WalkersMet(spec, senses, clock)
         self._progress = ApproachProgress(spec, physics, senses, clock)
         self._draw_back = ContactRecovery(physics.touches, spec.radius_m)
+        self._leaving = LeavingMargins(spec)
         self._approach: Approach | None = None
         self._docks = False
         self._near_m_s: dict[str, float] = {}
@@ -243,6 +245,18 @@ class BaseController:
             self.motion = MotionProgress("running", f"drawing back from {touched}")
         return self._command(base, wanted, looks=False)
 
+    def _leave_margins(self, approach: Approach, base: Base, ways: RouteMap, goal: XY) -> Twist | None:
+        """The velocity out of the margins of people who stand, before it follows a route; None outside."""
+        stays = self.motion.state == "succeeded" or self._governor.held_up_by is not None
+        people = () if stays else self.standing.standing_people()
+        left = self._leaving.look(base, people, partial(ways.way_out, goal=goal))
+        if left is None:
+            return None
+        approach.forget_route()
+        approach.restart_watch(self._clock.now_s)
+        self.motion = MotionProgress("running", f"drawing back from {left[0]}")
+        return self._command(base, left[1], visited=approach.person)
+
     def _search_command(self, base: Base) -> Twist | None:
         """The velocity while looking for the approached or faced person; None if the goal continues."""
         approach = self._approach
@@ -320,6 +334,8 @@ class BaseController:
             waits_for.append(approach.gives_way_to)
         ways = self.standing.look(approach.person, waits_for, lets_by=self._governor.held_up_by, waits=waits)
         goal, seen = self._goal_of(approach)
+        if (twist := self._leave_margins(approach, base, ways, goal.xy)) is not None:
+            return twist
         if self._governor.backs_out_before is None:
             velocity = self._steer(approach, base, goal, ways)
         else:  # no route to follow until it moves on
@@ -348,6 +364,8 @@ class BaseController:
         """The velocity to the place where the robot waits for a walking person; there it faces them."""
         person = self._senses.person(approach.person)
         ways = self.standing.look("", (), lets_by=self._governor.held_up_by, waits=False)
+        if (twist := self._leave_margins(approach, base, ways, place)) is not None:
+            return twist
         heading, velocity = direction_to(base.xy, person.xy), (0.0, 0.0)
         if self._governor.backs_out_before is None and math.dist(base.xy, place) > WAITS_M:
             velocity = approach.steer(base, MovingTarget(place, (0.0, 0.0)), ways, self.standing.movers(""))

@@ -137,6 +137,16 @@ class DetourMap:
             if person.name != visited and person.name not in mapped
         ]
 
+    def standing_people(self) -> list[Person]:
+        """People on the map who stand, where they are believed to be."""
+        walking = {walker.person.name for walker in self._senses.walkers}
+        present = {person.name: person for person in self._senses.present}
+        return [
+            present.get(person.name, person)
+            for person in self.map.surroundings.people
+            if person.name not in walking and not self._has_just_walked(person.name)
+        ]
+
     def everybody(self) -> RouteMap:
         """The map with all people whose position is known."""
         people = (*self._senses.present, *(self._loiterers.look() if self._loiterers else ()))
