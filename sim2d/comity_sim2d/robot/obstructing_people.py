@@ -132,7 +132,7 @@ class PathObstruction:
 
     def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
         """The position to go to: the goal, or the waiting place [m]."""
-        if self._has_changed(route_map, goal, now_s):
+        if self._has_changed(route_map, goal, approach, now_s):
             self._looked_s = now_s
             self._found = self._in_the_way(route_map, start, goal, approach)
             self._map, self._goal = route_map, goal
@@ -168,10 +168,13 @@ class PathObstruction:
         detour_m = self.detour_m - (min(WORTH_M, self.detour_m / 2) if self.now else 0.0)
         return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=detour_m)
 
-    def _has_changed(self, route_map: RouteMap, goal: XY, now_s: float) -> bool:
+    def _has_changed(self, route_map: RouteMap, goal: XY, approach: Approach, now_s: float) -> bool:
         if route_map is not self._map or self._goal is None:
             return True
-        return math.dist(self._goal, goal) > STEP_M and now_s - self._looked_s >= FOLLOWS_S
+        # A robot that gave way may have lost its route among people who stand as they did.
+        is_lost = self._found is None and not approach.has_route
+        has_moved = math.dist(self._goal, goal) > STEP_M
+        return (is_lost or has_moved) and now_s - self._looked_s >= FOLLOWS_S
 
 
 def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> ObstructingPeople | None:
