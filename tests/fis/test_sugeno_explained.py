@@ -31,8 +31,8 @@ conditions = st.one_of(
 @st.composite
 def slopes(draw):
     """A trapezoid whose edges are at least half a unit wide."""
-    a, d = sorted((draw(corner), draw(corner)))
-    assume(d - a >= 2)
+    first = draw(st.integers(LOW * 8, (HIGH - 2) * 8))
+    a, d = first / 8, draw(st.integers(first + 2 * 8, HIGH * 8)) / 8
     return Trapezoid(a, a + 0.5, d - 0.5, d)
 
 
