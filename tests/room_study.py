@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from fault_study import tracks_of
 from judging import contacts_with_people
+from numpy.typing import NDArray
 from studying import studied
 
 from comity.live_episode import execute
@@ -30,6 +31,7 @@ from comity_fis.errors import ComityError
 from comity_sim2d import Frames, RobotBody, Sensor, World
 from comity_sim2d.robot.reduced_margin import least_margin_m
 
+Numbers = NDArray[np.float64]
 KINDS = ("stand", "walk", "mix")
 ANSWERS = {"stay": "", "step aside": ", steps_aside: true", "let pass": ", lets_pass: true"}
 """The rooms of the kind `stand` by what people do when the robot asks to pass: everyone declares the facts
@@ -190,12 +192,18 @@ def episode(kind: str, seed: int, profile: str | None = None) -> dict[str, Any]:
     }
 
 
-def intrusions(frames: Frames, floor_m: float = FLOOR_M) -> int:
-    """How often the robot's own motion began to bring it nearer to a person than the floor."""
+def distances(frames: Frames) -> tuple[Numbers, Numbers, Numbers]:
+    """From the robot to each person: the vector and the distance between the centres, and the gap [m]."""
     at = frames.poses[:, :, :2]
     apart = at[:, 1:] - at[:, :1]
     far_m = np.hypot(apart[..., 0], apart[..., 1])
-    gap_m = far_m - frames.radius_m[1:] - frames.radius_m[0]
+    return apart, far_m, far_m - frames.radius_m[1:] - frames.radius_m[0]
+
+
+def intrusions(frames: Frames, floor_m: float = FLOOR_M) -> int:
+    """How often the robot's own motion began to bring it nearer to a person than the floor."""
+    at = frames.poses[:, :, :2]
+    apart, far_m, gap_m = distances(frames)
     moved = np.diff(at[:, 0], axis=0)[:, None]
     closing = (
         (moved * apart[:-1]).sum(axis=2) / np.maximum(far_m[:-1], 1e-9) / np.diff(frames.time_s)[:, None]
@@ -207,11 +215,8 @@ def intrusions(frames: Frames, floor_m: float = FLOOR_M) -> int:
 def inside_margins(frames: Frames) -> dict[str, float]:
     """How long the robot drove inside the margin of somebody who stood, and how long fast past them [s]."""
     steps_s = np.diff(frames.time_s)
-    at = frames.poses[:, :, :2]
-    apart = at[1:, 1:] - at[1:, :1]
-    far_m = np.hypot(apart[..., 0], apart[..., 1])
-    gap_m = far_m - frames.radius_m[1:] - frames.radius_m[0]
-    velocity = np.diff(at, axis=0) / steps_s[:, None, None]
+    apart, far_m, gap_m = (each[1:] for each in distances(frames))
+    velocity = np.diff(frames.poses[:, :, :2], axis=0) / steps_s[:, None, None]
     speed = np.hypot(velocity[..., 0], velocity[..., 1])
     drives, stands = speed[:, :1] > MOVES_M_S, speed[:, 1:] < MOVES_M_S
     inside = (gap_m < FLOOR_M - CUTS_M) & stands & drives
@@ -255,7 +260,7 @@ def table(lines: list[dict[str, Any]]) -> Iterator[str]:
     """The table by kind of room."""
     yield (
         "| rooms | episodes | contacts by the robot | by people | nearer than 0.30 m by itself "
-        "| simulated hours | seconds nearer while driving | of them fast past somebody "
+        "| simulated hours | seconds inside a margin | seconds fast past a person "
         "| visits served | seconds, median | ms of CPU a simulated second, median / 90th percentile |"
     )
     yield "|---" * 11 + "|"

@@ -52,7 +52,7 @@ class ContactRecovery:
             return None
         touched = self._touches[-1].entity
         person = next((person for person in people if person.name == touched), None)
-        if person is None or self._gap_m(base, person) >= KEEP_OFF_M:
+        if person is None or person.gap_m(base.xy, self._radius_m) >= KEEP_OFF_M:
             self._over = len(self._touches)
             return None
         # Contact recovery. The direction is straight away from the person's centre: it is the one along
@@ -70,6 +70,3 @@ class ContactRecovery:
             return touched, VelocityCommand((0.0, 0.0), ahead)
         velocity = (BACK_M_S * back[0], BACK_M_S * back[1])
         return touched, VelocityCommand(velocity, ahead, may_reverse=True)
-
-    def _gap_m(self, base: Base, person: Person) -> float:
-        return math.dist(base.xy, person.xy) - person.radius_m - self._radius_m

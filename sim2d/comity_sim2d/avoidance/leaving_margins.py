@@ -1,7 +1,7 @@
-"""Leaving margins: a robot that is too near to people who stand first goes straight out.
+"""Leaving margins: a robot moves straight out of the margins of standing people before it follows its route.
 
-It may have started there, somebody may have come to stand beside it, or it gave way to others. Its route
-begins with the same straight line, but two wheels would cut the corner at its end, and at full speed.
+It gets into a margin when it starts there, gives way to somebody else, or is joined by a person. The route
+begins with the same straight line, but a differential drive would cut the corner at its end at full speed.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ ALIGNED_RAD = math.radians(3.0)
 """A base that cannot move sideways turns its axis to within this angle before it goes [rad]."""
 
 WayOut = Callable[[XY], XY | None]
-"""For a position of the robot: the nearest one outside all margins; None without one nearby."""
+"""Finds the nearest position outside all margins; None if there is none nearby."""
 
 
 class LeavingMargins:
@@ -40,24 +40,23 @@ class LeavingMargins:
     def look(
         self, base: Base, people: Sequence[Person], way_out: WayOut
     ) -> tuple[str, VelocityCommand] | None:
-        """The person whom it is nearest to, and the command; None outside all margins, or without a way out.
+        """The person to move away from, and the command; None if it is in no margin, or has no way out.
 
         Args:
             base: Current motion of the robot's base.
-            people: The people who stand, the visited person as well: no docking pose is inside the margin.
+            people: All people who stand, including the visited one: no docking pose is inside a margin.
             way_out: Finds the place to go to.
         """
-        depth_m = {person: person.margin_m - self._gap_m(base, person) for person in people}
-        deepest = max(depth_m, key=depth_m.__getitem__, default=None)
-        if deepest is None or depth_m[deepest] <= (0.0 if self._leaves else self._begins_m):
-            self._leaves = False
+        tolerance_m = 0.0 if self._leaves else self._begins_m
+        self._leaves = False
+        xy, radius_m = base.xy, self._radius_m
+        inside = ((each.margin_m - each.gap_m(xy, radius_m), each.name) for each in people)
+        depth_m, name = max(inside, default=(0.0, ""))
+        to = way_out(xy) if depth_m > tolerance_m else None
+        if to is None or to == xy:
             return None
-        to = way_out(base.xy)
-        self._leaves = to is not None and to != base.xy
-        return (deepest.name, _towards(to, base)) if to is not None and self._leaves else None
-
-    def _gap_m(self, base: Base, person: Person) -> float:
-        return math.dist(base.xy, person.xy) - person.radius_m - self._radius_m
+        self._leaves = True
+        return name, _towards(to, base)
 
 
 def _towards(to: XY, base: Base) -> VelocityCommand:

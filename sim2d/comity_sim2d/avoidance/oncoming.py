@@ -84,7 +84,7 @@ class Oncoming:
         moving = {walker.person.name: walker for walker in walkers if not self._makes_way(walker.person.name)}
         for name, walker in moving.items():
             way = self._ways.setdefault(name, _Way(self._now_s))
-            near = self._gap_m(base.xy, walker.person) <= HELD_UP_M
+            near = walker.person.gap_m(base.xy, self._radius_m) <= HELD_UP_M
             comes = near or _comes(walker.person, walker.velocity, base)
             if comes and self._now_s - way.since_s >= COMES_S:
                 way.came_s, way.is_close = self._now_s, near
@@ -92,7 +92,7 @@ class Oncoming:
             if name in moving:
                 continue
             way.since_s = self._now_s
-            way.is_close &= self._gap_m(base.xy, self._senses.person(name)) <= HELD_UP_M
+            way.is_close &= self._senses.person(name).gap_m(base.xy, self._radius_m) <= HELD_UP_M
             if not way.is_close and self._now_s - way.came_s > LATELY_S:
                 del self._ways[name]
 
@@ -107,7 +107,7 @@ class Oncoming:
         for name, way in self._ways.items():
             if way.is_close or self._now_s - way.came_s <= within_s:
                 person = self._senses.person(name)
-                gap_m = self._gap_m(xy, person)
+                gap_m = person.gap_m(xy, self._radius_m)
                 found.append(OncomingPerson(name, person.xy, person.radius_m, gap_m, way.is_close))
         return found
 
@@ -121,9 +121,6 @@ class Oncoming:
 
     def _makes_way(self, name: str) -> bool:
         return self._now_s - self._asked_s.get(name, -math.inf) <= MAKES_WAY_S
-
-    def _gap_m(self, xy: XY, person: Person) -> float:
-        return math.dist(xy, person.xy) - person.radius_m - self._radius_m
 
 
 def _comes(person: Person, velocity: XY, base: Base) -> bool:

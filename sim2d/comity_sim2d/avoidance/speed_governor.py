@@ -216,7 +216,7 @@ class SpeedGovernor:
         way_m = speed * (base.step_s + speed / (2.0 * braking))
         ahead_m = ((person.x_m - x) * vx + (person.y_m - y) * vy) / speed
         share = min(max(ahead_m, 0.0), way_m) / speed
-        gap_m = math.dist((x + share * vx, y + share * vy), person.xy) - person.radius_m - self._spec.radius_m
+        gap_m = person.gap_m((x + share * vx, y + share * vy), self._spec.radius_m)
         return gap_m > KEEP_OFF_M
 
     def _with_room(

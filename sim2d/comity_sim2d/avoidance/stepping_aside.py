@@ -146,7 +146,7 @@ class SteppingAside:
                 self._still_s[person.name] = self._now_s
             if person.name not in self._courses:
                 continue  # as most people stand, and have not come
-            gap_m = math.dist(xy, person.xy) - person.radius_m - self._radius_m
+            gap_m = person.gap_m(xy, self._radius_m)
             if not speed and gap_m > AHEAD_M:
                 del self._courses[person.name]
                 continue

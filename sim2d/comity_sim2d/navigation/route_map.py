@@ -96,18 +96,22 @@ class RouteMap:
         return self._routes(start, goal, tuple((keep or {}).items()))
 
     def _route(self, start: XY, goal: XY, kept: tuple[tuple[str, float], ...]) -> Route | None:
-        return self._led_out(start, goal, lambda first: self._route_outside(first, goal, dict(kept)))
+        keep, groups = dict(kept), self.groups(start, goal)
+        return self._led_out(start, goal, lambda first: self._route_outside(first, goal, keep, groups))
 
     def _led_out(self, start: XY, goal: XY, find: Callable[[XY], Route | None]) -> Route | None:
-        """The route that is found from the nearest position outside margins, and the straight line there."""
+        """The straight line out of all margins, and the route from there that `find` finds."""
         first = self.way_out(start, goal)
         route = None if first is None else find(first)
-        return route if route is None or first == start else Route((start, *route.points))
+        if route is None or first == start:
+            return route
+        return Route((start, *route.points))
 
-    def _route_outside(self, start: XY, goal: XY, keep: Mapping[str, float]) -> Route | None:
+    def _route_outside(
+        self, start: XY, goal: XY, keep: Mapping[str, float], groups: tuple[OSpace, ...]
+    ) -> Route | None:
         """The route from a position outside all margins of people."""
         spaces = self.spaces(start, goal, keep=keep)
-        groups = self.groups(start, goal)
         if self._is_straight(start, goal, (*spaces, *groups)):
             return Route((start, goal))
         polite = self._shortest(start, goal, spaces, groups)
@@ -123,11 +127,10 @@ class RouteMap:
 
     def polite(self, start: XY, goal: XY) -> Route | None:
         """The shortest route that keeps all own distances, however long; None where there is none."""
-
-        def shortest(first: XY) -> Route | None:
-            return self._shortest(first, goal, self.spaces(first, goal), self.groups(first, goal))
-
-        return self._led_out(start, goal, shortest)
+        groups = self.groups(start, goal)
+        return self._led_out(
+            start, goal, lambda first: self._shortest(first, goal, self.spaces(first, goal), groups)
+        )
 
     def to(self, person: str) -> RouteMap:
         """The routes for a visit to a person."""
@@ -146,13 +149,13 @@ class RouteMap:
         if first is None:
             return False
         floors = _giving_way(self._floors, first, goal)
-        return self._around((*floors, *self.groups(first, goal))).joins(first, goal)
+        return self._around((*floors, *self.groups(start, goal))).joins(first, goal)
 
     def way_out(self, start: XY, goal: XY) -> XY | None:
-        """The nearest position outside the margins of all people: the start, where it is outside.
+        """The nearest position outside all people's margins: the start, if it is outside them.
 
-        One from which a route leads to the goal goes before others. None without one within the robot's
-        diameter: farther away, a wall might be between.
+        A position with a route to the goal is preferred. None if there is none within the robot's diameter:
+        farther away, a wall might be between.
         """
         floors = _giving_way(self._floors, goal, goal)
         at = np.array([start])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
@@ -84,19 +83,9 @@ class FreeSpace:
         return entry is not None and self._part_with(goal) == entry[0]
 
     def nearest(self, xy: XY, goal: XY, within_m: float) -> XY | None:
-        """The nearest free point, first of those with a path to a goal; None beyond a distance [m]."""
-        from shapely import Point
-        from shapely.ops import nearest_points
-
-        near = [nearest_points(part, Point(xy))[0] for part in self._parts]
-        far_m = [math.dist(xy, (point.x, point.y)) for point in near]
-        joined = self._part_with(goal)
-        best = min(
-            range(len(near)), key=lambda i: (i != joined or far_m[i] > within_m, far_m[i]), default=None
-        )
-        if best is None or far_m[best] > within_m:
-            return None
-        return near[best].x, near[best].y
+        """The nearest free point within a distance [m], preferably one with a path to a goal; or None."""
+        found = self._nearest(xy, within_m, first=self._part_with(goal))
+        return None if found is None else found[1]
 
     def joins_any(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
         """Whether each of many goals has a path, or one that touches the edge; shape (n,)."""
@@ -115,16 +104,19 @@ class FreeSpace:
     def _entry(self, start: XY) -> tuple[int, XY] | None:
         """The connected part and the first free point of a path: the start, or the nearest to it."""
         part = self._part_with(start)
-        if part is not None:
-            return part, start
+        return self._nearest(start, SNAP_M) if part is None else (part, start)
+
+    def _nearest(self, xy: XY, within_m: float, *, first: int | None = None) -> tuple[int, XY] | None:
+        """The nearest free point within a distance [m], preferably in one connected part, with its part."""
         from shapely import Point
         from shapely.ops import nearest_points
 
-        point = Point(start)
-        gaps = [(free.distance(point), i) for i, free in enumerate(self._parts)]
-        if not gaps or min(gaps)[0] > SNAP_M:
+        point = Point(xy)
+        gaps = ((part.distance(point), i) for i, part in enumerate(self._parts))
+        reached = [(i != first, gap_m, i) for gap_m, i in gaps if gap_m <= within_m]
+        if not reached:
             return None
-        part = min(gaps)[1]
+        part = min(reached)[2]
         near = nearest_points(self._parts[part], point)[0]
         return part, (near.x, near.y)
 

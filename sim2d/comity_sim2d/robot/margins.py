@@ -238,7 +238,7 @@ class Margins:
         if leave.to != self._to or not self._senses.sees(then.name):
             return False
         now = self._senses.person(then.name)
-        gap_m = math.dist(now.xy, robot) - now.radius_m - self._spec.radius_m
+        gap_m = now.gap_m(robot, self._spec.radius_m)
         leave.came = leave.came or gap_m < PERSON_MARGIN_M
         if leave.came and gap_m > PASSED_M:
             return False

@@ -213,7 +213,7 @@ def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Perso
     for step in range(math.ceil(direct.length_m / STEP_M) + 1):
         xy = direct.at(min(step * STEP_M, direct.length_m))
         among = {name for space in spaces if _is_in(space, xy) for name in space.members}
-        near = {person.name for person in others if _gap_m(person, xy, place) < person.margin_m}
+        near = {person.name for person in others if person.gap_m(xy, place.robot_radius_m) < person.margin_m}
         met = tuple(person.name for person in others if person.name in {*near, *among})
         if not before.issuperset(met):
             yield step * STEP_M, met
@@ -227,7 +227,7 @@ def _wait(direct: Route, way_m: float, people: Collection[str], route_map: Route
     spaces = route_map.groups(start, direct.goal)
     for step in range(math.floor(way_m / STEP_M), 0, -1):
         xy = direct.at(step * STEP_M)
-        if any(_gap_m(person, xy, place) < away_m for person, away_m in crowded):
+        if any(person.gap_m(xy, place.robot_radius_m) < away_m for person, away_m in crowded):
             continue
         among = any(_is_in(space, xy) for space in spaces)
         if not among and place.blocker(xy) is None and route_map.reaches(start, xy):
@@ -237,7 +237,3 @@ def _wait(direct: Route, way_m: float, people: Collection[str], route_map: Route
 
 def _is_in(space: OSpace, xy: XY) -> bool:
     return math.dist(space.xy, xy) < space.radius_m
-
-
-def _gap_m(person: Person, xy: XY, place: Surroundings) -> float:
-    return math.dist(person.xy, xy) - person.radius_m - place.robot_radius_m

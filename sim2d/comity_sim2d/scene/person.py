@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 from comity_fis.proxemics import PERSON_MARGIN_M
@@ -104,6 +105,10 @@ class Person:
     def xy(self) -> XY:
         """Position [m]."""
         return (self.x_m, self.y_m)
+
+    def gap_m(self, xy: XY, radius_m: float) -> float:
+        """The gap between this person's body and a disc, negative where they overlap [m]."""
+        return math.dist(xy, self.xy) - self.radius_m - radius_m
 
     @property
     def pose(self) -> Pose:
