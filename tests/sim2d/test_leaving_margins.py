@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Wall, World
 from comity_sim2d.base.drive import REDUCED_M_S
+from comity_sim2d.navigation.route_map import RouteMap
 
 DRIVES = st.sampled_from(["omnidirectional", "differential"])
 BEN = (4.0, 3.0)
@@ -67,6 +68,20 @@ def test_then_it_keeps_the_margin_and_docks(drive, gap_m, bearing) -> None:
         has_left = has_left or polar(here)[0] >= MARGIN_M - 0.01
         assert not has_left or polar(here)[0] >= MARGIN_M - 0.03  # bends are cut by 2 cm
         assert here.time_s < 40.0
+
+
+@given(st.floats(0.02, 0.4), st.floats(-0.6, 0.6), st.floats(0.7, 0.845) | st.floats(0.855, 0.95))
+def test_a_start_inside_a_margin_opens_no_gap_that_is_too_narrow(gap_m, bearing, wide_m) -> None:
+    """Ben leaves a gap beside him in the only door: the robot, 0.5 m wide, needs 0.30 m and 5 cm more."""
+    at = (BEN[0] - (BODIES_M + gap_m) * math.cos(bearing), BEN[1] + (BODIES_M + gap_m) * math.sin(bearing))
+    walls = (
+        Wall((BEN[0], 0.0), (BEN[0], BEN[1] - 0.25)),
+        Wall((BEN[0], BEN[1] + 0.25 + wide_m), (BEN[0], 6.0)),
+    )
+    scene = Scene(Room.rectangle(8.0, 6.0), RobotBody(*at), (Person("ben", *BEN, 0.0),), walls=walls)
+    routes = RouteMap(scene)
+    assert (routes.route((1.0, 3.0), (7.0, 3.0)) is not None) == (wide_m > 0.85)
+    assert (routes.route(at, (7.0, 3.0)) is not None) == routes.reaches(at, (7.0, 3.0)) == (wide_m > 0.85)
 
 
 @given(DRIVES, st.floats(-math.pi, math.pi))
