@@ -206,6 +206,7 @@ class Margins:
             least_m=self._least_m,
             declared=person.margin_facts,
             is_known=self._senses.sees(person.name),
+            radius_m=person.radius_m,
             posture=person.posture,
             walks=self._senses.walks(person.name) or now_s - waiting.since_s < STANDS_S - 1e-9,
             bearing_deg=None if heading_rad is None else math.degrees(wrap_angle(towards_rad - heading_rad)),

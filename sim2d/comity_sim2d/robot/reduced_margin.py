@@ -6,6 +6,7 @@ allows. It uses no cultural variable. Every condition is necessary, and an unkno
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -24,6 +25,9 @@ BODY_MARGIN_M = 0.15
 """Distance to a body that remains after all errors of the robot [m] (our choice: half of the margin)."""
 ADULT_YEARS = 18.0
 """Minimum declared age [years]: the Convention on the Rights of the Child (1989), Article 1."""
+UNAIDED_RADIUS_M = 0.35
+"""Maximum radius of a person without a mobility aid [m] (our choice: a broad man's shoulders, 0.55 m, and
+15 cm). Who takes up more room has a wheelchair, a frame or a chair, whatever else is declared."""
 CONTROL_HZ = 20
 """Rate of commands if there is no world yet [Hz]."""
 
@@ -39,6 +43,8 @@ class PassageFacts:
     declared: MarginFacts = field(default_factory=MarginFacts)
     is_known: bool = False
     """Whether the tracker currently sees and recognises the person."""
+    radius_m: float = math.inf
+    """Radius of the person's body [m], with all that they sit in or lean on."""
     posture: str = ""
     walks: bool = True
     bearing_deg: float | None = None
@@ -74,6 +80,7 @@ CONDITIONS: tuple[Condition, ...] = (
         lambda c: _is_adult(c.declared),
     ),
     ("that they walk without an aid is not declared", lambda c: c.declared.walks_unaided),
+    ("they take up the room of somebody with an aid", lambda c: c.radius_m <= UNAIDED_RADIUS_M),
     ("that they hear well is not declared", lambda c: c.declared.hears_well),
     ("that they see well is not declared", lambda c: c.declared.sees_well),
     ("the tracker does not see them", lambda c: c.is_known),
@@ -100,6 +107,7 @@ def could_pass(spec: RobotBody, person: Person) -> bool:
         least_m=least_margin_m(spec),
         declared=person.margin_facts,
         is_known=True,
+        radius_m=person.radius_m,
         posture=person.posture,
         walks=person.may_move,
         bearing_deg=0.0,
