@@ -184,10 +184,14 @@ class World:
         here = self._physics.pose.xy
         if self._traffic and name in self._traffic.names:
             self._traffic.ask_to_pass(name, here, self.robot.find_way())
-        elif self._making_way:
-            self._making_way.ask(self._people[name], here)
+            return
+        person = self._people[name]
+        if self._making_way:
+            self._making_way.ask(person, here)
             if self._reactions:
                 self._reactions.break_off(name)
+        if self._traffic and not (person.steps_aside or person.lets_pass):
+            self._traffic.go_on(name, here)
 
     def run(self, seconds: float) -> None:
         """Advance by a time, rounded to the nearest tick.

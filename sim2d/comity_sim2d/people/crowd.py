@@ -136,6 +136,10 @@ class Crowd:
         """Let a person step out of the robot's way."""
         self._strolling.make_way(index, out)
 
+    def go_on(self, index: int) -> None:
+        """Let a walker go on who stopped for the robot."""
+        self._strolling.go_on(index)
+
     def use_outlines(self, outlines: Outlines) -> None:
         """Replace the static obstacles."""
         self._walls = WallList(outlines, self._movers, self.radius_m, WALLS_M, WALLS_SKIN_M)

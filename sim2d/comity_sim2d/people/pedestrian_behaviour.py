@@ -30,6 +30,8 @@ NEARER_M = 0.05
 PATIENCE = 3
 """Number of times a person is blocked before they look for another path, or accept being near."""
 NEAR_M = 1.0
+GOES_ON_S = 10.0
+"""Time for which a walker does not stop for a robot that has asked them to let it pass [s] (our choice)."""
 FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 """Tolerance of a turn to the robot, and the bearing at which people turn again [rad] (our choice)."""
 
@@ -72,6 +74,8 @@ class PedestrianBehaviour:
         self._step_s, self._decisions = step_s, 0
         self._legs: dict[int, Leg] = {}
         self._left_s: dict[int, float] = {s.index: LASTS_S for s in self._watchers}
+        self._goes_on_s: dict[int, float] = {}
+        """How long each walker who was asked will not stop for the robot [s]."""
         self._goal, self._speed = at.copy(), np.zeros(count)
         self._pauses, self._nears = np.zeros(count, dtype=bool), np.full(count, BEND_M)
         self._rest_s, self._someone_rests = np.zeros(count), False
@@ -128,6 +132,10 @@ class PedestrianBehaviour:
         self._stepping_out[index] = out
         if index in self._left_s:
             self._left_s[index] = 0.0
+
+    def go_on(self, index: int) -> None:
+        """Let a walker who stops for the robot go on: it asks to pass, so it has not come for them."""
+        self._goes_on_s[index] = GOES_ON_S
 
     @property
     def speed_m_s(self) -> Numbers:
@@ -300,7 +308,9 @@ class PedestrianBehaviour:
             self._set_out(stroller, at)
 
     def _intent(self, stroller: Stroller, at: complex, heading_rad: float, robot: RobotSeen) -> Intent | None:
-        if stroller.stops and comes_up(robot, at) and self._in_sight(at, robot):
+        goes_on_s = self._goes_on_s.get(stroller.index, 0.0)
+        self._goes_on_s[stroller.index] = max(0.0, goes_on_s - self._step_s)
+        if stroller.stops and not goes_on_s and comes_up(robot, at) and self._in_sight(at, robot):
             return Intent()
         reach = SEEN_M.get(stroller.reacts)
         if reach is None or self._left_s[stroller.index] <= 0.0:

@@ -140,6 +140,12 @@ class Pedestrians:
             self._crowd.make_way(i, SteppingOut(complex(*at), [complex(*bend) for bend in out]))
         return out is not None
 
+    def go_on(self, name: str, robot: XY) -> None:
+        """Let a person of the scene go on who stopped for the robot, if they hear that it only wants to pass."""
+        i = self._index[name]
+        if math.dist(_xy(complex(self._crowd.at[i])), robot) <= HEARD_M:
+            self._crowd.go_on(i)
+
     def use_plan(self, plan: FloorPlan) -> None:
         """Replace the floor plan."""
         self._plan = plan
