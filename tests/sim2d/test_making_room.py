@@ -71,3 +71,17 @@ def test_with_the_emergency_stop_pressed_it_stands_whoever_comes() -> None:
         world.move_person("ada", ada.x_m - 0.02, ada.y_m, ada.heading_rad)
         world.step()
     assert world.robot.pose.x_m == pytest.approx(4.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("faces_her_then", [False, True])
+def test_told_to_rest_it_stands_until_its_next_goal_whoever_comes(faces_her_then: bool) -> None:
+    """It stepped aside, and a run that had ended waited in vain for the base to come to rest."""
+    world = World(Scene(Room.rectangle(8.0, 4.0), RobotBody(4.0, 2.0), (Person("ada", 5.5, 2.0, math.pi),)))
+    world.robot.stop()
+    if faces_her_then:
+        world.robot.face("ada")
+    for _ in range(50):
+        ada = world.people[0]
+        world.move_person("ada", ada.x_m - 0.02, ada.y_m, ada.heading_rad)
+        world.step()
+    assert (world.robot.pose.xy == (4.0, 2.0)) != faces_her_then

@@ -85,6 +85,7 @@ class SpeedGovernor:
         movers: Sequence[Walker] = (),
         stand: Collection[str] = (),
         looks: bool = True,
+        gives_way: bool = True,
         near_m_s: Mapping[str, float] = NO_LIMITS,
     ) -> tuple[VelocityCommand, float]:
         """The allowed part of the velocity command, and the speed limit here [m/s].
@@ -98,6 +99,7 @@ class SpeedGovernor:
             movers: People that its route does not lead around, except the visited person.
             stand: People who block its path and are to be asked to make way.
             looks: Whether it looks before moving, if its sensor does not cover all directions.
+            gives_way: Whether it leaves its place for people who come; else it stands there.
             near_m_s: Speed limits near the people it visits, by name, in addition to what they asked for.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
@@ -115,7 +117,7 @@ class SpeedGovernor:
         seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
         most_m_s = min(near, seen, self._spec.max_speed_m_s)
         self._oncoming.look(base)
-        roomy = self._with_room(base, wanted, plan, visited, approached)
+        roomy = self._with_room(base, wanted, plan, visited, approached) if gives_way else wanted
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
         self._backing_out.note(base, velocity, plan, to=visited, stand=stand)

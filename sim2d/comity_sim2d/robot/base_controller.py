@@ -96,6 +96,8 @@ class BaseController:
         self._near_m_s: dict[str, float] = {}
         """The speed limit near the person it visits, by name [m/s]."""
         self._faced: str | None = None
+        self._is_halted = False
+        """Whether it is to stand until its next goal, even where it would give way to somebody."""
 
     def let_pass(self, passers_by: PassersByKnown) -> None:
         """Take passers-by into account: walking ones go first, routes lead round standing ones."""
@@ -165,12 +167,12 @@ class BaseController:
         )
         self._mind_people(place, detour_m)
         self._near_m_s = {}
-        self._docks, self._faced = True, None
+        self._docks, self._faced, self._is_halted = True, None, False
         self.motion = MotionProgress("running", f"going to {place}")
 
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
-        self._approach, self._faced = None, person
+        self._approach, self._faced, self._is_halted = None, person, False
         self.motion = MotionProgress("running", f"turning to {person}")
 
     def _decline(self, person: str) -> None:
@@ -179,8 +181,13 @@ class BaseController:
         self.motion = MotionProgress("declined", self._walkers.declined[person])
 
     def stop(self) -> None:
-        """Drop the goal, and stand."""
+        """Drop the goal, and stand; it still gives way to people who come."""
         self._approach, self._faced, self.motion = None, None, MotionProgress("stopped")
+
+    def halt(self) -> None:
+        """Drop the goal, and stand until the next one, whoever comes: the base is to come to rest."""
+        self.stop()
+        self._is_halted = True
 
     def expire(self, lease_s: float) -> None:
         """Drop the goal, as it was not renewed for the lease."""
@@ -291,6 +298,7 @@ class BaseController:
             self._obstruction = PathObstruction(detour_m, to)
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
+        self._is_halted = False
         if person in self._walkers.declined:
             self._decline(person)
             return
@@ -425,6 +433,7 @@ class BaseController:
             movers=self.standing.movers(visited or ""),
             stand=self._obstruction.people,
             looks=looks,
+            gives_way=not self._is_halted,
             near_m_s=self._near_m_s if going is not None else NO_LIMITS,
         )
         if going is not None:

@@ -333,11 +333,13 @@ class SimRobot:
         return self._next_goal()
 
     def stop(self, goal: int | str | None = None) -> None:
-        """Stop an act or the newest motion goal; without an argument, brake whatever the goal."""
+        """Stop an act or the newest motion goal; without an argument, stand until the next goal."""
         require_kinds("robot", goal=(goal, int | str | None))
         if isinstance(goal, str):
             self._acts.stop(goal)
-        elif goal in (None, self._goals):
+        elif goal is None:
+            self._controller.halt()
+        elif goal == self._goals:
             self._controller.stop()
 
     def motion(self) -> MotionProgress:
