@@ -141,7 +141,7 @@ class Pedestrians:
         return out is not None
 
     def go_on(self, name: str, robot: XY) -> None:
-        """Let a person of the scene go on who stopped for the robot, if they hear that it only wants to pass."""
+        """Let a person of the scene go on who stopped for the robot, if they hear that it wants to pass."""
         i = self._index[name]
         if math.dist(_xy(complex(self._crowd.at[i])), robot) <= HEARD_M:
             self._crowd.go_on(i)
