@@ -193,7 +193,8 @@ def run(
             )
     if picture is not None:
         _draw(recorded, picture)
-    _tell(recorded, _learnt(recorded, at) if learn else (), pseudonyms=pseudonyms, as_json=as_json)
+    learnt = _learnt(recorded, at) if learn else ()
+    _tell(recorded, learnt, picture=picture, pseudonyms=pseudonyms, as_json=as_json)
     if open_:
         from comity.output.run_folder import REPLAY
 
@@ -226,7 +227,14 @@ def _learnt(recorded: Recorded, at: str | None) -> Iterable[RenderableType]:
     return in_words(seen, keep(seen))
 
 
-def _tell(recorded: Recorded, learnt: Iterable[RenderableType], *, pseudonyms: bool, as_json: bool) -> None:
+def _tell(
+    recorded: Recorded,
+    learnt: Iterable[RenderableType],
+    *,
+    picture: Path | None,
+    pseudonyms: bool,
+    as_json: bool,
+) -> None:
     from comity.report.episodes.run import reached_text, summary
     from comity.report.text import show
 
@@ -234,7 +242,7 @@ def _tell(recorded: Recorded, learnt: Iterable[RenderableType], *, pseudonyms: b
         print_json(recorded.answer)
     else:
         told = reached_text(recorded.answer) if pseudonyms else summary(recorded.answer, recorded.episode)
-        show(*told, *_written(recorded), *learnt)
+        show(*told, *_written(recorded, picture), *learnt)
     if recorded.folder.is_open_to_others():
         path = recorded.folder.path
         note = f"others on this machine may look into {path}, not into its files"
@@ -277,7 +285,7 @@ def _views(gif: bool, no_pictures: bool) -> tuple[View, ...]:
     return tuple(view for view in asked if asked[view])
 
 
-def _written(recorded: Recorded) -> Iterator[RenderableType]:
+def _written(recorded: Recorded, picture: Path | None) -> Iterator[RenderableType]:
     """Which files there are to look at."""
     from comity.output.run_folder import ANIMATION, PICTURE, REPLAY
     from comity.report.episodes.trace import size_text
@@ -287,6 +295,8 @@ def _written(recorded: Recorded) -> Iterator[RenderableType]:
     for label, name in (("Page", REPLAY), ("Picture", PICTURE), ("GIF", ANIMATION)):
         if name in recorded.answer.files:
             yield unbroken(f"{label:8} {recorded.folder / name}")
+    if picture is not None:
+        yield unbroken(f"Picture  {picture}")
     yield unbroken(f"Folder   {recorded.folder.path}")
     yield f"Size     {size_text(recorded.answer.bytes_per_minute)}"
 

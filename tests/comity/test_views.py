@@ -148,7 +148,9 @@ def test_the_picture_of_a_run_is_drawn_later_by_the_ending_of_its_name(
 
 
 def test_a_run_draws_its_picture_in_vectors_and_refuses_another_form_before_it_runs(comity, here) -> None:
-    assert comity("run", "johanna", "--out", "visit", "--no-pictures", "--picture", "one.svg").code == 0
+    told = comity("run", "johanna", "--out", "visit", "--no-pictures", "--picture", "one.svg")
+    assert told.code == 0
+    assert [line.split()[1] for line in told.out.splitlines() if line.startswith("Picture")] == ["one.svg"]
     assert ">johanna<" in (here / "one.svg").read_text()
     said = comity("run", "johanna", "--out", "other", "--picture", "one.gif")
     assert said.code == 2

@@ -24,6 +24,7 @@ from comity_sim2d.maps.file import MAX_HOLES, MAX_LOCATIONS, Metres, Name, Named
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
 from comity_sim2d.maps.occupancy import FloorOutline, corners_of_cells, floor_of_cells
 from comity_sim2d.pose import XY
+from comity_sim2d.scene_error import FARTHEST_M
 
 PLACES_SUFFIX = ".places.yaml"
 """Suffix of the file of named places: `map.places.yaml` is next to `map.yaml`."""
@@ -126,12 +127,16 @@ def converted(file: YamlFile) -> RosMap:
         raise _no_floor(ros).at(file.where(("image",)))
     if len(floor.holes) > MAX_HOLES:
         raise _noisy(f"floor has at most {MAX_HOLES:,} holes", len(floor.holes)).at(file.where(("image",)))
+    outline_m = _in_metres(floor.outline, ros)
+    farthest_m = max(abs(length_m) for corner in outline_m for length_m in corner)
+    if farthest_m > FARTHEST_M:
+        raise _too_far(farthest_m, ros).at(file.where(("resolution",)))
     notes = " ".join(_notes(ros, (free, unknown), picture, floor, tolerance_m))
     data: dict[str, Any] = {
         "schema_version": 1,
         "name": re.sub(r"\.(map|yaml|yml)", "", file.path.name) or file.path.name,
         "about": f"{told.about.strip()} {notes}".strip(),
-        "rooms": {FLOOR: {"polygon_m": _in_metres(floor.outline, ros)}},
+        "rooms": {FLOOR: {"polygon_m": outline_m}},
         "holes_m": [_in_metres(hole, ros) for hole in floor.holes],
         "locations": {} if places is None else places.data.get("locations", {}),
     }
@@ -224,6 +229,15 @@ def _noisy(limit: str, count: int) -> InputError:
         expected=f"a picture whose {limit}",
         got=f"{count:,}, as in noise",
         remedy="Filter it, for example by a median of 3 x 3 cells.",
+    )
+
+
+def _too_far(farthest_m: float, ros: RosMapFile) -> InputError:
+    x, y, _ = ros.origin
+    return InputError(
+        expected=f"a map whose x and y are at most {FARTHEST_M:g} m",
+        got=f"{farthest_m:g} m, with cells of {ros.resolution:g} m and the origin ({x:g}, {y:g}) m",
+        remedy="Check resolution, which is metres a cell, and origin.",
     )
 
 
