@@ -18,6 +18,7 @@ class Kind(StrEnum):
 
     SCENARIO = "scenario"
     MAP = "map"
+    PLACES = "places"
     PROFILE = "profile"
     RULEBOOK = "rulebook"
     WORDINGS = "wordings"
@@ -63,6 +64,7 @@ class Kind(StrEnum):
 HOMES = {
     Kind.SCENARIO: "comity.scenario:Scenario",
     Kind.MAP: "comity_sim2d.maps.file:MapFile",
+    Kind.PLACES: "comity_sim2d.maps.ros_map:PlacesFile",
     Kind.PROFILE: "comity.people.profile:Profile",
     Kind.RULEBOOK: "comity_fis.rulebook.models:RulebookModel",
     Kind.WORDINGS: "comity_executor.speech.wordings_file:WordingsFile",

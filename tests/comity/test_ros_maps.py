@@ -88,6 +88,10 @@ def test_a_map_of_ours_goes_out_as_a_ros_map_which_replaces_its_own_files_only(c
     assert (told["image"], told["resolution"]) == ("ward.pgm", 0.05)
     assert Image.open(here / "out" / "ward.pgm").size == (482, 246)
     assert comity("draw", "out/ward.yaml").code == 0
+    bare = "schema_version: 1\nname: ward\nrooms: {hall: {box_m: [90, 0, 7, 3]}}\n"
+    (here / "bare.map.yaml").write_text(bare)
+    assert comity("draw", "bare.map.yaml", "--ros-map", "out").code == 0
+    assert comity("draw", "out/ward.yaml").code == 0, "none of the named places of before is left"
     (here / "out" / "ward.pgm").write_bytes(b"P5 1 1 255 x")
     assert comity("draw", "ward", "--ros-map", "out").code == 2
     assert comity("draw", "ward", "--ros-map", "out", "--graph").code == 2

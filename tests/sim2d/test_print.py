@@ -189,6 +189,17 @@ def test_a_map_with_many_visits_has_room_for_their_words(width_m: float, height_
     assert page.map[2] > 0.9 * page.width
 
 
+@given(st.floats(4.0, 60.0), st.floats(0.05, 0.12), st.integers(1, 6))
+@settings(deadline=None)
+def test_a_corridor_has_room_for_words_above_and_below(width_m, flat, count) -> None:
+    scene = Scene(Room.rectangle(width_m, max(0.6, width_m * flat)), RobotBody(0.3, 0.3))
+    page = episode_layout.layout(scene, [card(f"p{i}") for i in range(count)], Legend(visits=True))
+    assert page.map[3] >= 2.2  # inches: twice the height of a bubble of three lines, and the floor
+    assert page.above_m * page.in_per_m * 2.0 + drawing.extent_m(scene)[1] * page.in_per_m == pytest.approx(
+        page.map[3]
+    )
+
+
 def test_what_is_said_again_and_again_is_in_one_bubble_with_how_often() -> None:
     world = World(SCENE)
     world.robot.dock("johanna", DockingPose(0.64, 0.0), speed_m_s=0.7)

@@ -320,6 +320,15 @@ def test_a_picture_of_noise_is_refused_before_polygons_are_made_of_it(tmp_path: 
         load_map(written(tmp_path, grey=noise))
 
 
+@pytest.mark.parametrize("side", [4001, 9600, 14_000])
+def test_a_picture_of_too_many_cells_is_refused_by_its_header(side: int, tmp_path: Path, recwarn) -> None:
+    path = written(tmp_path)
+    (tmp_path / "map.pgm").write_bytes(f"P5 {side} {side} 255\n".encode())
+    with pytest.raises(InputError, match="at most 16,000,000 cells"):
+        load_map(path)
+    assert not recwarn.list
+
+
 def test_a_floor_of_too_many_holes_is_told_as_noise(tmp_path: Path) -> None:
     specks = np.full((300, 300), 254, dtype=np.uint8)
     specks[1:-1:3, 1:-1:3] = 0

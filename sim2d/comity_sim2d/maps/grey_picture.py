@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+from warnings import catch_warnings
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,16 +53,16 @@ def read_grey(path: Path, name: str) -> GreyPicture:
             raise _refused(
                 expected, f"{no_file(path)}: {name}", "Check the path, which starts at this file's folder."
             )
-        with Image.open(path, formats=FORMATS) as picture:
+        with catch_warnings(action="error", category=Image.DecompressionBombWarning):
+            picture = Image.open(path, formats=FORMATS)
+        with picture:
             width, height = picture.size
             if width * height > MAX_CELLS:
-                raise _refused(
-                    f"a picture of at most {MAX_CELLS:,} cells",
-                    f"{name} with {width} x {height}",
-                    "Cut it, or make its cells larger.",
-                )
+                raise _too_large(f"{name} with {width} x {height}")
             return _grey(picture)
-    except (UnidentifiedImageError, Image.DecompressionBombError):
+    except (Image.DecompressionBombWarning, Image.DecompressionBombError):  # at five times as many cells
+        raise _too_large(f"many times as many in {name}") from None
+    except UnidentifiedImageError:
         raise _refused(expected, f"{name}, which is neither", "Save the map as PGM or PNG.") from None
     except (OSError, ValueError, SyntaxError) as error:
         raise _refused(expected, f"{name}, which is broken: {error}", "Save the map again.") from None
@@ -69,6 +70,10 @@ def read_grey(path: Path, name: str) -> GreyPicture:
 
 def _refused(expected: str, got: str, remedy: str) -> InputError:
     return InputError(expected=expected, got=got, remedy=remedy)
+
+
+def _too_large(got: str) -> InputError:
+    return _refused(f"a picture of at most {MAX_CELLS:,} cells", got, "Cut it, or make its cells larger.")
 
 
 def _grey(picture: Image.Image) -> GreyPicture:

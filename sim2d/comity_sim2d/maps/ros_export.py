@@ -63,14 +63,13 @@ def ros_map_files(place: PlaceMap | Scene, name: str, cell_m: float = CELL_M) ->
     shades = np.where(_and_around(floor), OCCUPIED, UNKNOWN).astype(np.uint8)
     shades[~taken] = FREE
     header = f"P5\n{PGM_MARK.decode()}\n{columns} {rows}\n255\n"
-    files = {
+    # The file of named places is written without any, too: one of an earlier export must not stay.
+    places = {"schema_version": 1, "locations": {one.name: _place(one) for one in place.locations}}
+    return {
         f"{name}.yaml": _yaml(name, cell_m, corner),
         f"{name}.pgm": header.encode() + shades[::-1].tobytes(),
+        f"{name}{PLACES_SUFFIX}": _marked(dump_yaml(places, inline=True)),
     }
-    if place.locations:
-        places = {"schema_version": 1, "locations": {one.name: _place(one) for one in place.locations}}
-        files[f"{name}{PLACES_SUFFIX}"] = _marked(dump_yaml(places, inline=True))
-    return files
 
 
 def _touched(

@@ -58,12 +58,16 @@ class Layout:
 def layout(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
     """The layout for a scene: the panel is next to the map, unless much stays empty or labels do not fit.
 
+    A flat map, as of a corridor, is above its panel, with space for labels above and below the floor.
     Cards that would reach far below the map go under it, next to the legend, if that makes the page lower.
     """
+    below = _panel_below(scene, cards, legend)
+    if below.above_m:
+        return below
     whole = _panel_beside(scene, CardColumn(tuple(cards), legend))
     counts = range(len(cards), -1, -1)
     parted = [_panel_beside(scene, CardColumn(tuple(cards[:n])), cards[n:], legend) for n in counts]
-    pages = (min([whole, *parted], key=lambda page: page.height), _panel_below(scene, cards, legend))
+    pages = (min([whole, *parted], key=lambda page: page.height), below)
     filled = [page for page in pages if page.filled >= LEAST_FILLED] or [max(pages, key=lambda p: p.filled)]
     roomy = (page for page in filled if page.has_room_for(len(cards)))
     return next(roomy, max(filled, key=lambda page: page.in_per_m))
