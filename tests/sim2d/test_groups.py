@@ -115,7 +115,7 @@ def test_who_has_to_go_into_the_middle_of_a_group_goes_no_deeper_than_there(turn
     for route in (routes.route(outside, inside), routes.route(inside, outside)):
         if route is not None:
             line = LineString([route.at(route.length_m * k / 200) for k in range(201)])
-            assert Point(5.0, 5.0).distance(line) >= deep_m - 0.02
+            assert Point(5.0, 5.0).distance(line) >= deep_m - 0.03
 
 
 def test_a_scene_knows_its_groups():

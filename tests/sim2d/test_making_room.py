@@ -3,8 +3,11 @@
 import math
 
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
-from comity_sim2d import Person, RobotBody, Room, Scene, Sensor, Wall, World
+from comity_sim2d import Person, RobotBody, Room, Scene, Sensor, Walk, Wall, World
+from comity_sim2d.base.drive import REDUCED_M_S
 
 GAP_M = 0.45
 """Both radii."""
@@ -85,3 +88,30 @@ def test_told_to_rest_it_stands_until_its_next_goal_whoever_comes(faces_her_then
         world.move_person("ada", ada.x_m - 0.02, ada.y_m, ada.heading_rad)
         world.step()
     assert (world.robot.pose.xy == (4.0, 2.0)) != faces_her_then
+
+
+@given(
+    st.floats(1.3, 1.7),
+    st.floats(3.0, 3.5),
+    st.floats(0.2, 1.2),
+    st.sampled_from(["omnidirectional", "differential"]),
+    st.sampled_from(["regular", "impassive"]),
+)
+@example(1.66, 3.45, 0.68, "omnidirectional", "regular")
+@example(1.35, 3.48, 0.85, "differential", "impassive")
+@settings(max_examples=20)
+def test_giving_way_it_is_slow_inside_the_margin_of_somebody_who_stands(
+    wide_m, x_m, speed_m_s, drive, reacts
+):
+    """In a corridor ada walks up behind it, and it gives way past ben: at up to 0.5 m/s before."""
+    ben = Person("ben", 4.0, 0.26, math.pi)
+    walk = Walk(((7.5, wide_m / 2),), speed_m_s=speed_m_s)
+    ada = Person("ada", 1.0, wide_m / 2, 0.0, walk=walk, reacts=reacts)
+    world = World(Scene(Room.rectangle(8.0, wide_m), RobotBody(x_m, wide_m / 2, drive=drive), (ben, ada)), 21)
+    while world.time_s < 25.0:
+        before = world.robot.pose.xy
+        world.step()
+        now = world.robot.pose.xy
+        leaves = math.dist(now, ben.xy) - math.dist(before, ben.xy) > 0.4 * math.dist(before, now)
+        if math.dist(now, ben.xy) - GAP_M < 0.27 and not leaves:
+            assert math.dist(before, now) * 20.0 < REDUCED_M_S + 0.02

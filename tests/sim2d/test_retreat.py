@@ -56,3 +56,19 @@ def test_after_a_walk_a_retreat_begins_again() -> None:
     retreat.forget()
     clock.tick += clock.hz
     assert not judged(retreat, clock, 1.4, 0.5, 1.0)
+
+
+@given(st.floats(-30.0, 30.0), st.floats(0.3, 0.5), st.floats(0.0, 4.0))
+def test_drawing_back_from_a_robot_that_keeps_up_is_a_retreat_whenever_it_begins(
+    off_deg, speed, begins_s
+) -> None:
+    """From where the robot is by then, a person off its line has hardly drawn back."""
+    clock, off = Clock(20), math.radians(off_deg)
+    retreat, found = Retreat(clock), False
+    for tick in range(round((begins_s + LASTS_S) * clock.hz) + 3):
+        way_m = speed * max(0.0, tick / clock.hz - begins_s)
+        robot = Pose(way_m, 0.0, 0.0)
+        person = Person("p0", 1.2 * math.cos(off) + way_m, 1.2 * math.sin(off), math.pi + off)
+        found |= retreat.look(Walker(person, (speed, 0.0)), docked(robot, 0.25, person), robot.xy)
+        clock.tick += 1
+    assert found

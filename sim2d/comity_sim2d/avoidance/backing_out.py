@@ -23,6 +23,8 @@ HELD_S, RESTS_M_S = 3.0, 0.02
 ASKED_S = 6.0
 """The same for a person who has not come close [s]: the robot may have asked them, and they need time to
 go."""
+STUCK_S = 12.0
+"""The same for a person close before it who has room to get past it, but does not [s] (our choice)."""
 NEAR_M = 0.6
 """Gap between the bodies below which a passer-by blocks the robot [m]: passers-by stop about this far before
 it."""
@@ -110,31 +112,30 @@ class BackingOut:
         self._alone_s = 0.0
         return _towards(base.xy, self._marks[-1], stops=False)
 
-    def note(
-        self, base: Base, allowed: XY, plan: FloorPlan, *, to: str | None, stand: Collection[str] = ()
-    ) -> None:
+    def note(self, base: Base, allowed: XY, plan: FloorPlan, *, to: str, stand: Collection[str] = ()) -> None:
         """Observe how far others let the robot go; back out if they block it for long.
 
         Args:
             base: Current motion of the robot's base.
             allowed: The velocity command after all limits.
             plan: The static obstacles.
-            to: The person or place the robot is going to; None if it is going nowhere.
+            to: The person or place the robot is going to; empty if it is going nowhere.
             stand: Passers-by who stood in its path before it reached them: the robot asks them to make way.
         """
         rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and self._held_at is None
-        comer = self._holder(base.xy, to, stand, plan) if rests and to is not None else None
+        comer = self._holder(base.xy, to, stand, plan) if rests else None
         if comer is None:
             self._held_s = 0.0
             return
         if not self._held_s or self._by is None or comer.name != self._by.name:
             self._by, self._is_barred = comer, self._bars(base.xy, comer, plan)
         self._held_s += base.step_s
-        if self._held_s >= (HELD_S if comer.is_close else ASKED_S):
+        if self._held_s < (HELD_S if comer.is_close else ASKED_S):
+            return
+        if self._bars(base.xy, comer, plan) or (comer.is_close and self._held_s >= STUCK_S):
             self._held_s = 0.0
-            if self._bars(base.xy, comer, plan):
-                self._by, self._held_at = comer, base.xy
-                self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
+            self._by, self._held_at = comer, base.xy
+            self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
 
     def _holder(self, xy: XY, visited: str, stand: Collection[str], plan: FloorPlan) -> OncomingPerson | None:
         """The nearest person in front who may block the robot; a passer-by only if the robot blocks them."""

@@ -37,6 +37,9 @@ from comity_sim2d.senses.sensing import SensedPeople
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come within `TOUCHING_M` [m] of a person faster than
 `DRIFT_M_S` [m/s] (our choice: a third of the gap that it keeps by itself)."""
+CUTS_M, AWAY_COS = 0.02, -0.5
+"""The robot is inside a margin by more than it cuts its bends [m], and drives away from a person at more than
+120 degrees from the direction to them."""
 UNSURE = 2.0
 """Number of the sensor's standard deviations by which a walking person may be nearer."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
@@ -86,6 +89,7 @@ class SpeedGovernor:
         stand: Collection[str] = (),
         looks: bool = True,
         gives_way: bool = True,
+        stays: bool = False,
         near_m_s: Mapping[str, float] = NO_LIMITS,
     ) -> tuple[VelocityCommand, float]:
         """The allowed part of the velocity command, and the speed limit here [m/s].
@@ -100,6 +104,7 @@ class SpeedGovernor:
             stand: People who block its path and are to be asked to make way.
             looks: Whether it looks before moving, if its sensor does not cover all directions.
             gives_way: Whether it leaves its place for people who come; else it stands there.
+            stays: Whether it is with the person it visits: it does not back out of anybody's way.
             near_m_s: Speed limits near the people it visits, by name, in addition to what they asked for.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
@@ -115,12 +120,15 @@ class SpeedGovernor:
             most_m_s=self._most_near(near_m_s),
         )
         seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
-        most_m_s = min(near, seen, self._spec.max_speed_m_s)
         self._oncoming.look(base)
         roomy = self._with_room(base, wanted, plan, visited, approached) if gives_way else wanted
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
+        most_m_s = min(
+            near, seen, self._spec.max_speed_m_s, self._most_inside_margins(base, kept_off, braking)
+        )
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
-        self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
+        if not stays:
+            self._backing_out.note(base, velocity, plan, to=visited or "", stand=stand)
         left = self._emergency_braking.turned(
             base, VelocityCommand(velocity, roomy.heading_rad, roomy.may_reverse)
         )
@@ -142,6 +150,28 @@ class SpeedGovernor:
             limit = min(asked, visited_m_s.get(person.name, math.inf))
             return limit + walks_m_s.get(person.name, 0.0)
 
+        return most_m_s
+
+    def _most_inside_margins(self, base: Base, velocity: XY, braking: float) -> float:
+        """The speed from which it is slow inside the margin of anybody who stands, unless it leaves [m/s].
+
+        Its route keeps the margin; it gets inside by giving way to somebody else.
+        """
+        walking = {walker.person.name for walker in self._senses.walkers}
+        speed, most_m_s = math.hypot(*velocity), math.inf
+        ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
+        inside_m = PERSON_MARGIN_M - CUTS_M - self._spec.sensor.sigma_m / 2.0
+        for person in self._senses.present if speed else ():
+            if person.name in walking:
+                continue
+            x, y = person.x_m - base.xy[0], person.y_m - base.xy[1]
+            apart_m, reach_m = math.hypot(x, y), person.radius_m + self._spec.radius_m + inside_m
+            along_m = (x * velocity[0] + y * velocity[1]) / speed
+            if apart_m <= reach_m:
+                most_m_s = min(most_m_s, math.inf if along_m < AWAY_COS * apart_m else REDUCED_M_S)
+            elif along_m > 0.0 and (beside := apart_m**2 - along_m**2) < reach_m**2:
+                left_m = max(along_m - math.sqrt(reach_m**2 - beside) - ahead_m, 0.0)
+                most_m_s = min(most_m_s, math.sqrt(REDUCED_M_S**2 + 2.0 * braking * left_m))
         return most_m_s
 
     @property

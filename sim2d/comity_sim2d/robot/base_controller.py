@@ -434,6 +434,7 @@ class BaseController:
             stand=self._obstruction.people,
             looks=looks,
             gives_way=not self._is_halted,
+            stays=self._is_halted or self._faced is not None or self.motion.state == "succeeded",
             near_m_s=self._near_m_s if going is not None else NO_LIMITS,
         )
         if going is not None:

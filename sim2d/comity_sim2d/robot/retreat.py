@@ -7,6 +7,7 @@ distance and follows. The thresholds are our choice.
 from __future__ import annotations
 
 import math
+from collections import deque
 
 from comity_fis.proxemics import CLOSE_SOCIAL_M, FACES_DEG
 from comity_sim2d.clock import Clock
@@ -28,15 +29,15 @@ class Retreat:
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
-        self._mark: tuple[float, XY] | None = None
-        """Start time [s] and position of the current interval of `LASTS_S`, or None."""
+        self._marks: deque[tuple[float, XY, XY]] = deque()
+        """Time [s], and positions of the person and the robot, for the last `LASTS_S`."""
 
     def forget(self) -> None:
         """Reset: the robot visits another person, or this one walks."""
-        self._mark = None
+        self._marks.clear()
 
     def look(self, walker: Walker | None, stands: Docked, robot: XY) -> bool:
-        """Whether the person has retreated for another interval; call it in every tick.
+        """Whether the person has retreated for the last `LASTS_S`; call it in every tick.
 
         Args:
             walker: The person, if they move.
@@ -44,11 +45,14 @@ class Retreat:
             robot: Position of the robot [m].
         """
         if walker is None or stands.distance_m > CLOSE_SOCIAL_M or abs(stands.bearing_deg) > FACES_DEG:
-            self._mark = None
+            self._marks.clear()
             return False
         now_s, xy = self._clock.now_s, walker.person.xy
-        since_s, was = self._mark or (now_s, xy)
-        took_s = now_s - since_s
-        is_over = took_s >= LASTS_S - 1e-9
-        self._mark = (now_s, xy) if is_over else (since_s, was)
-        return is_over and math.dist(robot, xy) - math.dist(robot, was) > RETREATS_M_S * took_s
+        if self._marks and now_s - self._marks[-1][0] > self._clock.step_s + 1e-9:
+            self._marks.clear()  # as after a stop, during which it did not look
+        self._marks.append((now_s, xy, robot))
+        since_s, was, from_robot = self._marks[0]
+        if now_s - since_s < LASTS_S - 1e-9:
+            return False
+        self._marks.popleft()
+        return math.dist(from_robot, xy) - math.dist(from_robot, was) > RETREATS_M_S * LASTS_S

@@ -22,6 +22,7 @@ from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.paths.personal_space import Points
 from comity_sim2d.pose import XY, Pose, wrap_angle
 from comity_sim2d.robot.retreat import Retreat
+from comity_sim2d.robot.turning_away import TurningAway
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene.surroundings import Surroundings
@@ -94,7 +95,7 @@ class WalkersMet:
         """Where the person last stood, or was first seen [m]."""
         self._walks = self._along = False
         self._offer: _Offer | None = None
-        self._retreat = Retreat(clock)
+        self._retreat, self._turning_away = Retreat(clock), TurningAway()
         self._place: XY | None = None
         self._chosen_s = -math.inf
 
@@ -111,12 +112,14 @@ class WalkersMet:
             self._person, self._stood, self._along, self._offer = name, None, False, None
             self._since_s = self._clock.now_s
             self._retreat.forget()
+            self._turning_away.forget()
         walker = self._walker(name)
         if walker is None:  # they stopped or turned round: an offer still stands
             self._place = None
             self._note_pause(name, distance_m, robot)
             return None
         self._retreat.forget()
+        self._turning_away.forget()
         stands = docked(robot, self._spec.radius_m, walker.person)
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
         bodies_m = walker.person.radius_m + self._spec.radius_m
@@ -178,7 +181,7 @@ class WalkersMet:
         """Record that a person does not walk now.
 
         An offer stays valid. To a person who pauses on a walk the robot makes one by approaching, so they
-        decline by walking on. Anyone declines by drawing back.
+        decline by walking on. Anyone declines by drawing back, or by turning away again and again.
         """
         person, now_s, offer = self._senses.person(name), self._clock.now_s, self._offer
         stands = docked(robot, self._spec.radius_m, person)
@@ -191,6 +194,8 @@ class WalkersMet:
         agreed = person.walk is not None and person.walk.accompanied
         if self._retreat.look(self._seen(name), stands, robot.xy) and not agreed:
             self._decline(person, f"drew back from the robot, {stands.distance_m:.1f} m from it")
+        if self._turning_away.look(person.heading_rad, stands) and not agreed:
+            self._decline(person, f"kept turning away from the robot, {stands.distance_m:.1f} m from it")
 
     def _decline(self, person: Person, how: str) -> None:
         self.declined[person.name] = f"declined: {how}"
