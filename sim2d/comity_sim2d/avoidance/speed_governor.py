@@ -28,7 +28,7 @@ from comity_sim2d.base.drive import (
     stopping_speed,
 )
 from comity_sim2d.navigation.yielding import Walker
-from comity_sim2d.pose import XY
+from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
@@ -129,9 +129,10 @@ class SpeedGovernor:
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
         if not stays:
             self._backing_out.note(base, velocity, plan, to=visited or "", stand=stand)
-        left = self._emergency_braking.turned(
-            base, VelocityCommand(velocity, roomy.heading_rad, roomy.may_reverse)
-        )
+        heading = roomy.heading_rad
+        if velocity == (0.0, 0.0) != roomy.velocity and base.turns_to_go and not roomy.may_reverse:
+            heading = direction_to((0.0, 0.0), roomy.velocity)  # while others pass it turns to where it goes
+        left = self._emergency_braking.turned(base, VelocityCommand(velocity, heading, roomy.may_reverse))
         if looks and self._look_first is not None:
             left = self._look_first.allowed(base, left, plan)
         return left, most_m_s
