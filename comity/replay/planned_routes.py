@@ -51,8 +51,13 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
         if revision.kind != "not_replanned":
             visitees = tuple(replace(each, values=values[each.name]) for each in stage.visitees)
             own_m = {name: own_distance_m(inference) for name, inference in values.items()}
-            scene = scene_at(stage.scene, run.frames, revision.t, turns=turns, own_m=own_m)
-            routes.append(PlannedRoute(revision.t, _corners(scene, visitees, revision.steps)))
+            try:
+                scene = scene_at(stage.scene, run.frames, revision.t, turns=turns, own_m=own_m)
+            except SceneError:  # the robot touched a wall
+                corners: tuple[XY, ...] = ()
+            else:
+                corners = _corners(scene, visitees, revision.steps)
+            routes.append(PlannedRoute(revision.t, corners))
     return tuple(routes)
 
 

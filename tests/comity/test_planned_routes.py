@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -69,3 +70,14 @@ def test_the_second_plan_starts_where_the_robot_is(comity, here):
     run, (_, second) = routes_of(here / "run")
     row = int((second.time_s - run.frames.time_s[0]) / (run.frames.time_s[1] - run.frames.time_s[0]) + 0.5)
     assert math.dist(second.points[0], run.frames.of("robot")[row, :2]) < 0.05
+
+
+def test_a_plan_made_while_the_robot_touched_a_wall_has_no_route_and_the_others_have(comity, here):
+    """Such a run crashed as its page was made."""
+    (here / "x.scenario.yaml").write_text(GUEST_WALKS_OFF + CHANGE, encoding="utf-8")
+    comity("run", "x.scenario.yaml", "--out", "run")
+    run, (first, second) = routes_of(here / "run")
+    poses = run.frames.poses.copy()
+    poses[run.frames.time_s > second.time_s - 0.2, 0, 1] = 0.2499
+    touching = replace(run, frames=replace(run.frames, poses=poses))
+    assert planned_routes(touching) == (first, replace(second, points=()))

@@ -179,12 +179,12 @@ class _Why:
 
     def _of_route(self, t: float, goal_s: float) -> str | None:
         """The extra length of a route clear of everybody at that time, in words; None if negligible."""
-        scene = scene_at(self.episode.prepared.scene, self.episode.frames, t, turns=self.episode.door_turns)
+        begun, frames = self.episode.prepared.scene, self.episode.frames
         try:
-            ways = RouteMap(scene)
+            ways = RouteMap(scene_at(begun, frames, t, turns=self.episode.door_turns))
             start, goal = self._robot(t), self._robot(goal_s)
             route, polite = ways.route(start, goal), ways.polite(start, goal)
-        except SceneError:  # bodies overlap at that time
+        except SceneError:  # bodies overlap at that time, or the robot touched a wall
             return None
         if route is None:  # a person stood where the robot was to dock
             return None
