@@ -43,6 +43,10 @@ class Asking:
         """Record a request."""
         self.memory.asked = (*self.memory.asked, asked)
 
+    def take_back(self, asked: PassageRequest) -> None:
+        """Remove a request that was not said to its end."""
+        self.memory.asked = tuple(each for each in self.memory.asked if each != asked)
+
     def note_in_vain(self, people: Iterable[str]) -> None:
         """Record people who had time to make way, and did not."""
         self.memory.in_vain = self.memory.in_vain.union(people)

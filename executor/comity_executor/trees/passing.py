@@ -156,11 +156,12 @@ class AskToPass(Action):
         self._performing = Performing(way.meeting.robot, way.meeting.senses)
         self._asked: list[PassageRequest] = []
         """In this attempt; the last one is being asked."""
+        self._is_asking = False
         self._texts: list[str] = []
 
     def begin(self) -> None:
         """Speak to the first, where anybody may be asked."""
-        self._asked, self._texts = [], []
+        self._asked, self._texts, self._is_asking = [], [], False
         self._ask_next()
 
     def step(self) -> Status:
@@ -169,15 +170,19 @@ class AskToPass(Action):
             return Status.SUCCESS
         meeting, asked = self._meeting, self._asked[-1]
         self._performing.look()
-        if self._performing.is_lost:
-            return Status.FAILURE
-        if self._performing.is_done:
-            return Status.RUNNING if self._ask_next() else Status.SUCCESS
         late = meeting.senses.now_s() - asked.t >= meeting.limits.act_timeout_s
-        return Status.FAILURE if late else Status.RUNNING
+        self._is_asking = not (self._performing.is_lost or self._performing.is_done or late)
+        if self._is_asking:
+            return Status.RUNNING
+        if not self._performing.is_done:
+            return Status.FAILURE
+        return Status.RUNNING if self._ask_next() else Status.SUCCESS
 
     def end(self) -> None:
-        """Fall silent; nothing happens to a question that was asked to its end."""
+        """Fall silent; who was interrupted in being asked, as by a new plan, was not asked."""
+        if self._is_asking:
+            self._meeting.asking.take_back(self._asked[-1])
+        self._is_asking = False
         self._performing.end()
 
     def explain(self) -> Account | None:
@@ -205,6 +210,7 @@ class AskToPass(Action):
         self._asked.append(asked)
         self._texts.append(words.latin)
         meeting.asking.note(asked)
+        self._is_asking = True
         return True
 
 

@@ -24,8 +24,8 @@ NEARLY_M = 0.01
 """Target gap to obstacles at rest [m]: smaller than the clearance of any path off the route (our choice)."""
 
 TURNS_S = 0.5
-"""Time for which a base that cannot move sideways then only turns to its goal [s] (our choice). Driving on
-its heading, it would creep up to the same obstacle, a tick and a brake at a time."""
+"""Time for which a base then drives past the obstacle, and one that cannot move sideways only turns to its
+goal [s] (our choice). Otherwise it would creep up to the same obstacle, a tick and a brake at a time."""
 AWAY = 0.1
 """Share of its speed directed away from the obstacle while it passes (our choice)."""
 
@@ -100,14 +100,14 @@ class EmergencyBraking:
         return False
 
     def turned(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
-        """The command for a base that has just braked for an obstacle: drive past it; at rest, turn first.
+        """The command for a base that has just braked for an obstacle: drive past it.
 
-        A command that may drive backwards is kept: it leads away from the obstacle.
+        A base that cannot move sideways turns first, once at rest, unless it may drive backwards.
         """
-        if not self._turns_s or not base.turns_to_go or wanted.velocity == (0.0, 0.0):
+        if not self._turns_s or wanted.velocity == (0.0, 0.0):
             return wanted
         wanted = wanted._replace(velocity=self._past(wanted.velocity))
-        if base.speed_m_s or wanted.may_reverse:
+        if base.speed_m_s or wanted.may_reverse or not base.turns_to_go:
             return wanted
         return wanted._replace(velocity=(0.0, 0.0), heading_rad=direction_to((0.0, 0.0), wanted.velocity))
 
