@@ -327,3 +327,9 @@ def test_what_is_said_on_the_way_and_consent_leave_the_language_of_the_site(here
     assert revision.values["guest"]["greeting_language"].value == "swe"
     consented = consenting(prepared, prepared.values["guest"], "guest", given=True, t=2.0)
     assert consented["greeting_language"].value == "swe"
+
+
+def test_the_summary_has_what_was_said_to_people_who_were_only_passed(comity, here) -> None:
+    said = " ".join(comity("run", "asks-to-pass", "--out", "run").out.split())
+    assert "yumi 5.0 s" in said
+    assert "guest 15.1 s" in said

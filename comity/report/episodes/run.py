@@ -407,8 +407,8 @@ def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
 
 
 def _done(answer: RunAnswer) -> Iterator[RenderableType]:
-    """Acts with times and manner."""
-    acts = [(visit.person, act) for visit in answer.visits for act in visit.acts if not act.stopped]
+    """Acts with times and manner, requests to people who were only passed among them."""
+    acts = [(act.person, act) for act in answer.acts if not act.stopped]
     if acts:
         yield "\nWhat was said and done"
         acts.sort(key=lambda pair: pair[1].start_s)
