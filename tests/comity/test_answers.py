@@ -25,6 +25,7 @@ from comity_fis.rulebook.models import RulebookModel
 from comity_fis.validation.yaml_file import parse_yaml, read_yaml
 from comity_sim2d import shipped_maps
 from comity_sim2d.maps.file import MapFile
+from comity_sim2d.maps.ros_map import PlacesFile
 
 PAPER_CM = {
     ("bruno2017-case1", 38, None): 69.9,
@@ -97,6 +98,7 @@ def test_every_kind_has_a_schema(comity, kind):
 FILES = {
     Kind.SCENARIO: Scenario,
     Kind.MAP: MapFile,
+    Kind.PLACES: PlacesFile,
     Kind.PROFILE: Profile,
     Kind.RULEBOOK: RulebookModel,
     Kind.BINDING: BindingFile,
