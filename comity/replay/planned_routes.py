@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -18,7 +19,7 @@ from comity_fis import InputError
 from comity_sim2d import DoorTurn, PlannedRoute, RouteMap, SceneError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from comity.answers.plan import StepAnswer
     from comity.replay.saved_run import SavedRun
@@ -43,7 +44,7 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
     except InputError:
         return ()
     values = dict(stage.values)
-    routes = [PlannedRoute(0.0, _corners(stage.scene, stage.visitees, run.plan.steps))]
+    routes = [PlannedRoute(0.0, _corners(lambda: stage.scene, stage.visitees, run.plan.steps))]
     revisions = run.account.revisions
     turns = [DoorTurn(turn.t, turn.door, turn.open) for turn in run.account.doors]
     for revision, later in zip(revisions, stages_of(run.cast, run.values, revisions)[1:], strict=True):
@@ -51,19 +52,17 @@ def planned_routes(run: SavedRun) -> tuple[PlannedRoute, ...]:
         if revision.kind != "not_replanned":
             visitees = tuple(replace(each, values=values[each.name]) for each in stage.visitees)
             own_m = {name: own_distance_m(inference) for name, inference in values.items()}
-            try:
-                scene = scene_at(stage.scene, run.frames, revision.t, turns=turns, own_m=own_m)
-            except SceneError:  # the robot touched a wall
-                corners: tuple[XY, ...] = ()
-            else:
-                corners = _corners(scene, visitees, revision.steps)
-            routes.append(PlannedRoute(revision.t, corners))
+            scene_then = partial(scene_at, stage.scene, run.frames, revision.t, turns=turns, own_m=own_m)
+            routes.append(PlannedRoute(revision.t, _corners(scene_then, visitees, revision.steps)))
     return tuple(routes)
 
 
-def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]) -> tuple[XY, ...]:
+def _corners(
+    make_scene: Callable[[], Scene], visitees: tuple[Visitee, ...], steps: Iterable[StepAnswer]
+) -> tuple[XY, ...]:
     """Corners of the route from the robot through all docking poses; empty if a path is missing."""
     try:
+        scene = make_scene()
         ways = RouteMap(scene)
         found: list[XY] = []
         for start, goal in pairwise((scene.robot.pose.xy, *_stops(scene, ways, visitees, steps))):
@@ -71,7 +70,7 @@ def _corners(scene: Scene, visitees: tuple[Visitee, ...], steps: Iterable[StepAn
             if route is None:
                 return ()
             found += route.points
-    except (InputError, SceneError, KeyError):  # people overlap at that time
+    except (InputError, SceneError, KeyError):  # people overlap at that time, or the robot touched a wall
         return ()
     return tuple(found)
 

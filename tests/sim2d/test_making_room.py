@@ -114,4 +114,4 @@ def test_giving_way_it_is_slow_inside_the_margin_of_somebody_who_stands(
         now = world.robot.pose.xy
         leaves = math.dist(now, ben.xy) - math.dist(before, ben.xy) > 0.4 * math.dist(before, now)
         if math.dist(now, ben.xy) - GAP_M < 0.27 and not leaves:
-            assert math.dist(before, now) * 20.0 < REDUCED_M_S + 0.02
+            assert math.dist(before, now) * 20.0 < REDUCED_M_S + 0.03  # a tick changes it by 0.025 m/s

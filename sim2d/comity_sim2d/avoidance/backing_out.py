@@ -24,7 +24,7 @@ ASKED_S = 6.0
 """The same for a person who has not come close [s]: the robot may have asked them, and they need time to
 go."""
 STUCK_S = 12.0
-"""The same for a person close before it who has room to get past it, but does not [s] (our choice)."""
+"""The same for a person close before the robot who has room to pass it, but does not [s] (our choice)."""
 NEAR_M = 0.6
 """Gap between the bodies below which a passer-by blocks the robot [m]: passers-by stop about this far before
 it."""

@@ -11,6 +11,7 @@ import numpy as np
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.avoidance.backing_out import BackingOut
 from comity_sim2d.avoidance.emergency_braking import EmergencyBraking
+from comity_sim2d.avoidance.leaving_margins import begins_m
 from comity_sim2d.avoidance.look_before_moving import LookBeforeMoving
 from comity_sim2d.avoidance.making_room import make_room
 from comity_sim2d.avoidance.oncoming import Oncoming
@@ -37,9 +38,9 @@ from comity_sim2d.senses.sensing import SensedPeople
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come within `TOUCHING_M` [m] of a person faster than
 `DRIFT_M_S` [m/s] (our choice: a third of the gap that it keeps by itself)."""
-CUTS_M, AWAY_COS = 0.02, -0.5
-"""The robot is inside a margin by more than it cuts its bends [m], and drives away from a person at more than
-120 degrees from the direction to them."""
+LEAVES_COS = -0.5
+"""Cosine of 120 degrees; a robot that moves at a larger angle to the direction of a person moves away from
+them (our choice)."""
 UNSURE = 2.0
 """Number of the sensor's standard deviations by which a walking person may be nearer."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
@@ -154,14 +155,14 @@ class SpeedGovernor:
         return most_m_s
 
     def _most_inside_margins(self, base: Base, velocity: XY, braking: float) -> float:
-        """The speed from which it is slow inside the margin of anybody who stands, unless it leaves [m/s].
+        """The maximum speed: reduced inside the margin of a standing person, unless it leaves them [m/s].
 
-        Its route keeps the margin; it gets inside by giving way to somebody else.
+        Routes keep the margin. The robot enters it only when it gives way to another person.
         """
         walking = {walker.person.name for walker in self._senses.walkers}
         speed, most_m_s = math.hypot(*velocity), math.inf
         ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
-        inside_m = PERSON_MARGIN_M - CUTS_M - self._spec.sensor.sigma_m / 2.0
+        inside_m = PERSON_MARGIN_M - begins_m(self._spec.sensor)
         for person in self._senses.present if speed else ():
             if person.name in walking:
                 continue
@@ -169,7 +170,10 @@ class SpeedGovernor:
             apart_m, reach_m = math.hypot(x, y), person.radius_m + self._spec.radius_m + inside_m
             along_m = (x * velocity[0] + y * velocity[1]) / speed
             if apart_m <= reach_m:
-                most_m_s = min(most_m_s, math.inf if along_m < AWAY_COS * apart_m else REDUCED_M_S)
+                # Both count: a base that turns into the direction of its command is still passing the person.
+                both = (velocity, base.velocity)
+                if not all(x * vx + y * vy < LEAVES_COS * apart_m * math.hypot(vx, vy) for vx, vy in both):
+                    most_m_s = min(most_m_s, REDUCED_M_S)
             elif along_m > 0.0 and (beside := apart_m**2 - along_m**2) < reach_m**2:
                 left_m = max(along_m - math.sqrt(reach_m**2 - beside) - ahead_m, 0.0)
                 most_m_s = min(most_m_s, math.sqrt(REDUCED_M_S**2 + 2.0 * braking * left_m))
