@@ -1,8 +1,7 @@
 """Leaving margins: a robot moves straight out of the margins of standing people before it follows its route.
 
-It is inside a margin when it starts there, after it has given way to another person, or when a person joins
-it. The route begins with the same straight line, but a differential drive would cut the corner at its end at
-full speed.
+It is inside a margin when it starts there, or when a person joins it. The route begins with the same straight
+line, but a differential drive would cut the corner at its end at full speed.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import REDUCED_M_S
 from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.scene.person import Person
-from comity_sim2d.scene.robot_body import RobotBody, Sensor
+from comity_sim2d.scene.robot_body import RobotBody
 
 BEGINS_M = 0.02
 """The robot leaves a margin once it is inside by more than this [m] plus half a standard deviation of its
@@ -35,7 +34,7 @@ class LeavingMargins:
 
     def __init__(self, body: RobotBody) -> None:
         self._radius_m = body.radius_m
-        self._begins_m = begins_m(body.sensor)
+        self._begins_m = BEGINS_M + body.sensor.sigma_m / 2.0
         self._leaves = False
 
     def look(
@@ -58,11 +57,6 @@ class LeavingMargins:
             return None
         self._leaves = True
         return name, _towards(to, base)
-
-
-def begins_m(sensor: Sensor) -> float:
-    """By how much a robot with this sensor has to be inside a margin to count as inside [m]."""
-    return BEGINS_M + sensor.sigma_m / 2.0
 
 
 def _towards(to: XY, base: Base) -> VelocityCommand:

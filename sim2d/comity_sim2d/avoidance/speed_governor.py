@@ -11,7 +11,6 @@ import numpy as np
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.avoidance.backing_out import BackingOut
 from comity_sim2d.avoidance.emergency_braking import EmergencyBraking
-from comity_sim2d.avoidance.leaving_margins import begins_m
 from comity_sim2d.avoidance.look_before_moving import LookBeforeMoving
 from comity_sim2d.avoidance.making_room import make_room
 from comity_sim2d.avoidance.oncoming import Oncoming
@@ -38,9 +37,6 @@ from comity_sim2d.senses.sensing import SensedPeople
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come within `TOUCHING_M` [m] of a person faster than
 `DRIFT_M_S` [m/s] (our choice: a third of the gap that it keeps by itself)."""
-LEAVES_COS = -0.5
-"""Cosine of 120 degrees; a robot that moves at a larger angle to the direction of a person moves away from
-them (our choice)."""
 UNSURE = 2.0
 """Number of the sensor's standard deviations by which a walking person may be nearer."""
 NO_LIMITS: Mapping[str, float] = MappingProxyType({})
@@ -123,10 +119,16 @@ class SpeedGovernor:
         seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
         self._oncoming.look(base)
         roomy = self._with_room(base, wanted, plan, visited, approached) if gives_way else wanted
-        kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
-        most_m_s = min(
-            near, seen, self._spec.max_speed_m_s, self._most_inside_margins(base, kept_off, braking)
+        kept_off = keep_off_people(
+            xy,
+            roomy.velocity,
+            radius_m,
+            people,
+            braking=braking,
+            step_s=base.step_s,
+            keep_m=self._gap_to_keep(gives_way=roomy is not wanted),
         )
+        most_m_s = min(near, seen, self._spec.max_speed_m_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
         if not stays:
             self._backing_out.note(base, velocity, plan, to=visited or "", stand=stand)
@@ -154,30 +156,17 @@ class SpeedGovernor:
 
         return most_m_s
 
-    def _most_inside_margins(self, base: Base, velocity: XY, braking: float) -> float:
-        """The maximum speed: reduced inside the margin of a standing person, unless it leaves them [m/s].
+    def _gap_to_keep(self, *, gives_way: bool) -> Callable[[Person], float]:
+        """The gap that the robot keeps to each person [m]: giving way, the margin of those who stand.
 
-        Routes keep the margin. The robot enters it only when it gives way to another person.
+        Routes keep these margins by themselves.
         """
         walking = {walker.person.name for walker in self._senses.walkers}
-        speed, most_m_s = math.hypot(*velocity), math.inf
-        ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
-        inside_m = PERSON_MARGIN_M - begins_m(self._spec.sensor)
-        for person in self._senses.present if speed else ():
-            if person.name in walking:
-                continue
-            x, y = person.x_m - base.xy[0], person.y_m - base.xy[1]
-            apart_m, reach_m = math.hypot(x, y), person.radius_m + self._spec.radius_m + inside_m
-            along_m = (x * velocity[0] + y * velocity[1]) / speed
-            if apart_m <= reach_m:
-                # Both count: a base that turns into the direction of its command is still passing the person.
-                both = (velocity, base.velocity)
-                if not all(x * vx + y * vy < LEAVES_COS * apart_m * math.hypot(vx, vy) for vx, vy in both):
-                    most_m_s = min(most_m_s, REDUCED_M_S)
-            elif along_m > 0.0 and (beside := apart_m**2 - along_m**2) < reach_m**2:
-                left_m = max(along_m - math.sqrt(reach_m**2 - beside) - ahead_m, 0.0)
-                most_m_s = min(most_m_s, math.sqrt(REDUCED_M_S**2 + 2.0 * braking * left_m))
-        return most_m_s
+
+        def keep_m(person: Person) -> float:
+            return person.margin_m if gives_way and person.name not in walking else KEEP_OFF_M
+
+        return keep_m
 
     @property
     def backs_out_before(self) -> str | None:

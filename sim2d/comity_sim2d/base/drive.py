@@ -123,7 +123,14 @@ def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> flo
 
 
 def keep_off_people(
-    xy: XY, velocity: XY, robot_radius_m: float, people: Iterable[Person], *, braking: float, step_s: float
+    xy: XY,
+    velocity: XY,
+    robot_radius_m: float,
+    people: Iterable[Person],
+    *,
+    braking: float,
+    step_s: float,
+    keep_m: Callable[[Person], float] = lambda _: KEEP_OFF_M,
 ) -> XY:
     """The velocity without the part that leads to a person's body, whatever the route [m/s].
 
@@ -136,6 +143,7 @@ def keep_off_people(
         people: The people and their positions.
         braking: The assumed deceleration [m/s^2].
         step_s: The tick [s].
+        keep_m: The gap that the robot keeps to a person, at least `KEEP_OFF_M` [m].
     """
     for person in people:
         apart = math.dist(xy, person.xy)
@@ -151,7 +159,7 @@ def keep_off_people(
             continue
         if closing <= 0.0:
             continue
-        free_m = gap_m - KEEP_OFF_M
+        free_m = max(gap_m - keep_m(person), 0.0)
         excess = closing - stopping_speed(free_m, braking, step_s)
         if excess > 0.0:
             velocity = (velocity[0] - excess * ux, velocity[1] - excess * uy)
