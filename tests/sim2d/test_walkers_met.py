@@ -125,6 +125,33 @@ def test_a_person_who_stops_is_approached_like_any_other() -> None:
     assert stands(world)[0] == pytest.approx(0.8, abs=0.01)
 
 
+@pytest.mark.parametrize("sensor", [Sensor(), Sensor(0.03, 0.1)])
+@pytest.mark.parametrize("speed", [0.5, 1.0, 1.4])
+@pytest.mark.parametrize("y", [1.5, 3.0, 4.3])
+def test_two_wheels_turn_to_who_would_stop_for_them_before_they_have_walked_by(speed, y, sensor) -> None:
+    """They were on their way to a better place, with their front elsewhere, and she was taken to decline."""
+    ann = Person(
+        "p0", 12.0, y, math.pi, walk=Walk(((1.0, 4.4), (12.0, y)), loop=True, speed_m_s=speed, stops=True)
+    )
+    world = World(Scene(HALL, RobotBody(3.0, 2.7, sensor=sensor, drive="differential"), (ann,)), 10)
+    world.robot.dock("p0", POSE, speed_m_s=0.7)
+    while world.robot.motion().state != "succeeded":
+        world.step()
+        assert world.robot.motion().state != "declined"
+        assert world.time_s < 40.0
+
+
+def test_who_stopped_for_two_wheels_stays_while_they_turn_to_their_place_before_her() -> None:
+    walk = Walk(((7.5, 4.8), (0.6, 3.6)), loop=True, speed_m_s=0.65, stops=True)
+    ann = Person("p0", 9.0, 5.0, math.pi, walk=walk)
+    robot = RobotBody(3.5, 5.3, sensor=Sensor(0.03, 0.1), drive="differential")
+    world = World(Scene(Room.rectangle(10.0, 6.0), robot, (ann,)), 36)
+    world.robot.dock("p0", POSE, speed_m_s=0.5)
+    while world.robot.motion().state != "succeeded":
+        world.step()
+        assert world.robot.motion().state != "declined"
+
+
 @pytest.mark.parametrize(
     ("does", "velocity"),
     [

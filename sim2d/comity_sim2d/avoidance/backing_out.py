@@ -97,6 +97,8 @@ class BackingOut:
             visited: The person the robot visits: it does not back out for them.
         """
         if self._held_at is None or self._by is None:
+            while len(self._marks) > 1 and math.dist(base.xy, self._marks[-2]) < MARK_M:
+                self._marks.pop()  # it went back by itself: no mark may lie ahead
             if not self._marks or math.dist(base.xy, self._marks[-1]) >= MARK_M:
                 self._marks.append(base.xy)
             return None

@@ -32,6 +32,9 @@ PATIENCE = 3
 NEAR_M = 1.0
 GOES_ON_S = 10.0
 """Time for which a walker does not stop for a robot that has asked them to let it pass [s] (our choice)."""
+STAYS_S = 2.0
+"""Time for which a walker who stopped for the robot stays after it has turned away or left [s] (our choice):
+a differential drive turns away for a moment to reach its place before them."""
 FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 """Tolerance of a turn to the robot, and the bearing at which people turn again [rad] (our choice)."""
 
@@ -76,6 +79,8 @@ class PedestrianBehaviour:
         self._left_s: dict[int, float] = {s.index: LASTS_S for s in self._watchers}
         self._goes_on_s: dict[int, float] = {}
         """How long each walker who was asked will not stop for the robot [s]."""
+        self._stays_s: dict[int, float] = {}
+        """How long each walker who stopped for the robot stays if it has turned away [s]."""
         self._goal, self._speed = at.copy(), np.zeros(count)
         self._pauses, self._nears = np.zeros(count, dtype=bool), np.full(count, BEND_M)
         self._rest_s, self._someone_rests = np.zeros(count), False
@@ -135,7 +140,7 @@ class PedestrianBehaviour:
 
     def go_on(self, index: int) -> None:
         """Let a walker who stops for the robot go on: it asks to pass, so it has not come for them."""
-        self._goes_on_s[index] = GOES_ON_S
+        self._goes_on_s[index], self._stays_s[index] = GOES_ON_S, 0.0
 
     @property
     def speed_m_s(self) -> Numbers:
@@ -310,8 +315,12 @@ class PedestrianBehaviour:
     def _intent(self, stroller: Stroller, at: complex, heading_rad: float, robot: RobotSeen) -> Intent | None:
         goes_on_s = self._goes_on_s.get(stroller.index, 0.0)
         self._goes_on_s[stroller.index] = max(0.0, goes_on_s - self._step_s)
-        if stroller.stops and not goes_on_s and comes_up(robot, at) and self._in_sight(at, robot):
-            return Intent()
+        if stroller.stops and not goes_on_s:
+            comes = comes_up(robot, at) and self._in_sight(at, robot)
+            stays_s = STAYS_S if comes else max(0.0, self._stays_s.get(stroller.index, 0.0) - self._step_s)
+            self._stays_s[stroller.index] = stays_s
+            if stays_s:
+                return Intent()
         reach = SEEN_M.get(stroller.reacts)
         if reach is None or self._left_s[stroller.index] <= 0.0:
             return None

@@ -56,10 +56,16 @@ AHEAD_S, LONGEST_M, STEP_M = 10.0, 8.0, 0.5
 EARLY_S, SLOWED = 1.0, 1.3
 """The robot arrives `EARLY_S` before the walker sees it; its path is assumed to take `SLOWED` times the
 straight line's time at full speed (our choice)."""
+TURNS_S = 2.0
+"""Time that a differential drive takes to turn to a walker [s]: it stands that long before it offers to talk
+(our choice)."""
 RENEWS_S = 0.5
 """Interval at which a waiting place is chosen [s]."""
 MOST_TRIED = 4
 """Maximum number of places that are tested for a route."""
+ADDRESSED_DEG = 30.0
+"""Facing error up to which the robot addresses a walker [deg]: turned farther away it offers nothing (our
+choice)."""
 OFF_M = 0.25
 """A place is kept while its distance from the walker's path changes by less [m] (our choice)."""
 
@@ -88,6 +94,7 @@ class WalkersMet:
 
     def __init__(self, spec: RobotBody, senses: SensedPeople, clock: Clock) -> None:
         self._spec, self._senses, self._clock = spec, senses, clock
+        self._slides = spec.drive == "omnidirectional"
         self.declined: dict[str, str] = {}
         """People who declined, and how: the robot does not approach them again."""
         self._person, self._since_s = "", -math.inf
@@ -135,13 +142,15 @@ class WalkersMet:
         if self._along:
             self._offer = None
             return None
-        if self._offer is not None or (bearing_deg > BEHIND_DEG and gap_m < SOCIAL_M):
+        stands_m = offer_m + (0.0 if self._slides else TURNS_S * math.hypot(*walker.velocity))
+        comes = bearing_deg <= FACES_DEG and gap_m <= stands_m
+        if self._offer is not None or comes or (bearing_deg > BEHIND_DEG and gap_m < SOCIAL_M):
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
             self._chosen_s = self._clock.now_s
             if self._place is None or not _is_beside(self._place, walker, aside_m):
                 self._place = self._choose(walker, aside_m, robot.xy, ways)
-        return self._place or (robot.xy if gap_m <= SOCIAL_M else None)
+        return self._place or (robot.xy if gap_m <= SOCIAL_M or comes else None)
 
     def _seen(self, name: str) -> Walker | None:
         """The person, if they move."""
@@ -162,7 +171,8 @@ class WalkersMet:
         person, now_s, offer = walker.person, self._clock.now_s, self._offer
         if offer is None:
             is_noticed = now_s - self._since_s >= NOTICED_S and self._senses.sees(person.name)
-            if is_noticed and _is_near(stands, offer_m):
+            faces = stands.facing_error_deg <= ADDRESSED_DEG
+            if is_noticed and faces and _is_near(stands, offer_m):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
