@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from docking_study import CASES, visit
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -110,3 +111,9 @@ def test_giving_way_it_keeps_the_margin_of_somebody_who_stands(wide_m, x_m, spee
     while world.time_s < 25.0:
         world.step()
         assert ben.gap_m(world.robot.pose.xy, 0.25) > nearest_m - 0.03  # it cuts bends by 2 cm
+
+
+@pytest.mark.parametrize("seed", [430, 570, 685])
+def test_it_gets_round_a_person_who_walks_backwards_into_it(seed: int) -> None:
+    """It sank into their margin, left it straight backwards, and began again, for more than 30 s."""
+    assert visit(CASES["drifting"], seed).arrived

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from comity_sim2d.base.drive import KEEP_OFF_M, NEAR_PEOPLE_M_S
+from comity_fis.proxemics import PERSON_MARGIN_M
+from comity_sim2d.base.drive import NEAR_PEOPLE_M_S
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
 
 WITHIN_S = 1.0
-"""The robot makes room for a person who would come within `KEEP_OFF_M` of its body sooner than this [s] (our
-choice)."""
+"""The robot makes room for a person who would come within `PERSON_MARGIN_M` of its body sooner than this [s]
+(our choice)."""
 
 
 def make_room(
@@ -49,7 +50,7 @@ def _before(walker: Walker, xy: XY, velocity: XY, radius_m: float) -> XY:
         return velocity
     ux, uy = (xy[0] - person.x_m) / apart, (xy[1] - person.y_m) / apart
     closing = walker.velocity[0] * ux + walker.velocity[1] * uy
-    gap_m = apart - person.radius_m - radius_m - KEEP_OFF_M
+    gap_m = apart - person.radius_m - radius_m - PERSON_MARGIN_M
     back = min(closing, closing - gap_m / WITHIN_S)
     lacks = back - (velocity[0] * ux + velocity[1] * uy)
     if back <= 0.0 or lacks <= 0.0 or closing > NEAR_PEOPLE_M_S:

@@ -126,7 +126,7 @@ class SpeedGovernor:
             people,
             braking=braking,
             step_s=base.step_s,
-            keep_m=self._gap_to_keep(gives_way=roomy is not wanted),
+            keep_m=self._gap_to_keep(None if roomy is not wanted else visited),
         )
         most_m_s = min(near, seen, self._spec.max_speed_m_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), movers, braking)
@@ -156,15 +156,15 @@ class SpeedGovernor:
 
         return most_m_s
 
-    def _gap_to_keep(self, *, gives_way: bool) -> Callable[[Person], float]:
-        """The gap that the robot keeps to each person [m]: giving way, the margin of those who stand.
+    def _gap_to_keep(self, visited: str | None) -> Callable[[Person], float]:
+        """The gap that the robot keeps to each person [m]: the margin of those who stand, except the visited.
 
-        Routes keep these margins by themselves.
+        Routes keep these margins by themselves; giving way, or beside a person who walks, the robot has none.
         """
         walking = {walker.person.name for walker in self._senses.walkers}
 
         def keep_m(person: Person) -> float:
-            return person.margin_m if gives_way and person.name not in walking else KEEP_OFF_M
+            return KEEP_OFF_M if person.name == visited or person.name in walking else person.margin_m
 
         return keep_m
 
