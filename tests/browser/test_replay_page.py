@@ -38,6 +38,7 @@ def runs(tmp_path_factory):
         "odd": str(base / "odd.scenario.yaml"),
         "many": "reception",
         "crowd": str(crowd(base)),
+        "tall": str(tall(base)),
     }.items():
         done = record(prepare(load_scenario(scenario)), out=base / name, views=())
         (base / name / "replay.html").write_text(replay_page(done.folder), encoding="utf-8")
@@ -58,6 +59,21 @@ def crowd(folder: Path) -> Path:
         "goals": [{"greet": name} for name in names[:2]],
     }
     path = folder / "crowd.scenario.yaml"
+    path.write_text(yaml.safe_dump(scenario))
+    return path
+
+
+def tall(folder: Path) -> Path:
+    """A corridor that is ten times as high as it is wide."""
+    scenario = {
+        "schema_version": 1,
+        "name": "tall",
+        "place": {"width_m": 2, "height_m": 20},
+        "robot": {"at_m": [1.0, 1.0]},
+        "people": {"ada": {"at_m": [1.0, 4.0], "facing_deg": -90}},
+        "goals": [{"greet": "ada"}],
+    }
+    path = folder / "tall.scenario.yaml"
     path.write_text(yaml.safe_dump(scenario))
     return path
 
@@ -306,6 +322,14 @@ def test_names_in_the_world_lie_on_it_and_not_over_each_other(reader, runs, widt
         across = min(one["x"] + one["width"], other["x"] + other["width"]) - max(one["x"], other["x"])
         along = min(one["y"] + one["height"], other["y"] + other["height"]) - max(one["y"], other["y"])
         assert across <= 0 or along <= 4, "the boxes have air for descenders"
+
+
+@pytest.mark.parametrize(("name", "share"), [("tall", 1.0), ("visits", 0.46)])
+def test_the_world_of_a_tall_place_is_as_high_as_the_page(reader, runs, name, share):
+    """A wide one has the tree below it."""
+    page = reader.open(page_of(runs[name]))
+    world, whole = page.locator(".world-panel").bounding_box(), page.locator(".single").bounding_box()
+    assert world["height"] == pytest.approx(share * whole["height"], abs=8)
 
 
 def test_a_chart_says_how_far_the_curve_goes_on_above_it(reader, runs):

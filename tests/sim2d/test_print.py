@@ -182,6 +182,17 @@ def test_a_page_about_many_people_is_two_thirds_full(width_m: float, flat: float
     assert page.filled > 0.66
 
 
+@given(st.floats(1.0, 3.0), st.floats(15.0, 60.0), st.integers(3, 5))
+@settings(deadline=None)
+def test_nothing_is_left_empty_beside_a_tall_corridor(width_m: float, height_m: float, count: int) -> None:
+    """The panel, which stands next to it, is as high as the map."""
+    scene = Scene(Room.rectangle(width_m, height_m), RobotBody(0.5, 0.5))
+    page = episode_layout.layout(scene, [card(f"p{i}") for i in range(count)], Legend(visits=True))
+    ((place, column),) = page.columns
+    assert place[0] >= page.map[0] + page.map[2] - 1e-9
+    assert page.height - episode_layout.HEADER_IN - column.height_in < 1.0
+
+
 @pytest.mark.parametrize(("width_m", "height_m", "count"), [(16.0, 4.0, 6), (30.0, 3.0, 3), (12.0, 5.0, 12)])
 def test_a_map_with_many_visits_has_room_for_their_words(width_m: float, height_m: float, count: int) -> None:
     scene = Scene(Room.rectangle(width_m, height_m), RobotBody(0.6, 0.6))
