@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from itertools import combinations, pairwise
 from pathlib import Path
 
@@ -149,6 +150,16 @@ def test_a_map_is_drawn_in_vectors_the_same_every_time(form: str) -> None:
 
 def card(name: str) -> Card:
     return Card(name, "#000000", "front, 0°", 0.8, 0.8, ("german woman", "bearing error 0.0°"))
+
+
+@pytest.mark.parametrize("name", ["Alexandra Konstantinopoulos-Wojciechowska", "n" * 100])
+def test_a_long_name_is_whole_on_the_map_and_on_its_card(tmp_path: Path, name: str) -> None:
+    scene = replace(SCENE, people=(replace(SCENE.people[0], name=name),))
+    path = tmp_path / "a.svg"
+    draw_picture(path, scene, World(scene).frames, rings=[Ring(name, 0.6)])
+    written = "".join(re.findall(r">([^<>]+)</t", path.read_text())).replace(" ", "")
+    assert written.count(name.replace(" ", "")) == 2, "on the map and on the card"
+    assert card(name).height_in > card("a").height_in
 
 
 @given(st.floats(2.0, 60.0), st.floats(2.0, 60.0), st.integers(1, 12))

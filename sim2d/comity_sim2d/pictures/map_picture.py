@@ -13,7 +13,7 @@ import numpy as np
 
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.door_drawing import leaf, swing
-from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.map_labels import NAME_CHARACTERS, MapLabels
 from comity_sim2d.pictures.page import DPI, POINTS_PER_IN, as_bytes, in_per_m, own_page
 from comity_sim2d.pictures.person_colours import person_colour
 from comity_sim2d.pictures.readable_names import legible, names_in, substitutes, with_names
@@ -128,7 +128,8 @@ def _draw(
     for location in place.locations:
         facing = location.heading_rad
         prefer = None if facing is None else facing + math.pi
-        labels.near(location.xy, SPOT_M, location.name, size=8.0, colour=SPOT, prefer_rad=prefer)
+        name = d.in_lines(location.name, NAME_CHARACTERS)
+        labels.near(location.xy, SPOT_M, name, size=8.0, colour=SPOT, prefer_rad=prefer)
 
 
 def _draw_origin(ax: Axes, labels: MapLabels) -> None:
