@@ -14,7 +14,7 @@ from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d import load_map, shipped_maps
 from comity_sim2d.maps.library import SUFFIX
 from comity_sim2d.maps.ros_export import PGM_MARK, YAML_MARK, ros_map_files
-from comity_sim2d.maps.ros_map import is_ros_map
+from comity_sim2d.maps.ros_map import PICTURE_SUFFIXES, is_ros_map
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.topology_picture import draw_topology
 
@@ -87,7 +87,8 @@ def drawing_of(name: str, seed: int) -> Drawing:
     Raises:
         InputError: if it is neither, or invalid.
     """
-    if name in shipped_maps() or name.endswith(SUFFIX) or _is_ros_map(Path(name)):
+    is_picture = Path(name).suffix.lower() in PICTURE_SUFFIXES
+    if name in shipped_maps() or name.endswith(SUFFIX) or is_picture or _is_ros_map(Path(name)):
         drawn = load_map(name)
         return Drawing(drawn.name, "map", drawn.about, drawn, {})
     return _scenario(name, seed)

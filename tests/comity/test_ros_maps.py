@@ -72,6 +72,20 @@ def test_a_ros_map_is_drawn_like_a_map_of_ours(comity, here: Path) -> None:
     assert "0, 0" in words, "where coordinates count from"
 
 
+def test_the_picture_of_a_ros_map_leads_to_its_map(comity, here: Path) -> None:
+    lab(here)
+    (here / "lab" / "broken.yaml").write_text("[")
+    (here / "lab" / "other.yaml").write_text(ROS.replace("map.png", "other.png"))
+    said = comity("draw", "lab/map.png")
+    assert said.code == 2
+    assert "lab/map.yaml" in said.err
+    assert "other.yaml" not in said.err
+    (here / "visit.scenario.yaml").write_text(SCENARIO.replace("map.yaml", "map.png"))
+    assert "lab/map.yaml" in " ".join(comity("run", "visit.scenario.yaml").err.split())
+    (here / "lab" / "map.yaml").unlink()
+    assert ".yaml" not in comity("draw", "lab/map.png").err.replace("map.yaml", "")
+
+
 def test_a_ros_map_without_its_picture_is_no_scenario_with_strange_keys(comity, here: Path) -> None:
     lab(here)
     (here / "lab" / "map.yaml").write_text(ROS.replace("image: map.png\n", ""))

@@ -32,6 +32,7 @@ FLOOR = "floor"
 """Name of the only room of such a map."""
 MILLIMETRES = 3
 """Decimals of coordinates in metres, as in every map."""
+PICTURE_SUFFIXES = {".pgm", ".png"}
 USUALLY_UNKNOWN = 205 / 255
 """The grey value that `map_saver` writes for an unknown cell."""
 MAX_CELL_CORNERS = 150_000
@@ -101,6 +102,35 @@ class RosMap(YamlFile):
 def is_ros_map(data: object) -> bool:
     """Whether YAML data are a ROS map, even an incomplete one, and not a map or scenario of ours."""
     return isinstance(data, Mapping) and "schema_version" not in data and bool(ROS_KEYS & data.keys())
+
+
+def refuse_picture(path: Path) -> None:
+    """Refuse the picture of a ROS map where the map is wanted, and name the map if it is beside the picture.
+
+    Raises:
+        InputError: If the path is a PGM or PNG file.
+    """
+    if path.suffix.lower() not in PICTURE_SUFFIXES or not path.is_file():
+        return
+    maps = (one for one in sorted(path.parent.iterdir()) if one.suffix in {".yaml", ".yml"})
+    its_map = next((one for one in maps if _shows(one, path)), None)
+    raise InputError(
+        expected="the map.yaml of a ROS map",
+        got=f"the picture {path.name}, which does not say how large a cell is",
+        remedy=f"Name {its_map}, which has it as its image."
+        if its_map
+        else f"Name the map.yaml whose `image` is {path.name}; there is none beside it.",
+        where=Where(str(path)),
+    )
+
+
+def _shows(path: Path, picture: Path) -> bool:
+    """Whether a file is a ROS map with this picture."""
+    try:
+        data = read_yaml(path).data
+    except InputError:
+        return False
+    return is_ros_map(data) and path.parent / str(data.get("image")) == picture
 
 
 def converted(file: YamlFile) -> RosMap:
