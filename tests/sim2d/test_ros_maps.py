@@ -264,6 +264,8 @@ REFUSED: Mapping[str, tuple[str, str, str, int]] = {
     "thresholds the wrong way round": ("free_thresh: 0.196", "free_thresh: 0.9", "free_thresh at most", 1),
     "an unknown mode": ("negate: 0", "negate: 0\nmode: fuzzy", "'trinary', 'scale' or 'raw'", 5),
     "cells of metres": ("resolution: 0.1", "resolution: 60", "got 1800 m, with cells of 60 m", 2),
+    "cells of a tenth of a millimetre": ("resolution: 0.1", "resolution: 0.0001", "cells of 0.0001 m", 2),
+    "cells of a centimetre": ("resolution: 0.1", "resolution: 0.01", "with cells of 0.01 m", 2),
     "no picture": ("map.pgm", "other.pgm", "no such file: other.pgm", 1),
     "a picture of another kind": ("map.pgm", "map.gif", "map.gif, which is neither", 1),
     "a broken picture": ("map.pgm", "cut.pgm", "cut.pgm, which is broken", 1),

@@ -20,10 +20,12 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from comity_fis.errors import InputError, Location, Where, WrongValueError
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
+from comity_sim2d.maps.check import WAY_M
 from comity_sim2d.maps.file import MAX_HOLES, MAX_LOCATIONS, Metres, Name, NamedPoint, Number
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
 from comity_sim2d.maps.occupancy import FloorOutline, corners_of_cells, floor_of_cells
 from comity_sim2d.pose import XY
+from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
 from comity_sim2d.scene_error import FARTHEST_M
 
 PLACES_SUFFIX = ".places.yaml"
@@ -38,6 +40,8 @@ USUALLY_UNKNOWN = 205 / 255
 MAX_CELL_CORNERS = 150_000
 """Maximum number of corners of the free cells' outlines: polygons of these take about 12 s on one core (our
 choice)."""
+SMALL_M2 = 25.0
+"""Area from which a floor without room for a robot is no matter of the resolution [m^2] (our choice)."""
 KEPT = 8
 """Number of pictures whose floor is cached: each test case requests it again."""
 
@@ -161,6 +165,8 @@ def converted(file: YamlFile) -> RosMap:
     farthest_m = max(abs(length_m) for corner in outline_m for length_m in corner)
     if farthest_m > FARTHEST_M:
         raise _too_far(farthest_m, ros).at(file.where(("resolution",)))
+    if _is_too_small(floor, ros):
+        raise _too_small(floor, ros).at(file.where(("resolution",)))
     notes = " ".join(_notes(ros, (free, unknown), picture, floor, tolerance_m))
     data: dict[str, Any] = {
         "schema_version": 1,
@@ -268,6 +274,25 @@ def _too_far(farthest_m: float, ros: RosMapFile) -> InputError:
         expected=f"a map whose x and y are at most {FARTHEST_M:g} m",
         got=f"{farthest_m:g} m, with cells of {ros.resolution:g} m and the origin ({x:g}, {y:g}) m",
         remedy="Check resolution, which is metres a cell, and origin.",
+    )
+
+
+def _is_too_small(floor: FloorOutline, ros: RosMapFile) -> bool:
+    """Whether a small floor has no room for a robot."""
+    from shapely import Polygon
+
+    shape = Polygon(floor.outline, floor.holes)
+    is_small = shape.area * ros.resolution**2 < SMALL_M2
+    return is_small and shape.buffer(-WAY_M / 2 / ros.resolution).is_empty
+
+
+def _too_small(floor: FloorOutline, ros: RosMapFile) -> InputError:
+    xs, ys = zip(*floor.outline, strict=True)
+    wide_m, high_m = ((max(each) - min(each)) * ros.resolution for each in (xs, ys))
+    return InputError(
+        expected=f"a floor with room for a robot {2 * ROBOT_RADIUS_M:g} m across",
+        got=f"one of {wide_m:.3g} x {high_m:.3g} m, with cells of {ros.resolution:g} m",
+        remedy="Check resolution, which is metres a cell.",
     )
 
 
