@@ -19,6 +19,7 @@ from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.topology_picture import draw_topology
 
 if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
     from comity_sim2d import PlaceMap, Scene
 
 ROS_MARKS = {".yaml": YAML_MARK, ".pgm": PGM_MARK}
@@ -116,4 +117,16 @@ def _scenario(name: str, seed: int) -> Drawing:
     stage = resolved(load_scenario(name), seed=seed)
     scenario = stage.file.scenario
     rings = {person: value["conversational_distance"].number for person, value in stage.values.items()}
-    return Drawing(scenario.name, "scenario", scenario.about, stage.scene, rings, seed)
+    about = " ".join(f"{scenario.about} {_about_its_map(stage.file)}".split())
+    return Drawing(scenario.name, "scenario", about, stage.scene, rings, seed)
+
+
+def _about_its_map(file: ScenarioFile) -> str:
+    """What the map of a scenario says of itself, a ROS map how it was understood; empty without a map."""
+    from comity.scenario import MapPlace
+    from comity.simulation.place import map_of
+
+    if not isinstance(file.scenario.place, MapPlace):
+        return ""
+    place = map_of(file)
+    return f"Map {place.name}: {place.about}"
