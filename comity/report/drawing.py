@@ -75,17 +75,17 @@ def picture(draw: Callable[[], Figure], form: str, dpi: float = DPI) -> bytes:
 
 
 def form_of(path: Path | None, option: str) -> str:
-    """The format by the suffix of a picture's name: one of `FORMS`, `png` if it has none.
+    """The format by the suffix of a picture's name: one of `FORMS`; `png` without a name.
 
     Raises:
-        InputError: for another suffix.
+        InputError: for another suffix, or none.
     """
-    form = "png" if path is None else path.suffix.lower().removeprefix(".") or "png"
+    form = "png" if path is None else path.suffix.lower().removeprefix(".")
     if form not in FORMS:
         raise InputError(
             expected="a picture that ends with .png, .svg or .pdf",
             got=repr(str(path)),
-            remedy="Name it so, and convert it afterwards.",
+            remedy="Name it so, and convert it afterwards." if form else f"Name it {path}.png, for example.",
             where=Where(option),
         )
     return form

@@ -14,11 +14,12 @@ from comity_fis.validation.yaml_file import read_yaml
 from comity_sim2d import load_map, shipped_maps
 from comity_sim2d.maps.library import SUFFIX
 from comity_sim2d.maps.ros_export import PGM_MARK, YAML_MARK, ros_map_files
-from comity_sim2d.maps.ros_map import is_ros_map
+from comity_sim2d.maps.ros_map import PICTURE_SUFFIXES, is_ros_map
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.topology_picture import draw_topology
 
 if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
     from comity_sim2d import PlaceMap, Scene
 
 ROS_MARKS = {".yaml": YAML_MARK, ".pgm": PGM_MARK}
@@ -87,7 +88,8 @@ def drawing_of(name: str, seed: int) -> Drawing:
     Raises:
         InputError: if it is neither, or invalid.
     """
-    if name in shipped_maps() or name.endswith(SUFFIX) or _is_ros_map(Path(name)):
+    is_picture = Path(name).suffix.lower() in PICTURE_SUFFIXES
+    if name in shipped_maps() or name.endswith(SUFFIX) or is_picture or _is_ros_map(Path(name)):
         drawn = load_map(name)
         return Drawing(drawn.name, "map", drawn.about, drawn, {})
     return _scenario(name, seed)
@@ -115,4 +117,16 @@ def _scenario(name: str, seed: int) -> Drawing:
     stage = resolved(load_scenario(name), seed=seed)
     scenario = stage.file.scenario
     rings = {person: value["conversational_distance"].number for person, value in stage.values.items()}
-    return Drawing(scenario.name, "scenario", scenario.about, stage.scene, rings, seed)
+    about = " ".join(f"{scenario.about} {_about_its_map(stage.file)}".split())
+    return Drawing(scenario.name, "scenario", about, stage.scene, rings, seed)
+
+
+def _about_its_map(file: ScenarioFile) -> str:
+    """What the map of a scenario says of itself, a ROS map how it was understood; empty without a map."""
+    from comity.scenario import MapPlace
+    from comity.simulation.place import map_of
+
+    if not isinstance(file.scenario.place, MapPlace):
+        return ""
+    place = map_of(file)
+    return f"Map {place.name}: {place.about}"

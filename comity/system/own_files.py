@@ -45,7 +45,7 @@ def check_suffix(picture: Path) -> None:
     Raises:
         InputError: for a name such as why.pdf.
     """
-    if picture.suffix.lower() not in {"", ".png"}:
+    if picture.suffix.lower() != ".png":
         raise InputError(
             expected="a PNG file to write",
             got=repr(picture.name),

@@ -111,10 +111,10 @@ def test_a_picture_that_is_no_png_by_its_name_is_refused(comity, here):
     assert "name it fit.png" in said.err
 
 
-@pytest.mark.parametrize("option", ["--out", "--picture"])
-def test_nothing_of_somebody_else_is_overwritten(comity, here, option):
-    (here / "thesis").write_text("seven chapters")
-    said = comity("fit", SHIPPED, "--column", "individualism", option, "thesis")
+@pytest.mark.parametrize(("option", "name"), [("--out", "thesis"), ("--picture", "thesis.png")])
+def test_nothing_of_somebody_else_is_overwritten(comity, here, option, name):
+    (here / name).write_text("seven chapters")
+    said = comity("fit", SHIPPED, "--column", "individualism", option, name)
     assert said.code == 2
     assert "nothing is overwritten" in said.err
     assert [path.read_text() for path in here.iterdir()] == ["seven chapters"]

@@ -175,6 +175,23 @@ def test_a_picture_of_a_map_or_a_scenario_is_the_same_twice(comity, here, name: 
     assert (here / "one.png").read_bytes() == (here / "two.png").read_bytes()
 
 
+@pytest.mark.parametrize("name", ["y", "y.", "y.jpg", ".png"])
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("draw", "ward", "--out"),
+        ("draw", "ward", "--graph", "--out"),
+        ("explain", "conversational_distance", "--picture"),
+        ("run", "johanna", "--out", "runs/one", "--picture"),
+    ],
+)
+def test_a_picture_without_the_ending_of_a_picture_is_refused_before_anything_is_written(
+    comity, here: Path, command: tuple[str, ...], name: str
+) -> None:
+    assert comity(*command, name).code == 2
+    assert not list(here.iterdir())
+
+
 def test_a_drawing_replaces_its_own_picture_and_nothing_else(comity, here) -> None:
     (here / "mine.svg").write_text("<svg>my own</svg>")
     assert comity("draw", "office", "--out", "mine.svg").code == 2

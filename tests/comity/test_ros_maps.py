@@ -9,6 +9,8 @@ from pathlib import Path
 import yaml
 from PIL import Image
 
+from comity_sim2d import load_map
+
 SCENARIO = """\
 schema_version: 1
 name: lab-visit
@@ -70,6 +72,32 @@ def test_a_ros_map_is_drawn_like_a_map_of_ours(comity, here: Path) -> None:
     assert "120 x 100 cells of 0.05 m, origin (-1, -1) m. Walls are exact to 0.05 m." in words
     assert "1 room, 1 named place." in words
     assert "0, 0" in words, "where coordinates count from"
+
+
+def test_a_scenario_on_a_ros_map_tells_how_the_map_was_understood(comity, here: Path) -> None:
+    """As the map itself does, and so does the scenario that a run keeps, which holds the map."""
+    lab(here)
+    comity("run", "visit.scenario.yaml", "--out", "one")
+    notes = load_map("lab/map.yaml").about
+    assert "120 x 100 cells of 0.05 m" in notes
+    for name in ("lab/map.yaml", "visit.scenario.yaml", "one/scenario.yaml"):
+        assert comity("draw", name, "--out", "a.svg").code == 0
+        words = " ".join(re.findall(r">([^<>]+)</text>", (here / "a.svg").read_text()))
+        assert notes in words, name
+
+
+def test_the_picture_of_a_ros_map_leads_to_its_map(comity, here: Path) -> None:
+    lab(here)
+    (here / "lab" / "broken.yaml").write_text("[")
+    (here / "lab" / "other.yaml").write_text(ROS.replace("map.png", "other.png"))
+    said = comity("draw", "lab/map.png")
+    assert said.code == 2
+    assert "lab/map.yaml" in said.err
+    assert "other.yaml" not in said.err
+    (here / "visit.scenario.yaml").write_text(SCENARIO.replace("map.yaml", "map.png"))
+    assert "lab/map.yaml" in " ".join(comity("run", "visit.scenario.yaml").err.split())
+    (here / "lab" / "map.yaml").unlink()
+    assert ".yaml" not in comity("draw", "lab/map.png").err.replace("map.yaml", "")
 
 
 def test_a_ros_map_without_its_picture_is_no_scenario_with_strange_keys(comity, here: Path) -> None:

@@ -497,6 +497,18 @@ def test_a_description_stands_in_lines_as_long_as_the_page_is_wide(width_m: floa
     assert " ".join(lines) == told
 
 
+@pytest.mark.parametrize("height_m", [20.0, 40.0])
+def test_the_page_of_a_tall_map_is_hardly_wider_than_the_map(height_m: float) -> None:
+    """As wide as a text above it needs, and what is beside the map is for names that are wider."""
+    corridor = PlaceMap("c", Room.rectangle(2.0, height_m), locations=(Location("a door " * 5, 1.0, 9.0),))
+    drawn = draw_map(corridor, format="svg").decode()
+    width, height = map(float, re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', drawn).groups())
+    assert width < 4.0 * 72
+    assert height > 18.0 * 72
+    clip = re.search(r'<clipPath id="\w+">\s*<rect x="([\d.]+)" y="[\d.]+" width="([\d.]+)"', drawn)
+    assert float(clip[2]) == pytest.approx(width - 2 * float(clip[1]))
+
+
 def test_a_description_is_cut_where_it_is_endless() -> None:
     """A page of words is not measured letter by letter."""
     assert draw_map(SCENE, subtitle="n" * 5_000) == draw_map(SCENE, subtitle="n" * 500_000)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from itertools import combinations, pairwise
 from pathlib import Path
 
@@ -151,6 +152,16 @@ def card(name: str) -> Card:
     return Card(name, "#000000", "front, 0°", 0.8, 0.8, ("german woman", "bearing error 0.0°"))
 
 
+@pytest.mark.parametrize("name", ["Alexandra Konstantinopoulos-Wojciechowska", "n" * 100])
+def test_a_long_name_is_whole_on_the_map_and_on_its_card(tmp_path: Path, name: str) -> None:
+    scene = replace(SCENE, people=(replace(SCENE.people[0], name=name),))
+    path = tmp_path / "a.svg"
+    draw_picture(path, scene, World(scene).frames, rings=[Ring(name, 0.6)])
+    written = "".join(re.findall(r">([^<>]+)</t", path.read_text())).replace(" ", "")
+    assert written.count(name.replace(" ", "")) == 2, "on the map and on the card"
+    assert card(name).height_in > card("a").height_in
+
+
 @given(st.floats(2.0, 60.0), st.floats(2.0, 60.0), st.integers(1, 12))
 @settings(deadline=None)
 def test_no_page_is_half_empty_and_everything_is_on_it(width_m: float, height_m: float, count: int) -> None:
@@ -180,6 +191,17 @@ def test_a_page_about_many_people_is_two_thirds_full(width_m: float, flat: float
     scene = Scene(Room.rectangle(width_m, max(3.0, width_m * flat)), RobotBody(2.0, 2.0), people)
     page = episode_layout.layout(scene, [card(f"p{i}") for i in range(count)], Legend(visits=True))
     assert page.filled > 0.66
+
+
+@given(st.floats(1.0, 3.0), st.floats(15.0, 60.0), st.integers(3, 5))
+@settings(deadline=None)
+def test_nothing_is_left_empty_beside_a_tall_corridor(width_m: float, height_m: float, count: int) -> None:
+    """The panel, which stands next to it, is as high as the map."""
+    scene = Scene(Room.rectangle(width_m, height_m), RobotBody(0.5, 0.5))
+    page = episode_layout.layout(scene, [card(f"p{i}") for i in range(count)], Legend(visits=True))
+    ((place, column),) = page.columns
+    assert place[0] >= page.map[0] + page.map[2] - 1e-9
+    assert page.height - episode_layout.HEADER_IN - column.height_in < 1.0
 
 
 @pytest.mark.parametrize(("width_m", "height_m", "count"), [(16.0, 4.0, 6), (30.0, 3.0, 3), (12.0, 5.0, 12)])

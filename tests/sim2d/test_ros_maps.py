@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -18,7 +19,7 @@ from scipy.ndimage import label
 from shapely import Point, Polygon, box, get_parts, union_all
 
 from comity_fis.errors import InputError, Where
-from comity_sim2d import PlaceMap, load_map, shipped_maps
+from comity_sim2d import Person, PlaceMap, RobotBody, SceneError, load_map, shipped_maps
 from comity_sim2d.maps.building import build_map
 from comity_sim2d.maps.file import MapFile
 from comity_sim2d.maps.occupancy import corners_of_cells, floor_of_cells
@@ -234,6 +235,27 @@ def test_places_are_named_in_a_file_beside_the_map(tmp_path: Path) -> None:
     assert place.about.startswith("The lab. 30 x 20 cells")
 
 
+@pytest.mark.parametrize("yaw", [0.0, math.pi / 2])
+def test_a_seated_person_may_be_on_furniture_that_is_named_beside_the_map(yaw: float, tmp_path: Path) -> None:
+    """Without its name it is a hole; nothing else of the floor changes, and the wall behind it stays."""
+    grey = np.full((40, 60), 254, dtype=np.uint8)
+    grey[:3], grey[3:13, 20:40] = 0, 0  # a sofa at a wall: at the top of the picture
+    text = YAML.replace("[0.0, 0.0, 0.0]", f"[1.0, 2.0, {yaw}]")
+    bare = load_map(written(tmp_path, text, grey))
+    box_m = [3.0, 4.7, 2.0, 1.0] if not yaw else [-2.7, 4.0, 1.0, 2.0]
+    places = f"schema_version: 1\nfurniture:\n  - {{name: sofa, box_m: {box_m}}}\n"
+    place = load_map(written(tmp_path, text, grey, map_places_yaml=places))
+    sofa = Polygon(place.furniture[0].corners)
+    assert shape(place).symmetric_difference(shape(bare).union(sofa)).area == pytest.approx(0.0, abs=1e-6)
+    middle = sofa.centroid
+    robot = RobotBody(*(shape(bare).representative_point().coords[0]))
+    sits = Person("ada", middle.x, middle.y, 0.0, posture="seated")
+    assert place.scene(robot, (sits,)).person("ada").posture == "seated"
+    for where, posture in ((bare, "seated"), (place, "standing")):
+        with pytest.raises(SceneError):
+            where.scene(robot, (replace(sits, posture=posture),))
+
+
 def test_a_larger_tolerance_leaves_fewer_corners_of_a_rough_wall(tmp_path: Path) -> None:
     grey = np.full((200, 200), 254, dtype=np.uint8)
     grey[np.random.default_rng(0).integers(0, 3, 200) > np.arange(200)[:, None]] = 0
@@ -264,6 +286,8 @@ REFUSED: Mapping[str, tuple[str, str, str, int]] = {
     "thresholds the wrong way round": ("free_thresh: 0.196", "free_thresh: 0.9", "free_thresh at most", 1),
     "an unknown mode": ("negate: 0", "negate: 0\nmode: fuzzy", "'trinary', 'scale' or 'raw'", 5),
     "cells of metres": ("resolution: 0.1", "resolution: 60", "got 1800 m, with cells of 60 m", 2),
+    "cells of a tenth of a millimetre": ("resolution: 0.1", "resolution: 0.0001", "cells of 0.0001 m", 2),
+    "cells of a centimetre": ("resolution: 0.1", "resolution: 0.01", "with cells of 0.01 m", 2),
     "no picture": ("map.pgm", "other.pgm", "no such file: other.pgm", 1),
     "a picture of another kind": ("map.pgm", "map.gif", "map.gif, which is neither", 1),
     "a broken picture": ("map.pgm", "cut.pgm", "cut.pgm, which is broken", 1),
@@ -292,6 +316,8 @@ def test_what_cannot_be_read_is_refused_with_its_file_and_line(
         ("schema_version: 1\nlocations:\n  wall: {at_m: [0.05, 1]}\n", 3),
         ("schema_version: 1\nlocation: {}\n", 2),
         ("schema_version: 1\ntolerance_m: 0\n", 2),
+        ("schema_version: 1\nfurniture:\n  - {name: sofa, box_m: [50, 50, 1, 1]}\n", 3),
+        ("schema_version: 1\nfurniture:\n  - {name: sofa}\n", 3),
     ],
 )
 def test_what_is_wrong_with_named_places_is_said_with_their_own_line(

@@ -3,6 +3,7 @@
 const NEAR_PX = { above: 9, below: 19 }; // from the body to the line that the letters stand on
 const FAR_PX = { above: 6, below: 15 }; // from the ring
 const LETTERS_PX = 12;
+const LETTER_PX = 8; // width of a bold one
 const AIR_PX = 3;
 const LINE_PX = 15;
 
@@ -12,6 +13,14 @@ export const nameBox = (x, line, half, px) => ({
   right: x + half + AIR_PX * px,
   top: line - LETTERS_PX * px,
   bottom: line + AIR_PX * px,
+});
+
+/** The space that a short text takes around its middle, about [units of the drawing]. */
+export const labelBox = (x, y, words, px) => ({
+  left: x - (words.length * LETTER_PX * px) / 2,
+  right: x + (words.length * LETTER_PX * px) / 2,
+  top: y - (LETTERS_PX / 2 + AIR_PX) * px,
+  bottom: y + (LETTERS_PX / 2 + AIR_PX) * px,
 });
 
 /** Whether two boxes share a place. */

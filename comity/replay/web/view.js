@@ -9,6 +9,8 @@ import { World } from "./world.js";
 import { el } from "./dom.js";
 import { seconds } from "./words.js";
 
+const TALL = 1.5; // height to width of a place whose panel is as high as the page
+
 export class View {
   /**
    * @param {function(View, number)} ontime called with a time of this run that was asked for
@@ -31,9 +33,11 @@ export class View {
     this.series = new Series(episode, id, filter, go);
     this.why = new Why(episode, filter, goEvent);
     this.tree = new Tree(episode, filter, (node) => this.chooseNode(node), go);
+    const { width, height } = this.world.projection;
+    const tall = height > TALL * width ? " tall" : "";
     this.worldPanel = el(
       "section",
-      { class: "panel world-panel", "aria-label": "World" },
+      { class: `panel world-panel${tall}`, "aria-label": "World" },
       this.world.element,
       (this.over = el("p", { class: "over", hidden: true }, `ended at ${seconds(episode.end)}`)),
     );

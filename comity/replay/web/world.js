@@ -3,7 +3,7 @@
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
 import { lookOf, withClass } from "./look.js";
-import { nameBox, nameLines, overlap } from "./name_place.js";
+import { labelBox, nameBox, nameLines, overlap } from "./name_place.js";
 import { Place } from "./place.js";
 import { MARGIN_M, Projection, SCALE } from "./projection.js";
 import { Things } from "./things.js";
@@ -12,6 +12,8 @@ import { measured, short } from "./words.js";
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
 const ASIDE_PX = 13;
+const SHARES = [0.5, 0.35, 0.65, 0.2, 0.8]; // of the line between robot and person, where its length may stand
+const EDGE_PX = 6;
 const LEGIBLE_PX = 45; // to a metre; in a smaller drawing what is carried goes without its name
 
 export class World {
@@ -202,6 +204,7 @@ export class World {
       const others = [...bodies].filter(([other]) => other !== name).map(([, box]) => box);
       this.placeName(name, (radius + value) * SCALE, names, others);
     }
+    this.taken = [...names, ...bodies.values()];
   }
 
   bodyBox(name, radius) {
@@ -212,7 +215,7 @@ export class World {
   }
 
   /**
-   * Put a name where it is on the drawing and over no other name, and if it can be over nobody; else hide it.
+   * Put a name where it is on the panel and over no other name, and if it can be over nobody; else hide it.
    *
    * @param {string} name of the person
    * @param {number} ring radius of the wanted distance
@@ -224,15 +227,18 @@ export class World {
     if (about.half === undefined) return;
     const pose = this.episode.track.pose(name, this.t);
     const [x, y] = this.projection.at(pose.x, pose.y);
-    const [px, margin, { height }] = [1 / this.perUnit, MARGIN_M * SCALE, this.projection];
+    const [px, margin, { width, height }] = [1 / this.perUnit, MARGIN_M * SCALE, this.projection];
+    const half = Math.max(width, this.element.clientWidth * px) / 2 - about.half - EDGE_PX * px;
+    const inside = Math.max(width / 2 - half, Math.min(x, width / 2 + half));
     const lines = nameLines({ ...about, ring, px }, { over: y - margin, under: height - y - margin });
     const apart = lines
-      .map((line) => ({ line, box: nameBox(x, y + line, about.half, px) }))
+      .map((line) => ({ line, box: nameBox(inside, y + line, about.half, px) }))
       .filter(({ box }) => box.top >= 0 && box.bottom <= height && !names.some((other) => overlap(box, other)));
     const best = apart.find(({ box }) => !bodies.some((other) => overlap(box, other))) ?? apart[0];
     put(text, "visibility", best ? "inherit" : "hidden");
     if (!best) return;
     names.push(best.box);
+    put(text, "x", (inside - x).toFixed(1));
     put(text, "y", best.line.toFixed(1));
   }
 
@@ -246,11 +252,18 @@ export class World {
     const [x1, y1] = this.projection.at(a.x + a.radius * Math.cos(angle), a.y + a.radius * Math.sin(angle));
     const [x2, y2] = this.projection.at(b.x - b.radius * Math.cos(angle), b.y - b.radius * Math.sin(angle));
     for (const [name, value] of Object.entries({ x1, y1, x2, y2 })) put(this.line, name, value.toFixed(2));
-    const aside = ASIDE_PX / (this.perUnit ?? 1); // beside the line, where it hides neither of the two
+    const words = measured(this.episode.distance(step.person, t), "m", 2);
+    const px = 1 / (this.perUnit ?? 1);
     const right = Math.cos(angle) > 0 ? -1 : 1;
-    put(this.label, "x", ((x1 + x2) / 2 + right * Math.sin(angle) * aside * 1.7).toFixed(2));
-    put(this.label, "y", ((y1 + y2) / 2 - Math.abs(Math.cos(angle)) * aside).toFixed(2));
-    say(this.label, measured(this.episode.distance(step.person, t), "m", 2));
+    const aside = [right * Math.sin(angle) * ASIDE_PX * 1.7 * px, -Math.abs(Math.cos(angle)) * ASIDE_PX * px];
+    const places = SHARES.flatMap((share) =>
+      [1, -1].map((side) => [x1 + share * (x2 - x1) + side * aside[0], y1 + share * (y2 - y1) + side * aside[1]]),
+    );
+    const free = ([x, y]) => !this.taken.some((other) => overlap(labelBox(x, y, words, px), other));
+    const [x, y] = places.find(free) ?? places[0]; // beside the line, where it hides neither of the two
+    put(this.label, "x", x.toFixed(2));
+    put(this.label, "y", y.toFixed(2));
+    say(this.label, words);
   }
 
   showActs(t, pose) {

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -20,10 +20,22 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from comity_fis.errors import InputError, Location, Where, WrongValueError
 from comity_fis.validation.yaml_file import YamlFile, read_yaml
-from comity_sim2d.maps.file import MAX_HOLES, MAX_LOCATIONS, Metres, Name, NamedPoint, Number
+from comity_sim2d.maps.building import furniture_of
+from comity_sim2d.maps.check import WAY_M
+from comity_sim2d.maps.file import (
+    MAX_HOLES,
+    MAX_LOCATIONS,
+    FurniturePiece,
+    Metres,
+    Name,
+    NamedPoint,
+    Number,
+)
 from comity_sim2d.maps.grey_picture import GreyPicture, read_grey
 from comity_sim2d.maps.occupancy import FloorOutline, corners_of_cells, floor_of_cells
 from comity_sim2d.pose import XY
+from comity_sim2d.scene.robot_body import ROBOT_RADIUS_M
+from comity_sim2d.scene.scene_check import MAX_OBSTACLES
 from comity_sim2d.scene_error import FARTHEST_M
 
 PLACES_SUFFIX = ".places.yaml"
@@ -32,11 +44,18 @@ FLOOR = "floor"
 """Name of the only room of such a map."""
 MILLIMETRES = 3
 """Decimals of coordinates in metres, as in every map."""
+PICTURE_SUFFIXES = {".pgm", ".png"}
 USUALLY_UNKNOWN = 205 / 255
 """The grey value that `map_saver` writes for an unknown cell."""
 MAX_CELL_CORNERS = 150_000
 """Maximum number of corners of the free cells' outlines: polygons of these take about 12 s on one core (our
 choice)."""
+BESIDE = ("locations", "furniture")
+"""Keys of the file beside a ROS map that are those of a map, too."""
+TOUCHING = 0.05
+"""Depth from which furniture reaches into a cell [cells] (our choice: that of rounded coordinates)."""
+SMALL_M2 = 25.0
+"""Area from which a floor without room for a robot is no matter of the resolution [m^2] (our choice)."""
 KEPT = 8
 """Number of pictures whose floor is cached: each test case requests it again."""
 
@@ -73,7 +92,7 @@ ROS_KEYS = RosMapFile.model_fields.keys()
 
 
 class PlacesFile(BaseModel):
-    """The model of the file that names the places of a ROS map."""
+    """The model of the file that names the places and the furniture of a ROS map."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Places of a ROS map")
 
@@ -83,6 +102,12 @@ class PlacesFile(BaseModel):
         default=None, description="By how much walls may be simplified; one cell without it."
     )
     locations: Mapping[Name, NamedPoint] = Field(default_factory=dict, max_length=MAX_LOCATIONS)
+    furniture: tuple[FurniturePiece, ...] = Field(
+        default=(),
+        max_length=MAX_OBSTACLES,
+        description="Its cells, whatever the picture says of them, are floor with this piece on it, which a "
+        "seated person may be on.",
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,7 +118,7 @@ class RosMap(YamlFile):
 
     def where(self, location: Location) -> Where:
         """Position of a value, or of the nearest enclosing element that is in one of the files."""
-        if location[:1] == ("locations",) and self.places is not None:
+        if location[:1] in (("locations",), ("furniture",)) and self.places is not None:
             return self.places.where(location)
         return YamlFile.where(self, location)
 
@@ -101,6 +126,35 @@ class RosMap(YamlFile):
 def is_ros_map(data: object) -> bool:
     """Whether YAML data are a ROS map, even an incomplete one, and not a map or scenario of ours."""
     return isinstance(data, Mapping) and "schema_version" not in data and bool(ROS_KEYS & data.keys())
+
+
+def refuse_picture(path: Path) -> None:
+    """Refuse the picture of a ROS map where the map is wanted, and name the map if it is beside the picture.
+
+    Raises:
+        InputError: If the path is a PGM or PNG file.
+    """
+    if path.suffix.lower() not in PICTURE_SUFFIXES or not path.is_file():
+        return
+    maps = (one for one in sorted(path.parent.iterdir()) if one.suffix in {".yaml", ".yml"})
+    its_map = next((one for one in maps if _shows(one, path)), None)
+    raise InputError(
+        expected="the map.yaml of a ROS map",
+        got=f"the picture {path.name}, which does not say how large a cell is",
+        remedy=f"Name {its_map}, which has it as its image."
+        if its_map
+        else f"Name the map.yaml whose `image` is {path.name}; there is none beside it.",
+        where=Where(str(path)),
+    )
+
+
+def _shows(path: Path, picture: Path) -> bool:
+    """Whether a file is a ROS map with this picture."""
+    try:
+        data = read_yaml(path).data
+    except InputError:
+        return False
+    return is_ros_map(data) and path.parent / str(data.get("image")) == picture
 
 
 def converted(file: YamlFile) -> RosMap:
@@ -116,6 +170,7 @@ def converted(file: YamlFile) -> RosMap:
     with file.placing("image"):
         picture = read_grey(file.path.parent / ros.image, ros.image)
     free, unknown = cells(picture, ros)
+    free |= _under_furniture(told.furniture, free.shape, ros)
     corners = corners_of_cells(free)
     if corners > MAX_CELL_CORNERS:
         raise _noisy(f"free cells have at most {MAX_CELL_CORNERS:,} corners", corners).at(
@@ -131,6 +186,8 @@ def converted(file: YamlFile) -> RosMap:
     farthest_m = max(abs(length_m) for corner in outline_m for length_m in corner)
     if farthest_m > FARTHEST_M:
         raise _too_far(farthest_m, ros).at(file.where(("resolution",)))
+    if _is_too_small(floor, ros):
+        raise _too_small(floor, ros).at(file.where(("resolution",)))
     notes = " ".join(_notes(ros, (free, unknown), picture, floor, tolerance_m))
     data: dict[str, Any] = {
         "schema_version": 1,
@@ -138,7 +195,7 @@ def converted(file: YamlFile) -> RosMap:
         "about": f"{told.about.strip()} {notes}".strip(),
         "rooms": {FLOOR: {"polygon_m": outline_m}},
         "holes_m": [_in_metres(hole, ros) for hole in floor.holes],
-        "locations": {} if places is None else places.data.get("locations", {}),
+        **({} if places is None else {key: places.data[key] for key in BESIDE if key in places.data}),
     }
     return RosMap(
         path=file.path,
@@ -180,6 +237,26 @@ def cells(picture: GreyPicture, ros: RosMapFile) -> tuple[NDArray[np.bool_], NDA
     free = known & (occupied < ros.free_thresh)
     unknown = ~free & ~(known & (occupied > ros.occupied_thresh))
     return np.ascontiguousarray(free[::-1]), unknown[::-1]
+
+
+def _under_furniture(
+    furniture: Sequence[FurniturePiece], shape: tuple[int, int], ros: RosMapFile
+) -> NDArray[np.bool_]:
+    """The cells that pieces of furniture reach into, the bottom row first."""
+    from shapely import Polygon, box, intersects
+
+    under = np.zeros(shape, dtype=bool)
+    x, y, yaw = ros.origin
+    turn = np.array([[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]])
+    for piece in furniture:
+        corners = (np.array(furniture_of(piece).corners) - (x, y)) @ turn / ros.resolution
+        left, bottom = np.floor(corners.min(axis=0)).astype(int).clip(0, shape[::-1])
+        right, top = np.ceil(corners.max(axis=0)).astype(int).clip(0, shape[::-1])
+        rows, columns = np.mgrid[bottom:top, left:right]
+        # One that only touches a cell, such as a bench at a wall, does not reach into it.
+        inner = Polygon(corners).buffer(-TOUCHING)
+        under[rows, columns] |= intersects(inner, box(columns, rows, columns + 1, rows + 1))
+    return under
 
 
 @lru_cache(maxsize=KEPT)
@@ -238,6 +315,25 @@ def _too_far(farthest_m: float, ros: RosMapFile) -> InputError:
         expected=f"a map whose x and y are at most {FARTHEST_M:g} m",
         got=f"{farthest_m:g} m, with cells of {ros.resolution:g} m and the origin ({x:g}, {y:g}) m",
         remedy="Check resolution, which is metres a cell, and origin.",
+    )
+
+
+def _is_too_small(floor: FloorOutline, ros: RosMapFile) -> bool:
+    """Whether a small floor has no room for a robot."""
+    from shapely import Polygon
+
+    shape = Polygon(floor.outline, floor.holes)
+    is_small = shape.area * ros.resolution**2 < SMALL_M2
+    return is_small and shape.buffer(-WAY_M / 2 / ros.resolution).is_empty
+
+
+def _too_small(floor: FloorOutline, ros: RosMapFile) -> InputError:
+    xs, ys = zip(*floor.outline, strict=True)
+    wide_m, high_m = ((max(each) - min(each)) * ros.resolution for each in (xs, ys))
+    return InputError(
+        expected=f"a floor with room for a robot {2 * ROBOT_RADIUS_M:g} m across",
+        got=f"one of {wide_m:.3g} x {high_m:.3g} m, with cells of {ros.resolution:g} m",
+        remedy="Check resolution, which is metres a cell.",
     )
 
 

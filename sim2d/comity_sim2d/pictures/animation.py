@@ -20,7 +20,7 @@ from comity_sim2d.kinds import require_kinds
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.drawing_check import check_drawing
 from comity_sim2d.pictures.lettering import lettering
-from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.map_labels import NAME_CHARACTERS, MapLabels
 from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines, wanted_m
 from comity_sim2d.pictures.person_colours import person_colours
 from comity_sim2d.pictures.planned_route import PlannedRoute, draw_planned, planned_at
@@ -292,7 +292,7 @@ class _Film:
         from matplotlib.patheffects import withStroke
 
         colour = self._colours[person.name]
-        words = d.short(person.name, 24)
+        words = d.in_lines(person.name, NAME_CHARACTERS)
         label = self._ax.text(
             0.0, 0.0, words, size=9.0, color=colour, weight="bold", ha="center", va="top", animated=True
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Iterable
 from dataclasses import replace
 from itertools import pairwise
@@ -254,6 +255,11 @@ def draw_scale_bar(figure: Figure, left_in: float, bottom_in: float, in_per_m: f
 def short(name: str, most: int) -> str:
     """A name shortened to a number of characters, with an ellipsis if cut."""
     return name if len(name) <= most else f"{name[: most - 1].rstrip()}…"
+
+
+def in_lines(name: str, most: int) -> str:
+    """A name in as many lines as it needs, each of at most this number of characters."""
+    return textwrap.fill(name, most) or name
 
 
 def fitting(label: Text, most_px: float, canvas: FigureCanvasAgg) -> str:

@@ -11,9 +11,13 @@ from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.panel import Card, CardColumn
 from comity_sim2d.scene.scene import Scene
 
-WIDEST_IN, NARROWEST_IN, EDGE_IN = 12.0, 8.0, 0.25
+WIDEST_IN, NARROWEST_IN, EDGE_IN = 12.0, 7.0, 0.25
 HEADER_IN, SCALE_IN = 0.95, 0.3
-TALLEST_MAP_IN = 8.5
+TALLEST_MAP_IN, SLENDER_MAP_IN = 8.5, 6.0
+"""Maximum height of a map, and of one of a very narrow place next to a short panel [in]: a higher one would
+leave the page below the panel empty (our choice)."""
+NARROWEST_MAP_IN = 3.5
+"""Minimum width of a map next to its panel [in], so that labels fit beside a narrow room (our choice)."""
 LEAST_FILLED = 0.6
 """Minimum filled share of a page with the panel next to the map; otherwise the panel is below (our
 choice)."""
@@ -78,11 +82,12 @@ def _panel_beside(
 ) -> Layout:
     """A layout with a column next to the map and, if given, further cards and a legend below it."""
     wide, high = d.extent_m(scene)
-    free_m = d.beside_m(scene)
-    wide += 2 * free_m
     most = WIDEST_IN - panel.WIDTH_IN - 2 * EDGE_IN
-    scale = min(most / wide, TALLEST_MAP_IN / high)
-    map_in, tall = wide * scale, high * scale
+    # Continuous at the ratio below which a place is slender.
+    slender_in = max(SLENDER_MAP_IN, column.height_in, TALLEST_MAP_IN * wide / (d.SLENDER * high))
+    scale = min(most / wide, min(slender_in, TALLEST_MAP_IN) / high)
+    map_in, tall = max(wide * scale, NARROWEST_MAP_IN), high * scale
+    free_m = (map_in / scale - wide) / 2
     width = max(NARROWEST_IN, map_in + panel.WIDTH_IN + 2 * EDGE_IN)
     under = [] if legend is None else _under(further, legend, max(int(map_in // panel.WIDTH_IN), 1))
     under_in = max((SCALE_IN + each.height_in for each in under), default=0.0)

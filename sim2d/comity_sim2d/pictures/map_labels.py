@@ -165,9 +165,9 @@ class MapLabels:
         self._text(box.centre, words, AREA_PT, d.GREY, "bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
-        """Write a person's name, preferably behind their back."""
+        """Write a person's name, all of it, preferably behind their back."""
         behind = pose.heading_rad + math.pi
-        words = d.short(name, NAME_CHARACTERS)
+        words = d.in_lines(name, NAME_CHARACTERS)
         return self.near(pose.xy, radius_m, words, size=10.5, colour=colour, weight="bold", prefer_rad=behind)
 
     def near(

@@ -13,7 +13,7 @@ import numpy as np
 
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures.door_drawing import leaf, swing
-from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.map_labels import NAME_CHARACTERS, MapLabels
 from comity_sim2d.pictures.page import DPI, POINTS_PER_IN, as_bytes, in_per_m, own_page
 from comity_sim2d.pictures.person_colours import person_colour
 from comity_sim2d.pictures.readable_names import legible, names_in, substitutes, with_names
@@ -36,11 +36,14 @@ if TYPE_CHECKING:
 EDGE_IN, HEADER_IN, LINE_IN, SCALE_IN = 0.25, 0.58, 0.17, 0.45
 """Margin, height of the headline, of each line below it, and of the scale bar [in]."""
 LEAST_IN, MOST_IN = 4.5, 18.0
+"""Minimum width of a map, unless it is high, and maximum length of its longer side [in]."""
+LEAST_WORDS_IN = 3.0
+"""Minimum width of the text above a map, and of the space for the names on it [in]."""
 IN_PER_M = 1.0
 """Default scale [in/m], at which labels fit, unless the page would be too small or too large."""
 FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
 MOST_CHARACTERS, MOST_LINES = 400, 8
-"""Maximum number of characters of a headline, and of lines below it."""
+"""Maximum number of characters of a headline, and of lines below it, on a narrow page as many letters."""
 SMALL_PT, LETTER = 9.5, 0.62
 """Font size of the lines below the headline [pt], and width of a letter relative to it: wide ones are
 rare."""
@@ -81,29 +84,32 @@ def draw_map(
     title, subtitle = legible(title, names), legible(subtitle, names)
     wide, high = d.extent_m(place)
     scale = in_per_m((wide, high), IN_PER_M, least_in=LEAST_IN, most_in=MOST_IN)
-    width = max(wide * scale, LEAST_IN) + 2 * EDGE_IN
+    width = max(wide * scale, LEAST_WORDS_IN) + 2 * EDGE_IN
+    beside_m = (width - 2 * EDGE_IN) / scale / 2 - wide / 2
     lines = _lines(subtitle, width - 2 * EDGE_IN)
     size = (width, high * scale + HEADER_IN + LINE_IN * len(lines) + SCALE_IN)
     with own_page([*names_in(place), title, subtitle]):
         figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
-        area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])
+        area = (EDGE_IN / size[0], SCALE_IN / size[1], 1 - 2 * EDGE_IN / size[0])
         ax = figure.add_axes((*area, high * scale / size[1]))
         _write_frame(canvas, title, lines, scale)
-        _draw(ax, MapLabels(ax, canvas), place, rings, seed)
+        floor = d.draw_place(ax, place, beside_m)
+        _draw(floor, MapLabels(ax, canvas), place, rings, seed)
         return as_bytes(figure, format)
 
 
 def _lines(text: str, width_in: float) -> list[str]:
     """The text below the headline, wrapped to the width of the page; the last line is cut."""
     room = max(int(width_in * POINTS_PER_IN / (SMALL_PT * LETTER)), 1)
-    return wrap(" ".join(text[: room * MOST_LINES * 2].split()), room, max_lines=MOST_LINES, placeholder=" …")
+    most = math.ceil(MOST_LINES * max(LEAST_IN / width_in, 1.0))
+    return wrap(" ".join(text[: room * most * 2].split()), room, max_lines=most, placeholder=" …")
 
 
 def _draw(
-    ax: Axes, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float], seed: int
+    floor: Patch, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float], seed: int
 ) -> None:
-    floor = d.draw_place(ax, place)
+    ax = labels.ax
     if isinstance(place, Scene):
         d.draw_o_spaces(ax, place.o_spaces, floor)
     for location in place.locations:
@@ -122,7 +128,8 @@ def _draw(
     for location in place.locations:
         facing = location.heading_rad
         prefer = None if facing is None else facing + math.pi
-        labels.near(location.xy, SPOT_M, location.name, size=8.0, colour=SPOT, prefer_rad=prefer)
+        name = d.in_lines(location.name, NAME_CHARACTERS)
+        labels.near(location.xy, SPOT_M, name, size=8.0, colour=SPOT, prefer_rad=prefer)
 
 
 def _draw_origin(ax: Axes, labels: MapLabels) -> None:

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 WIDTH_IN, MARGIN_IN, INDENT_IN = COLUMN_IN, 0.25, 0.28
-CARD_IN, LINE_IN = 0.98, 0.18
+CARD_IN, LINE_IN, NAME_LINE_IN = 0.98, 0.18, 0.21
 CHARACTERS, NAME_CHARACTERS = 46, 20
-"""Maximum number of characters of a line of small print, and of a name, which shares its line with the
-side."""
+"""Maximum number of characters of a line of small print, and of a line of a name, which shares the first one
+with the side."""
 SHORTEST_SCALE_M = 1.3
 """Minimum end of the bars' scale [m], beyond the largest distance of the shipped rules, for comparison."""
 ROUNDING_IN = 1e-6
@@ -37,6 +37,11 @@ class Card:
     notes: tuple[str, ...]
 
     @property
+    def name_lines(self) -> list[str]:
+        """The name, in as many lines as it needs."""
+        return d.in_lines(self.person, NAME_CHARACTERS).splitlines()
+
+    @property
     def lines(self) -> list[str]:
         """The notes as lines of small print."""
         return [line for note in self.notes for line in textwrap.wrap(note, CHARACTERS)]
@@ -49,7 +54,7 @@ class Card:
     @property
     def height_in(self) -> float:
         """Its height [in]."""
-        return CARD_IN + LINE_IN * len(self.lines)
+        return CARD_IN + NAME_LINE_IN * (len(self.name_lines) - 1) + LINE_IN * len(self.lines)
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,11 +122,13 @@ def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
     from matplotlib.patches import Circle, Rectangle
 
     ax.add_patch(Circle((0.10, top + 0.14), 0.075, fc=card.colour, ec="none"))
-    name = d.short(card.person, NAME_CHARACTERS)
-    ax.text(INDENT_IN, top + 0.14, name, size=12, weight="bold", color=d.INK, va="center")
+    for i, line in enumerate(card.name_lines):
+        y = top + 0.14 + NAME_LINE_IN * i
+        ax.text(INDENT_IN, y, line, size=12, weight="bold", color=d.INK, va="center")
     right = WIDTH_IN - MARGIN_IN
     ax.text(right, top + 0.14, card.side, size=10, color=d.GREY, va="center", ha="right")
     scale = (right - INDENT_IN) / scale_m
+    top += NAME_LINE_IN * (len(card.name_lines) - 1)
     for length, colour in ((scale_m, TRACK), (card.reached_m or 0.0, card.colour)):
         ax.add_patch(Rectangle((INDENT_IN, top + 0.34), scale * length, 0.13, fc=colour, ec="none"))
     mark = INDENT_IN + scale * card.wanted_m
