@@ -24,6 +24,7 @@ from comity.monitoring.replanning import WorldPlanner
 from comity.people.adulthood import is_under_age
 from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import told as told_only
+from comity.simulation.manoeuvres import MotionLog
 from comity.simulation.passages import passages
 from comity.simulation.walks import walks
 from comity_domain.choices.greeting import NO_GESTURE
@@ -139,6 +140,7 @@ class LiveEpisode:
         self._guard = Guarding(prepared, self._planner)
         happens = (*prepared.happenings, *happenings)
         self._schedule = Schedule(happens if robot is None else told_only(happens))
+        self._motion = MotionLog()
         self._loop: LoopReport | None = None
         asks: Planner = planner or self._planner
         self._execution = Execution(
@@ -182,7 +184,9 @@ class LiveEpisode:
         while self._tick(world) == "running" and not self._ends_in_time():
             if watch and world.time_s % 1.0 < 1e-9:
                 watch(self._progress())
+            began_s = world.time_s
             world.step()
+            self._motion.note(world.robot.motion().text, world.robot.goal, began_s, world.time_s)
             self._schedule.step(stage)
         _come_to_rest(world, self._execution)
 
@@ -352,6 +356,7 @@ class LiveEpisode:
             revisions=execution.revisions,
             told=told,
             disturbances=self._disturbances(frames),
+            motion=tuple(self._motion.spans),
             readings=execution.readings,
             writes=execution.writes,
             loop=self._loop,
