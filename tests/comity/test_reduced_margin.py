@@ -96,11 +96,19 @@ def test_an_adult_who_steps_aside_is_passed_slowly_told_and_counted(written):
             "that they hear well is not declared",
         ),
         (
+            "{name: Anna, age: 40, hearing: good, sight: good, mobility: electric wheelchair}",
+            "they use a wheelchair",
+        ),
+        (
+            "{name: Anna, age: 40, hearing: good, sight: good, mobility: no wheelchair}",
+            "that they walk without an aid is not declared",
+        ),
+        (
             "{name: Anna, age: 40, hearing: good, sight: good, mobility: walking frame}",
             "that they walk without an aid is not declared",
         ),
     ],
-    ids=["17", "no age", "impaired", "walking frame"],
+    ids=["17", "no age", "impaired", "wheelchair", "no wheelchair", "walking frame"],
 )
 def test_a_person_who_declared_too_little_keeps_the_full_margin_and_it_is_said_why(written, profile, reason):
     ran = front_door.run(written(corridor(profile=profile, more="limits: {time_s: 30}\n")))
