@@ -135,6 +135,8 @@ class LiveEpisode:
             own_stop = self._heartbeat.read if self._heartbeat else robot.emergency
             stop = self._world.robot.stop_of(own_stop)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
+        if robot is None:  # a real robot's clock may have begun earlier
+            limits = replace(limits, ends_s=prepared.file.scenario.limits.time_s)
         self._listener = WorldPlanner(prepared, self._world)
         self._planner = FalliblePlanner(self._listener)
         self._guard = Guarding(prepared, self._planner)
