@@ -22,10 +22,12 @@ from comity.monitoring.operating import Approved, Operating
 from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
 from comity.people.adulthood import is_under_age
+from comity.planning.narrow_gap import narrow_gap
 from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import told as told_only
 from comity.simulation.manoeuvres import MotionLog
 from comity.simulation.passages import passages
+from comity.simulation.scene_later import scene_at
 from comity.simulation.walks import walks
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_executor import (
@@ -42,7 +44,7 @@ from comity_executor import (
 )
 from comity_executor.memory.visit_context import SAY_ACT
 from comity_fis.errors import InputError
-from comity_sim2d import DoorTurn, Frames, World
+from comity_sim2d import DoorTurn, Frames, SceneError, World
 from comity_sim2d.base.drive import stopping_time_s
 from comity_sim2d.people.undisturbed import undisturbed_walks
 from comity_sim2d.pose import wrap_angle
@@ -313,7 +315,16 @@ class LiveEpisode:
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
-        passed = passages(frames, self._world.margin_decisions)
+
+        def lacks(t: float) -> str:
+            goal = next((span.goal for span in self._motion.spans if span.end_s > t), None)
+            with suppress(SceneError):  # bodies overlap at that time
+                scene = scene_at(self._prepared.scene, frames, t, turns=self.door_turns)
+                gap = narrow_gap(scene, "", [goal]) if goal else None
+                return gap.lacks if gap else ""
+            return ""
+
+        passed = passages(frames, self._world.margin_decisions, lacks)
         return tuple(sorted((*self.disturbances, *walks(frames, people), *passed), key=lambda one: one.t))
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:

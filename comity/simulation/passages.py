@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,12 +19,17 @@ SLACK_M = 1e-3
 """Tolerance of the full margin [m]: the precision of routes."""
 
 
-def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Disturbance]:
+def passages(
+    frames: Frames,
+    decisions: Iterable[MarginDecision],
+    lacks: Callable[[float], str],
+) -> Iterator[Disturbance]:
     """Passages nearer than the full margin, and answers that led to none, each with its reason.
 
     Args:
         frames: Poses of all bodies.
         decisions: Decisions about people who let the robot pass, in order.
+        lacks: How much too narrow the robot's way is at a time [s], in words; empty if it is not.
     """
     gaps, time_s = clearances_m(frames), frames.time_s
     for one in decisions:
@@ -41,5 +46,14 @@ def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Di
             yield Disturbance(start_s, end_s, "passage", one.person, text)
         else:
             kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {one.person}, who lets it pass"
-            text = f"{kept}: it did not come by while it might come nearer"
+            text = f"{kept}: {lacks(one.t) or _in_vain(one, float(time_s[-1]))}"
             yield Disturbance(one.t, one.end_s, "passage", one.person, text)
+
+
+def _in_vain(one: MarginDecision, last_s: float) -> str:
+    """What lacked for a passage, and what would help, in words."""
+    for_s = (last_s if one.end_s is None else one.end_s) - one.t
+    leave = f"it might come to {one.clearance_m:.2f} m for {for_s:.1f} s only, until"
+    if one.end_s is None:
+        return f"{leave} the run ended; allow it more time"
+    return f"{leave} they moved, turned away or were out of its view; keep them still and in view"

@@ -124,7 +124,20 @@ def test_leave_of_which_no_use_was_made_is_told(written):
         written(text.replace("margin_m: 0.25", "margin_m: 0.25, sensor: {field_of_view_deg: 60}"))
     )
     assert gaps_m(ran).min() >= 0.299
-    assert {one.about for one in ran.disturbances if one.kind == "passage"} == {"anna"}
+    told = [one for one in ran.disturbances if one.kind == "passage"]
+    assert {one.about for one in told} == {"anna"}
+    for one in told:
+        assert f"0.25 m for {one.end_s - one.t:.1f} s only" in one.text
+
+
+def test_leave_in_a_gap_that_is_too_narrow_is_told_with_the_width_that_lacks(written):
+    """Anna lets it pass beside her, at 0.75 m; it needs 0.805 m, and gets through with 6 cm more."""
+    text = corridor(anna="lets_pass: true", width_m=1.20, more="limits: {time_s: 40}\n")
+    (told,) = passages(front_door.run(written(text.replace("at_m: [4, 0.6]", "at_m: [4, 0.25]"))))
+    wider_m = int(re.search(r"make it (\d+) cm wider", told)[1]) / 100
+    assert wider_m == 0.06
+    text = corridor(anna="lets_pass: true", width_m=1.20 + wider_m)
+    assert front_door.run(written(text.replace("at_m: [4, 0.63]", "at_m: [4, 0.25]"))).outcome == "success"
 
 
 def test_without_the_keys_nothing_is_passed_nearer_and_no_fact_is_read(written):
