@@ -26,7 +26,7 @@ from comity.planning.narrow_gap import narrow_gap
 from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import told as told_only
 from comity.simulation.manoeuvres import MotionLog
-from comity.simulation.passages import passages
+from comity.simulation.passages import passages, without_room
 from comity.simulation.scene_later import scene_at
 from comity.simulation.walks import walks
 from comity_domain.choices.greeting import NO_GESTURE
@@ -325,7 +325,9 @@ class LiveEpisode:
             return ""
 
         passed = passages(frames, self._world.margin_decisions, lacks)
-        return tuple(sorted((*self.disturbances, *walks(frames, people), *passed), key=lambda one: one.t))
+        stayed = without_room(frames, self._world.events, self._prepared.scene.people)
+        found = (*self.disturbances, *walks(frames, people), *passed, *stayed)
+        return tuple(sorted(found, key=lambda one: one.t))
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
         """The walks of simulated people without the robot, those left out that a change moved."""

@@ -8,13 +8,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.answers.run import Disturbance
+from comity_executor.trees.passing import ASK
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.metrics import clearances_m
+from comity_sim2d.people.stepping_out import HEARD_M, LEAST_ASIDE_M
 
 if TYPE_CHECKING:
-    from comity_sim2d import Frames
+    from comity_sim2d import Frames, Person
+    from comity_sim2d.robot.acts import ActEvent
     from comity_sim2d.robot.margins import MarginDecision
 
+ANSWERS_S = 2.0
+"""Time within which people who step aside have begun to, or made a short step [s]."""
 SLACK_M = 1e-3
 """Tolerance of the full margin [m]: the precision of routes."""
 
@@ -57,3 +62,27 @@ def _in_vain(one: MarginDecision, last_s: float) -> str:
     if one.end_s is None:
         return f"{leave} the run ended; allow it more time"
     return f"{leave} they moved, turned away or were out of its view; keep them still and in view"
+
+
+def without_room(frames: Frames, acts: Iterable[ActEvent], people: Iterable[Person]) -> Iterator[Disturbance]:
+    """First requests to step aside that a willing person heard and had no room to follow.
+
+    Args:
+        frames: Poses of all bodies.
+        acts: What the robot did, in order.
+        people: The people of the scene.
+    """
+    willing = {person.name for person in people if person.steps_aside and not person.lets_pass}
+    for act in acts:
+        if act.act != ASK or act.person not in willing or act.stopped:
+            continue
+        willing.remove(act.person)
+        if frames.time_s[-1] < act.t_end + ANSWERS_S:
+            continue
+        then, later = np.searchsorted(frames.time_s, [act.t_end, act.t_end + ANSWERS_S])
+        stood = frames.of(act.person)[then : later + 1, :2]
+        heard = np.hypot(*(frames.poses[then, 0, :2] - stood[0])) <= HEARD_M
+        if heard and np.hypot(*(stood - stood[0]).T).max() < LEAST_ASIDE_M:
+            kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {act.person}, who was asked to let it pass"
+            text = f"{kept}: no room to step aside by {LEAST_ASIDE_M:.2f} m"
+            yield Disturbance(act.t_end, act.t_end, "passage", act.person, text)

@@ -140,6 +140,17 @@ def test_leave_in_a_gap_that_is_too_narrow_is_told_with_the_width_that_lacks(wri
     assert front_door.run(written(text.replace("at_m: [4, 0.63]", "at_m: [4, 0.25]"))).outcome == "success"
 
 
+@pytest.mark.parametrize("y", [0.27, 0.635])
+def test_a_willing_person_without_room_to_step_aside_is_told(written, y):
+    """At the wall Anna cannot step aside; from the middle of the corridor she does."""
+    text = corridor(width_m=1.27, margin_m=None, profile="{name: Anna}", more="limits: {time_s: 20}\n")
+    ran = front_door.run(written(text.replace("at_m: [4, 0.635]", f"at_m: [4, {y}]")))
+    moved_m = np.ptp(ran.frames.of("anna")[:, 1])
+    told = passages(ran)
+    assert bool(told) == (moved_m < 0.1) == (y < 0.3)
+    assert all("no room to step aside" in text for text in told)
+
+
 def test_without_the_keys_nothing_is_passed_nearer_and_no_fact_is_read(written):
     stage = resolved(load_scenario(written(corridor(margin_m=None, anna="posture: standing"))))
     assert [person.margin_facts for person in stage.scene.people] == [MarginFacts()] * 2
