@@ -86,7 +86,7 @@ def _text(stay: IntrusionSpan, episode: Episode, known: Known) -> str:
     kept = np.flatnonzero(gaps[before:nearest] >= kept_m)
     since = before + int(kept[-1]) if kept.size else before
     why = _Why(episode, stay, since, nearest, is_in_margin=bool(is_in_margin))
-    is_exact = own[nearest] - gaps[nearest] <= FOLLOWS_M
+    is_exact = bool(own[nearest] - gaps[nearest] <= FOLLOWS_M)
     return f"robot {gaps[nearest]:.2f} m from {person}, who likes {own[nearest]:.2f} m: {why.text(is_exact)}"
 
 
