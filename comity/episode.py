@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from comity.data_frames import Table
     from comity.monitoring.parameter_updates import ParameterUpdate
     from comity.preparation import PlannedEpisode
+    from comity.simulation.manoeuvres import MotionSpan
     from comity_domain import PlanStep
     from comity_executor import LoopReport
     from comity_fis import Inference
@@ -75,6 +76,8 @@ class Episode:
     """The sensor readings received by the tree."""
     writes: tuple[Write, ...]
     """Every value written to the blackboard, in order."""
+    motion: tuple[MotionSpan, ...] = ()
+    """What the simulated robot's motion was for, in order."""
     loop: LoopReport | None = None
     """How the loop of a real robot kept its rate; None in the simulated world."""
     uncertain: frozenset[str] = frozenset()

@@ -22,9 +22,12 @@ from comity.monitoring.operating import Approved, Operating
 from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
 from comity.people.adulthood import is_under_age
+from comity.planning.narrow_gap import narrow_gap
 from comity.schedule import Schedule, Stage
 from comity.simulation.happenings import told as told_only
-from comity.simulation.passages import passages
+from comity.simulation.manoeuvres import MotionLog
+from comity.simulation.passages import passages, without_room
+from comity.simulation.scene_later import scene_at
 from comity.simulation.walks import walks
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_executor import (
@@ -41,7 +44,7 @@ from comity_executor import (
 )
 from comity_executor.memory.visit_context import SAY_ACT
 from comity_fis.errors import InputError
-from comity_sim2d import DoorTurn, Frames, World
+from comity_sim2d import DoorTurn, Frames, SceneError, World
 from comity_sim2d.base.drive import stopping_time_s
 from comity_sim2d.people.undisturbed import undisturbed_walks
 from comity_sim2d.pose import wrap_angle
@@ -134,11 +137,14 @@ class LiveEpisode:
             own_stop = self._heartbeat.read if self._heartbeat else robot.emergency
             stop = self._world.robot.stop_of(own_stop)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
+        if robot is None:  # a real robot's clock may have begun earlier
+            limits = replace(limits, ends_s=prepared.file.scenario.limits.time_s)
         self._listener = WorldPlanner(prepared, self._world)
         self._planner = FalliblePlanner(self._listener)
         self._guard = Guarding(prepared, self._planner)
         happens = (*prepared.happenings, *happenings)
         self._schedule = Schedule(happens if robot is None else told_only(happens))
+        self._motion = MotionLog()
         self._loop: LoopReport | None = None
         asks: Planner = planner or self._planner
         self._execution = Execution(
@@ -182,7 +188,9 @@ class LiveEpisode:
         while self._tick(world) == "running" and not self._ends_in_time():
             if watch and world.time_s % 1.0 < 1e-9:
                 watch(self._progress())
+            began_s = world.time_s
             world.step()
+            self._motion.note(world.robot.motion().text, world.robot.goal, began_s, world.time_s)
             self._schedule.step(stage)
         _come_to_rest(world, self._execution)
 
@@ -307,8 +315,19 @@ class LiveEpisode:
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
-        passed = passages(frames, self._world.margin_decisions)
-        return tuple(sorted((*self.disturbances, *walks(frames, people), *passed), key=lambda one: one.t))
+
+        def lacks(t: float) -> str:
+            goal = next((span.goal for span in self._motion.spans if span.end_s > t), None)
+            with suppress(SceneError):  # bodies overlap at that time
+                scene = scene_at(self._prepared.scene, frames, t, turns=self.door_turns)
+                gap = narrow_gap(scene, "", [goal]) if goal else None
+                return gap.lacks if gap else ""
+            return ""
+
+        passed = passages(frames, self._world.margin_decisions, lacks)
+        stayed = without_room(frames, self._world.events, self._prepared.scene.people)
+        found = (*self.disturbances, *walks(frames, people), *passed, *stayed)
+        return tuple(sorted(found, key=lambda one: one.t))
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
         """The walks of simulated people without the robot, those left out that a change moved."""
@@ -352,6 +371,7 @@ class LiveEpisode:
             revisions=execution.revisions,
             told=told,
             disturbances=self._disturbances(frames),
+            motion=tuple(self._motion.spans),
             readings=execution.readings,
             writes=execution.writes,
             loop=self._loop,

@@ -193,7 +193,7 @@ class DoorTurnAnswer(Record):
 class Disturbance(Record):
     """Something that happened while the plan was under way, whether or not the robot noticed.
 
-    `passage` is the robot past a person at the reduced margin, or why not though they let it pass;
+    `passage` is the robot past a person at the reduced margin, or why not though they let it pass or would;
     `nearness` is the robot nearer to a person than they like, with the reason.
     """
 

@@ -301,8 +301,16 @@ class WorldPlanner:
             for visitee in visitees
             if visitee.name in asked.unreachable.keys() - moment.absent - self._skipped.keys()
         )
-        otherwise = (f"{name}, whom it does not see, may stand otherwise by now" for name in unseen)
+        otherwise = (f"{name}, {self._unseen}, may stand otherwise by now" for name in unseen)
         return "; ".join(dict.fromkeys(filter(None, (*otherwise, *found)))) or None
+
+    @property
+    def _unseen(self) -> str:
+        """That the robot does not see a person, as its sensor's delay lets it know, in words."""
+        delay_s = self._prepared.scene.robot.sensor.delay_s
+        if self._world.robot.now_s() < delay_s - 1e-9:
+            return "of whom no measurement has arrived yet"
+        return f"whom it did not see {delay_s:g} s ago" if delay_s else "whom it does not see"
 
     def _now(self) -> BeliefState:
         visited = [visitee.name for visitee in self._prepared.visitees]

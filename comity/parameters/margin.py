@@ -23,6 +23,9 @@ MARGIN_FACTS = ("age", "hearing", "sight", "mobility")
 UNIMPAIRED = frozenset({"full", "good", "normal", "unimpaired"})
 """Words for unimpaired hearing, sight and mobility; no other word counts."""
 
+DENIED = frozenset({"no", "not", "never", "without"})
+"""Words with which a mobility that names a wheelchair declares none."""
+
 
 def reads_margin_facts(scenario: Scenario) -> bool:
     """Whether the scenario has a reduced margin, which depends on declared facts."""
@@ -76,6 +79,7 @@ def margin_facts_of(
     return MarginFacts(
         age_years=min(known) if len(known) == len(each) else None,
         walks_unaided=all(one.walks_unaided for one in each),
+        uses_wheelchair=any(one.uses_wheelchair for one in each),
         hears_well=all(one.hears_well for one in each),
         sees_well=all(one.sees_well for one in each),
         stands=all(one.stands for one in each),
@@ -88,6 +92,7 @@ def _facts(facts: Mapping[str, object]) -> MarginFacts:
     return MarginFacts(
         age_years=float(age) if isinstance(age, int | float) else None,
         walks_unaided=_is_unimpaired(facts.get("mobility")),
+        uses_wheelchair=_is_wheelchair(facts.get("mobility")),
         hears_well=_is_unimpaired(facts.get("hearing")),
         sees_well=_is_unimpaired(facts.get("sight")),
         stands=facts.get("posture", "standing") == "standing",
@@ -96,3 +101,8 @@ def _facts(facts: Mapping[str, object]) -> MarginFacts:
 
 def _is_unimpaired(word: object) -> bool:
     return str(word).strip().casefold() in UNIMPAIRED
+
+
+def _is_wheelchair(words: object) -> bool:
+    told = str(words).casefold().split()
+    return "wheelchair" in told and DENIED.isdisjoint(told)

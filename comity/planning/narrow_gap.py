@@ -77,6 +77,12 @@ class NarrowGap:
         return f"{told}, or {past_them:.{digits}f} m where {let} it pass at {self.margin_m:.2f} m"
 
     @property
+    def lacks(self) -> str:
+        """The same, and how much wider it has to be; empty if people who let the robot pass suffice."""
+        lacks_m = self.needed_past_them_m + SLACK_M * len(self.people) - self.width_m
+        return f"{self.words}; make it {math.ceil(100 * lacks_m):d} cm wider" if lacks_m > 0.0 else ""
+
+    @property
     def _is_nearly_wide_enough(self) -> bool:
         """Whether the width and one of the widths needed may read alike in centimetres."""
         needed = (self.needed_m, self.needed_past_them_m) if self.passable else (self.needed_m,)

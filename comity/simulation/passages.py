@@ -2,29 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from comity.answers.run import Disturbance
+from comity_executor.trees.passing import ASK
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.metrics import clearances_m
+from comity_sim2d.people.stepping_out import HEARD_M, LEAST_ASIDE_M
 
 if TYPE_CHECKING:
-    from comity_sim2d import Frames
+    from comity_sim2d import Frames, Person
+    from comity_sim2d.robot.acts import ActEvent
     from comity_sim2d.robot.margins import MarginDecision
 
+ANSWERS_S = 2.0
+"""Time within which people who step aside have begun to, or made a short step [s]."""
 SLACK_M = 1e-3
 """Tolerance of the full margin [m]: the precision of routes."""
 
 
-def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Disturbance]:
+def passages(
+    frames: Frames,
+    decisions: Iterable[MarginDecision],
+    lacks: Callable[[float], str],
+) -> Iterator[Disturbance]:
     """Passages nearer than the full margin, and answers that led to none, each with its reason.
 
     Args:
         frames: Poses of all bodies.
         decisions: Decisions about people who let the robot pass, in order.
+        lacks: How much too narrow the robot's way is at a time [s], in words; empty if it is not.
     """
     gaps, time_s = clearances_m(frames), frames.time_s
     for one in decisions:
@@ -41,5 +51,38 @@ def passages(frames: Frames, decisions: Iterable[MarginDecision]) -> Iterator[Di
             yield Disturbance(start_s, end_s, "passage", one.person, text)
         else:
             kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {one.person}, who lets it pass"
-            text = f"{kept}: it did not come by while it might come nearer"
+            text = f"{kept}: {lacks(one.t) or _in_vain(one, float(time_s[-1]))}"
             yield Disturbance(one.t, one.end_s, "passage", one.person, text)
+
+
+def _in_vain(one: MarginDecision, last_s: float) -> str:
+    """What lacked for a passage, and what would help, in words."""
+    for_s = (last_s if one.end_s is None else one.end_s) - one.t
+    leave = f"it might come to {one.clearance_m:.2f} m for {for_s:.1f} s only, until"
+    if one.end_s is None:
+        return f"{leave} the run ended; allow it more time"
+    return f"{leave} they moved, turned away or were out of its view; keep them still and in view"
+
+
+def without_room(frames: Frames, acts: Iterable[ActEvent], people: Iterable[Person]) -> Iterator[Disturbance]:
+    """First requests to step aside that a willing person heard and had no room to follow.
+
+    Args:
+        frames: Poses of all bodies.
+        acts: What the robot did, in order.
+        people: The people of the scene.
+    """
+    willing = {person.name for person in people if person.steps_aside and not person.lets_pass}
+    for act in acts:
+        if act.act != ASK or act.person not in willing or act.stopped:
+            continue
+        willing.remove(act.person)
+        if frames.time_s[-1] < act.t_end + ANSWERS_S:
+            continue
+        then, later = np.searchsorted(frames.time_s, [act.t_end, act.t_end + ANSWERS_S])
+        stood = frames.of(act.person)[then : later + 1, :2]
+        heard = np.hypot(*(frames.poses[then, 0, :2] - stood[0])) <= HEARD_M
+        if heard and np.hypot(*(stood - stood[0]).T).max() < LEAST_ASIDE_M:
+            kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {act.person}, who was asked to let it pass"
+            text = f"{kept}: no room to step aside by {LEAST_ASIDE_M:.2f} m"
+            yield Disturbance(act.t_end, act.t_end, "passage", act.person, text)

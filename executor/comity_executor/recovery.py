@@ -130,8 +130,9 @@ class Recovery:
             return NoPlanUpdate((*revision.because, Cause("condition", over, self._limits.patience_s)))
         self._ask_s = course.t + min(left_s, self._pause_s(self._looks))
         self._looks += 1
-        waits = f"the way is waited for until t={course.t + left_s:.2f} s at most: {revision.awaits}"
-        return Later((*revision.because, Cause("condition", waits, left_s)), revision.look_for)
+        until_s = min(course.t + left_s, self._limits.ends_s)
+        waits = f"the way is waited for until t={until_s:.2f} s at most: {revision.awaits}"
+        return Later((*revision.because, Cause("condition", waits, until_s - course.t)), revision.look_for)
 
     def _end_wait(self, course: ExecutionState) -> bool:
         """Charge the wait against the patience; whether there was one.

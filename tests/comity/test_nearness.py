@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
+from room_study import prepared
 
-from comity_sim2d.metrics import intrusion_of
+from comity.live_episode import execute
+from comity.report.episodes.nearness import nearness_answers
+from comity.simulation.manoeuvres import MotionLog, MotionSpan
+from comity_sim2d.metrics import clearances_m, intrusion_of
 
 NARROW = """schema_version: 1
 name: narrow
@@ -22,12 +27,33 @@ goals: [{greet: guest}]
 """
 
 REASONS = {
-    "asks-to-pass": ("yumi", "it had asked yumi to let it pass"),
-    "guest-walks-off": ("friend", "it went on from its place before friend"),
+    "asks-to-pass": ("yumi", "yumi came to it, after it had asked yumi to let it pass"),
+    "guest-walks-off": (
+        "friend",
+        "it went on from its place before friend, inside friend's personal space",
+    ),
     "comity-bench-1/starts-next-to-someone": ("neighbour", "it went on from where it started"),
     "comity-bench-1/walks-at-the-robot": ("kim", "kim came to it"),
     "comity-bench-1/full-waiting-room": ("a", "its place before guest is as near"),
 }
+
+CORRIDOR = """schema_version: 1
+name: corridor
+place: {width_m: 10, height_m: 1.46}
+robot: {at_m: [3.2, 0.73]}
+people:
+  anna: {at_m: [4.0, 0.517], facing_deg: 120, steps_aside: true}
+  bert: {at_m: [8.5, 0.73], facing_deg: 180}
+  dan:
+    at_m: [9.5, 0.73]
+    facing_deg: 180
+    walks: {route: [[2.0, 0.73], [9.5, 0.73]], loop: true, speed_m_s: 1.0, stops: true}
+goals: [{greet: bert}]
+"""
+"""Dan makes the robot come nearer to Anna than it started."""
+
+ROUTES = ("no route", "a route", "its goal", "personal space")
+"""What is said of routes only, which keep 0.30 m from people who stand."""
 
 
 def nearness(answer):
@@ -70,3 +96,48 @@ def test_every_intrusion_that_is_measured_has_its_reason(scenario):
     assert {(one.about, one.t) for one in told} == stays
     assert len(told) == len(stays)
     assert [one.t for one in told] == sorted(one.t for one in told)
+
+
+def gaps_m(episode, person):
+    """Between the robot and a person, in every frame."""
+    return clearances_m(episode.frames)[:, episode.frames.entities.index(person) - 1]
+
+
+def test_who_makes_the_robot_give_way_is_the_reason_that_it_comes_near_to_another_person(comity, here):
+    (here / "corridor.scenario.yaml").write_text(CORRIDOR, encoding="utf-8")
+    answer = comity("run", "corridor.scenario.yaml", "--out", "run", "--json").json
+    (told,) = (one for one in nearness(answer) if one["about"] == "anna")
+    assert told["text"].endswith("it gave way to dan")
+
+
+@pytest.mark.parametrize("room", [("stand", 0), ("walk", 4), ("walk", 6), ("walk", 16), ("walk", 18)])
+def test_the_reason_for_a_stay_holds_in_the_frames(room):
+    """A place is as near as the robot came, a person who came moved, a route keeps 0.30 m."""
+    kind, seed = room
+    episode = execute(prepared(kind, seed), seed=seed)
+    time_s, docked = episode.frames.time_s, {one.person: one.docked_s for one in episode.visits}
+    told = list(nearness_answers(episode))
+    assert told
+    for one in told:
+        gap_m, reason = gaps_m(episode, one.about), one.text.split(": ", 1)[1]
+        within = (time_s >= one.t - 1e-3) & (time_s <= one.end_s + 1e-3)
+        nearest_m = gap_m[within].min()
+        if any(words in reason for words in ROUTES):
+            assert nearest_m >= 0.27
+        elif "where it started" in reason or "its place before" in reason:
+            at_s = next((at for name, at in docked.items() if f"before {name}" in reason), 0.0)
+            assert gap_m[np.searchsorted(time_s, at_s - 1e-3)] <= nearest_m + 0.1
+        elif "came to it" in reason:
+            walked = episode.frames.of(one.about)[within, :2]
+            assert np.ptp(walked, axis=0).max() > 0.0
+
+
+def test_a_motion_goes_on_while_goal_and_manoeuvre_stay_the_same():
+    log = MotionLog()
+    for tick, report in enumerate(("1.2 m of way left", "giving way to bo", "giving way to bo", "stands")):
+        log.note(report, (1.0, 2.0), float(tick), float(tick + 1))
+    assert log.spans == [
+        MotionSpan(0.0, 1.0, (1.0, 2.0), ""),
+        MotionSpan(1.0, 3.0, (1.0, 2.0), "it gave way to bo"),
+        MotionSpan(3.0, 4.0, (1.0, 2.0), ""),
+    ]

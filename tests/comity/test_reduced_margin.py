@@ -96,11 +96,19 @@ def test_an_adult_who_steps_aside_is_passed_slowly_told_and_counted(written):
             "that they hear well is not declared",
         ),
         (
+            "{name: Anna, age: 40, hearing: good, sight: good, mobility: electric wheelchair}",
+            "they use a wheelchair",
+        ),
+        (
+            "{name: Anna, age: 40, hearing: good, sight: good, mobility: no wheelchair}",
+            "that they walk without an aid is not declared",
+        ),
+        (
             "{name: Anna, age: 40, hearing: good, sight: good, mobility: walking frame}",
             "that they walk without an aid is not declared",
         ),
     ],
-    ids=["17", "no age", "impaired", "walking frame"],
+    ids=["17", "no age", "impaired", "wheelchair", "no wheelchair", "walking frame"],
 )
 def test_a_person_who_declared_too_little_keeps_the_full_margin_and_it_is_said_why(written, profile, reason):
     ran = front_door.run(written(corridor(profile=profile, more="limits: {time_s: 30}\n")))
@@ -116,7 +124,31 @@ def test_leave_of_which_no_use_was_made_is_told(written):
         written(text.replace("margin_m: 0.25", "margin_m: 0.25, sensor: {field_of_view_deg: 60}"))
     )
     assert gaps_m(ran).min() >= 0.299
-    assert {one.about for one in ran.disturbances if one.kind == "passage"} == {"anna"}
+    told = [one for one in ran.disturbances if one.kind == "passage"]
+    assert {one.about for one in told} == {"anna"}
+    for one in told:
+        assert f"0.25 m for {one.end_s - one.t:.1f} s only" in one.text
+
+
+def test_leave_in_a_gap_that_is_too_narrow_is_told_with_the_width_that_lacks(written):
+    """Anna lets it pass beside her, at 0.75 m; it needs 0.805 m, and gets through with 6 cm more."""
+    text = corridor(anna="lets_pass: true", width_m=1.20, more="limits: {time_s: 40}\n")
+    (told,) = passages(front_door.run(written(text.replace("at_m: [4, 0.6]", "at_m: [4, 0.25]"))))
+    wider_m = int(re.search(r"make it (\d+) cm wider", told)[1]) / 100
+    assert wider_m == 0.06
+    text = corridor(anna="lets_pass: true", width_m=1.20 + wider_m)
+    assert front_door.run(written(text.replace("at_m: [4, 0.63]", "at_m: [4, 0.25]"))).outcome == "success"
+
+
+@pytest.mark.parametrize("y", [0.27, 0.635])
+def test_a_willing_person_without_room_to_step_aside_is_told(written, y):
+    """At the wall Anna cannot step aside; from the middle of the corridor she does."""
+    text = corridor(width_m=1.27, margin_m=None, profile="{name: Anna}", more="limits: {time_s: 20}\n")
+    ran = front_door.run(written(text.replace("at_m: [4, 0.635]", f"at_m: [4, {y}]")))
+    moved_m = np.ptp(ran.frames.of("anna")[:, 1])
+    told = passages(ran)
+    assert bool(told) == (moved_m < 0.1) == (y < 0.3)
+    assert all("no room to step aside" in text for text in told)
 
 
 def test_without_the_keys_nothing_is_passed_nearer_and_no_fact_is_read(written):

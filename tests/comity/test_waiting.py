@@ -42,6 +42,21 @@ def test_a_door_that_is_shut_for_long_is_waited_for_and_the_visit_succeeds(run, 
     assert [t for t, status, _ in of_plans(ran) if status == "replanned"][-1] == 2.0 + for_s
 
 
+def test_no_wait_is_announced_beyond_the_end_of_the_run(run):
+    ran = run(FLAT + GREET, limits="{time_s: 20}", faults=["at_s: 2, fault: door closes, door: study"])
+    assert "until t=20.00 s at most" in of_plans(ran)[1][2]
+
+
+@pytest.mark.parametrize("delay_s", [0.0, 0.2])
+def test_a_delayed_sensor_does_not_make_a_person_in_view_one_whom_the_robot_does_not_see(run, delay_s: float):
+    walled = HALL.replace("height_m: 5}", "height_m: 5, walls_m: [[[4.5, 0], [4.5, 5]]]}")
+    ran = run(walled.replace("robot: {", f"robot: {{sensor: {{delay_s: {delay_s}}}, "))
+    told = [text for _, _, text in of_plans(ran)]
+    assert ran.outcome == "failed"
+    assert not [text for text in told if "not see" in text]
+    assert [text for text in told if "no measurement has arrived" in text] == (told[:1] if delay_s else [])
+
+
 def test_whoever_is_behind_a_door_that_is_shut_from_the_start_is_waited_for(run):
     ran = run(SHUT + GREET, faults=["at_s: 3, fault: door opens, door: study"])
     assert ran.outcome == "success"

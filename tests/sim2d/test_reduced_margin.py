@@ -41,6 +41,7 @@ BREAKS: list[dict[str, Any]] = [
     {"declared": replace(ADULT, age_years=None)},
     {"declared": replace(ADULT, age_years=17.9)},
     {"declared": replace(ADULT, walks_unaided=False)},
+    {"declared": replace(ADULT, walks_unaided=False, uses_wheelchair=True)},
     {"declared": replace(ADULT, hears_well=False)},
     {"declared": replace(ADULT, sees_well=False)},
     {"is_known": False},
@@ -73,12 +74,13 @@ def test_each_row_of_the_table_refuses_something_that_no_other_row_refuses() -> 
 
 
 def test_what_is_not_known_refuses() -> None:
-    """All rows but two of numbers, and two of a bearing, which has a row of its own where unknown."""
+    """All rows but two of numbers, two of a bearing, which has its own where unknown, and a declared aid."""
     refused = set(reasons_against(PassageFacts(asked_m=0.25, least_m=0.0)))
     of_bearing = set(reasons_against(replace(GRANTED, bearing_deg=180.0, said_yes=False)))
     of_bearing -= set(reasons_against(replace(GRANTED, said_yes=False)))
     numbers = {CONDITIONS[0][0], CONDITIONS[1][0]}
-    assert refused == {reason for reason, _ in CONDITIONS} - numbers - of_bearing
+    of_aid = set(reasons_against(replace(GRANTED, declared=replace(ADULT, uses_wheelchair=True))))
+    assert refused == {reason for reason, _ in CONDITIONS} - numbers - of_bearing - of_aid
     assert len(of_bearing) == 2
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from math import inf
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,6 +48,8 @@ class Limits:
     patience_s: float = 60.0
     """Total time to wait for a path known to be shut, until a person is served [s]; it uses up no
     attempts."""
+    ends_s: float = inf
+    """Time at which the execution is stopped at the latest [s]: no wait is announced beyond it."""
     cruise_speed_m_s: float = 0.8
     """Travel speed until close to the pose [m/s]; the approach itself has the person's own speed."""
     unverified_speed_m_s: float = 0.3

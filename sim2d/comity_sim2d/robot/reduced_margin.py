@@ -79,7 +79,11 @@ CONDITIONS: tuple[Condition, ...] = (
         f"no age of {ADULT_YEARS:g} or more is declared",
         lambda c: _is_adult(c.declared),
     ),
-    ("that they walk without an aid is not declared", lambda c: c.declared.walks_unaided),
+    ("they use a wheelchair", lambda c: not c.declared.uses_wheelchair),
+    (
+        "that they walk without an aid is not declared",
+        lambda c: c.declared.walks_unaided or c.declared.uses_wheelchair,
+    ),
     ("they take up the room of somebody with an aid", lambda c: c.radius_m <= UNAIDED_RADIUS_M),
     ("that they hear well is not declared", lambda c: c.declared.hears_well),
     ("that they see well is not declared", lambda c: c.declared.sees_well),

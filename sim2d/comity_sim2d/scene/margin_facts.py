@@ -21,11 +21,14 @@ class MarginFacts:
     sees_well: bool = False
     stands: bool = True
     """Whether no other posture is declared, for now or later."""
+    uses_wheelchair: bool = False
+    """Whether that is declared; the reason to keep the full margin is told as such."""
 
     def __post_init__(self) -> None:
         if self.age_years is not None:
             require_between("margin facts", "age_years", self.age_years, 0.0, OLDEST_YEARS)
         declared = {
-            name: getattr(self, name) for name in ("walks_unaided", "hears_well", "sees_well", "stands")
+            name: getattr(self, name)
+            for name in ("walks_unaided", "uses_wheelchair", "hears_well", "sees_well", "stands")
         }
         require_kinds("margin facts", **{name: (value, TRUTH) for name, value in declared.items()})
