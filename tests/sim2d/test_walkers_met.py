@@ -14,7 +14,7 @@ from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Wa
 from comity_sim2d.pose import Twist
 from comity_sim2d.robot.walkers_met import WALK_M
 
-FOLLOWS_S, BRAKES_S = 1.5, 0.7
+FOLLOWS_S, BRAKES_S = 1.5, 0.9
 """Longest drive after a person who walks away [s]: in the study's rooms, and once the robot has seen it."""
 POSE = DockingPose(0.8, 0.0)
 HALL = Room.rectangle(14.0, 8.0)
