@@ -3,9 +3,10 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
+from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d.base.drive import (
     KEEP_OFF_M,
     PAST_S,
@@ -79,6 +80,20 @@ def test_a_robot_too_near_to_a_person_goes_past_slowly_and_away_freely(gap, towa
         assert past <= max(gap, 0.0) / PAST_S + 1e-9
     else:
         assert past == pytest.approx(before, abs=1e-9)
+
+
+@given(st.lists(st.tuples(st.floats(-0.05, 1.0), st.floats(-math.pi, math.pi)), max_size=4), VECTORS)
+@example([(0.242, -1.48), (0.08, 0.63)], (-0.46, -0.20))
+def test_what_is_kept_from_one_person_never_leads_into_the_margin_of_another(places, velocity) -> None:
+    """Pressed by a walker 8 cm from it, it gave way down to 12 cm from somebody who stood."""
+    at = [((0.45 + gap) * math.cos(way), (0.45 + gap) * math.sin(way)) for gap, way in places]
+    people = [Person(f"p{i}", *xy, 0.0) for i, xy in enumerate(at)]
+    vx, vy = keep_off_people(
+        (0.0, 0.0), velocity, 0.25, people, braking=0.3, step_s=STEP, keep_m=lambda _: PERSON_MARGIN_M
+    )
+    for gap, way in places:
+        most = stopping_speed(max(gap - PERSON_MARGIN_M, 0.0), 0.3, STEP)
+        assert vx * math.cos(way) + vy * math.sin(way) <= most + 1e-6
 
 
 @given(st.floats(-math.pi, math.pi))

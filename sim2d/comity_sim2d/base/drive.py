@@ -30,6 +30,7 @@ than `KEEP_OFF_WITHIN_M` [m] are ignored."""
 PAST_S = 1.0
 """Within `KEEP_OFF_M` of a person the robot passes no faster than gap / `PAST_S` [s], and moves away at any
 speed: with noise and delay the person may be nearer, and farther ahead, than they seem (our choice)."""
+ROUNDING_M_S = 1e-9
 MAX_TURN_RAD_S = 1.5
 MAX_TURN_RAD_S2 = 3.0
 
@@ -145,6 +146,8 @@ def keep_off_people(
         step_s: The tick [s].
         keep_m: The gap that the robot keeps to a person, at least `KEEP_OFF_M` [m].
     """
+    near: list[tuple[XY, float]] = []
+    """Direction to each person near the robot, and the maximum speed in that direction [m/s]."""
     for person in people:
         apart = math.dist(xy, person.xy)
         if apart > KEEP_OFF_WITHIN_M or not apart:
@@ -152,18 +155,21 @@ def keep_off_people(
         ux, uy = (person.x_m - xy[0]) / apart, (person.y_m - xy[1]) / apart
         closing = velocity[0] * ux + velocity[1] * uy
         gap_m = apart - person.radius_m - robot_radius_m
+        most_m_s = stopping_speed(max(gap_m - keep_m(person), 0.0), braking, step_s)
+        near.append(((ux, uy), most_m_s))
         if gap_m < KEEP_OFF_M:
             past = (velocity[0] - closing * ux, velocity[1] - closing * uy)
             past = limit_speed(past, max(gap_m, 0.0) / PAST_S)
             velocity = (past[0] + min(closing, 0.0) * ux, past[1] + min(closing, 0.0) * uy)
-            continue
-        if closing <= 0.0:
-            continue
-        free_m = max(gap_m - keep_m(person), 0.0)
-        excess = closing - stopping_speed(free_m, braking, step_s)
-        if excess > 0.0:
+        elif (excess := closing - most_m_s) > 0.0:
             velocity = (velocity[0] - excess * ux, velocity[1] - excess * uy)
-    return velocity
+    # What was taken away for one person may lead to another one: then the robot slows down as a whole.
+    share = 1.0
+    for (ux, uy), most_m_s in near:
+        closing = velocity[0] * ux + velocity[1] * uy
+        if closing > most_m_s + ROUNDING_M_S:
+            share = min(share, most_m_s / closing)
+    return (velocity[0] * share, velocity[1] * share)
 
 
 def turn_rate(now_rad_s: float, angle_rad: float, step_s: float) -> float:
