@@ -77,7 +77,7 @@ class Episode:
     writes: tuple[Write, ...]
     """Every value written to the blackboard, in order."""
     motion: tuple[MotionSpan, ...] = ()
-    """What the simulated robot's motion was for, in order."""
+    """The simulated robot's goals and manoeuvres, in order."""
     loop: LoopReport | None = None
     """How the loop of a real robot kept its rate; None in the simulated world."""
     uncertain: frozenset[str] = frozenset()

@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
+from functools import partial
 from math import dist
 from typing import TYPE_CHECKING, cast
 
@@ -137,7 +138,7 @@ class LiveEpisode:
             own_stop = self._heartbeat.read if self._heartbeat else robot.emergency
             stop = self._world.robot.stop_of(own_stop)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
-        if robot is None:  # a real robot's clock may have begun earlier
+        if robot is None:  # the clock of a real robot need not start at 0
             limits = replace(limits, ends_s=prepared.file.scenario.limits.time_s)
         self._listener = WorldPlanner(prepared, self._world)
         self._planner = FalliblePlanner(self._listener)
@@ -315,19 +316,22 @@ class LiveEpisode:
 
     def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
         people = (person.name for person in self._prepared.scene.people)
-
-        def lacks(t: float) -> str:
-            goal = next((span.goal for span in self._motion.spans if span.end_s > t), None)
-            with suppress(SceneError):  # bodies overlap at that time
-                scene = scene_at(self._prepared.scene, frames, t, turns=self.door_turns)
-                gap = narrow_gap(scene, "", [goal]) if goal else None
-                return gap.lacks if gap else ""
-            return ""
-
-        passed = passages(frames, self._world.margin_decisions, lacks)
+        passed = passages(frames, self._world.margin_decisions, partial(self._lacks, frames))
         stayed = without_room(frames, self._world.events, self._prepared.scene.people)
         found = (*self.disturbances, *walks(frames, people), *passed, *stayed)
         return tuple(sorted(found, key=lambda one: one.t))
+
+    def _lacks(self, frames: Frames, t: float) -> str:
+        """How much too narrow the robot's way was at a time [s], in words; empty if it was not."""
+        goal = next((span.goal for span in self._motion.spans if span.end_s > t), None)
+        if goal is None:
+            return ""
+        try:
+            scene = scene_at(self._prepared.scene, frames, t, turns=self.door_turns)
+        except SceneError:  # bodies overlap at that time
+            return ""
+        gap = narrow_gap(scene, "", [goal])
+        return "" if gap is None else gap.lacks
 
     def _undisturbed(self, frames: int) -> dict[str, NDArray[np.float64]]:
         """The walks of simulated people without the robot, those left out that a change moved."""

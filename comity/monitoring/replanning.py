@@ -306,11 +306,11 @@ class WorldPlanner:
 
     @property
     def _unseen(self) -> str:
-        """That the robot does not see a person, as its sensor's delay lets it know, in words."""
+        """Why the robot has no current position of a person, in words."""
         delay_s = self._prepared.scene.robot.sensor.delay_s
         if self._world.robot.now_s() < delay_s - 1e-9:
-            return "of whom no measurement has arrived yet"
-        return f"whom it did not see {delay_s:g} s ago" if delay_s else "whom it does not see"
+            return "not measured yet"
+        return f"not in view {delay_s:g} s ago" if delay_s else "not in view"
 
     def _now(self) -> BeliefState:
         visited = [visitee.name for visitee in self._prepared.visitees]

@@ -1,4 +1,4 @@
-"""What the simulated robot's motion was for: its goal, and the people for whom it made room."""
+"""The simulated robot's motion over time: its goals, and its manoeuvres to make way for people."""
 
 from __future__ import annotations
 

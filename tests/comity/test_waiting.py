@@ -54,7 +54,7 @@ def test_a_delayed_sensor_does_not_make_a_person_in_view_one_whom_the_robot_does
     told = [text for _, _, text in of_plans(ran)]
     assert ran.outcome == "failed"
     assert not [text for text in told if "not see" in text]
-    assert [text for text in told if "no measurement has arrived" in text] == (told[:1] if delay_s else [])
+    assert [text for text in told if "not measured yet" in text] == (told[:1] if delay_s else [])
 
 
 def test_whoever_is_behind_a_door_that_is_shut_from_the_start_is_waited_for(run):

@@ -16,12 +16,8 @@ export const nameBox = (x, line, half, px) => ({
 });
 
 /** The space that a short text takes around its middle, about [units of the drawing]. */
-export const labelBox = (x, y, words, px) => ({
-  left: x - (words.length * LETTER_PX * px) / 2,
-  right: x + (words.length * LETTER_PX * px) / 2,
-  top: y - (LETTERS_PX / 2 + AIR_PX) * px,
-  bottom: y + (LETTERS_PX / 2 + AIR_PX) * px,
-});
+export const labelBox = (x, y, words, px) =>
+  nameBox(x, y + (LETTERS_PX / 2) * px, (words.length * LETTER_PX * px) / 2, px);
 
 /** Whether two boxes share a place. */
 export const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;

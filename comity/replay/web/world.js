@@ -215,7 +215,7 @@ export class World {
   }
 
   /**
-   * Put a name where it is on the panel and over no other name, and if it can be over nobody; else hide it.
+   * Move a name to where it is on the panel, covers no other name and, if possible, no person; otherwise hide it.
    *
    * @param {string} name of the person
    * @param {number} ring radius of the wanted distance

@@ -171,10 +171,11 @@ class _Why:
         return span.manoeuvre not in ("", f"{DREW_BACK}{self.stay.person}")
 
     def _of_routes(self) -> str:
-        _, left_s, _ = self._left
-        if dist(self._person(left_s), self._person(self._nearest_s)) > MOVED_M:
+        left_s = self._left[1]
+        begun_s = max(self._before_s, left_s)
+        if dist(self._person(begun_s), self._person(self._nearest_s)) > MOVED_M:
             return f"{self.stay.person} moved while it was on its way"
-        times = () if self.is_in_margin else (left_s, max(self._before_s, left_s))
+        times = () if self.is_in_margin else (left_s, begun_s)
         reasons = [reason for t in times if (reason := self._of_route(t))]
         return next((each for each in reasons if each != NO_ROUTE), reasons[0] if reasons else BY_ITSELF)
 

@@ -63,9 +63,8 @@ RENEWS_S = 0.5
 """Interval at which a waiting place is chosen [s]."""
 MOST_TRIED = 4
 """Maximum number of places that are tested for a route."""
-ADDRESSED_DEG = 30.0
-"""Facing error up to which the robot addresses a walker [deg]: turned farther away it offers nothing (our
-choice)."""
+OFFERS_DEG = 30.0
+"""Maximum facing error at which the robot offers to talk to a walker [deg] (our choice)."""
 OFF_M = 0.25
 """A place is kept while its distance from the walker's path changes by less [m] (our choice)."""
 
@@ -94,7 +93,6 @@ class WalkersMet:
 
     def __init__(self, spec: RobotBody, senses: SensedPeople, clock: Clock) -> None:
         self._spec, self._senses, self._clock = spec, senses, clock
-        self._slides = spec.drive == "omnidirectional"
         self.declined: dict[str, str] = {}
         """People who declined, and how: the robot does not approach them again."""
         self._person, self._since_s = "", -math.inf
@@ -142,8 +140,8 @@ class WalkersMet:
         if self._along:
             self._offer = None
             return None
-        stands_m = offer_m + (0.0 if self._slides else TURNS_S * math.hypot(*walker.velocity))
-        comes = bearing_deg <= FACES_DEG and gap_m <= stands_m
+        turns_s = 0.0 if self._spec.drive == "omnidirectional" else TURNS_S
+        comes = bearing_deg <= FACES_DEG and gap_m <= offer_m + turns_s * math.hypot(*walker.velocity)
         if self._offer is not None or comes or (bearing_deg > BEHIND_DEG and gap_m < SOCIAL_M):
             self._place = None
         elif self._clock.now_s - self._chosen_s >= RENEWS_S:
@@ -171,7 +169,7 @@ class WalkersMet:
         person, now_s, offer = walker.person, self._clock.now_s, self._offer
         if offer is None:
             is_noticed = now_s - self._since_s >= NOTICED_S and self._senses.sees(person.name)
-            faces = stands.facing_error_deg <= ADDRESSED_DEG
+            faces = stands.facing_error_deg <= OFFERS_DEG
             if is_noticed and faces and _is_near(stands, offer_m):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
