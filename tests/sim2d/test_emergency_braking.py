@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from judging import Body, touches_lines
 
@@ -139,6 +139,26 @@ def test_a_robot_that_was_pushed_to_a_wall_may_go_along_it_and_away(
     back = (-velocity[0], -velocity[1])
     reach = gap + 1e-9 < back[0] * -(STEP_S + speed / (2 * hardest_braking(BODY)))
     assert moment.has_come(Base(at, back, 0.0, 0.5, STEP_S, 0.0), plan) or not reach
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi), st.floats(0.0, math.pi), st.booleans())
+@example(heading=1.46, course=-1.17, beside=0.41, may_reverse=True)
+@settings(max_examples=60, deadline=None)
+def test_two_wheels_do_not_creep_up_to_the_end_of_a_wall(
+    heading: float, course: float, beside: float, may_reverse: bool
+) -> None:
+    """Told to drive in any direction beside it for 20 s: a step and a brake at a time they would touch it."""
+    plan = FloorPlan(ROOM, (Wall((6.0, 0.0), (6.0, 3.0), 0.1),), ())
+    reach_m = BODY.radius_m + 0.05 + NEARLY_M
+    pose = Pose(6.0 + reach_m * math.cos(beside), 3.0 + reach_m * math.sin(beside), heading)
+    body = RobotBody(1.0, 3.0, drive="differential")
+    control, moment = Differential(body, STEP_S), EmergencyBraking(body)
+    wanted = VelocityCommand((0.2 * math.cos(course), 0.2 * math.sin(course)), heading, may_reverse)
+    for _ in range(400):
+        base = control.base(pose)
+        brakes = moment.has_come(base, plan)
+        pose = moved(pose, control, base, moment.turned(base, wanted, plan), brakes=brakes)
+        assert not touches(plan, pose)
 
 
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 0.7), st.sampled_from(sorted(DRIVES)))

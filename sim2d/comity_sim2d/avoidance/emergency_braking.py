@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from comity_sim2d.base.base import Base, VelocityCommand
 from comity_sim2d.base.drive import hardest_braking
-from comity_sim2d.pose import XY, direction_to
+from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 
@@ -99,17 +99,38 @@ class EmergencyBraking:
                 return True
         return False
 
-    def turned(self, base: Base, wanted: VelocityCommand) -> VelocityCommand:
-        """The command for a base that has just braked for an obstacle: drive past it.
+    def turned(self, base: Base, wanted: VelocityCommand, plan: FloorPlan) -> VelocityCommand:
+        """The command for a base that has just braked for an obstacle, or would have to: drive past it.
 
-        A base that cannot move sideways turns first, once at rest, unless it may drive backwards.
+        A base that cannot move sideways turns first, once at rest, if rolling would lead to the obstacle or
+        it may not drive backwards.
         """
-        if not self._turns_s or wanted.velocity == (0.0, 0.0):
+        if wanted.velocity == (0.0, 0.0):
+            return wanted
+        if not base.speed_m_s:
+            self._look_ahead(base.xy, _roll(base, wanted), plan)
+        if not self._turns_s:
             return wanted
         wanted = wanted._replace(velocity=self._past(wanted.velocity))
-        if base.speed_m_s or wanted.may_reverse or not base.turns_to_go:
+        if base.speed_m_s or not base.turns_to_go:
             return wanted
-        return wanted._replace(velocity=(0.0, 0.0), heading_rad=direction_to((0.0, 0.0), wanted.velocity))
+        roll, heading = _roll(base, wanted), direction_to((0.0, 0.0), wanted.velocity)
+        if wanted.may_reverse:
+            if roll[0] * self._towards[0] + roll[1] * self._towards[1] <= 0.0:
+                return wanted
+            if abs(wrap_angle(heading - base.pose.heading_rad)) > math.pi / 2.0:
+                heading = wrap_angle(heading + math.pi)
+        return wanted._replace(velocity=(0.0, 0.0), heading_rad=heading)
+
+    def _look_ahead(self, xy: XY, roll: XY, plan: FloorPlan) -> None:
+        """Note an obstacle for which a base at rest would have to brake once it had set out."""
+        reach_m = self._radius_m + NEARLY_M
+        if plan is self._plan and math.dist(xy, self._clear_at) + reach_m <= self._clear_m:
+            return
+        way = (NEARLY_M * roll[0], NEARLY_M * roll[1])
+        for here_m, line in self._near(xy, reach_m, plan):
+            if here_m < reach_m and _from_way(xy, way, line, here_m) < here_m:
+                self._turns_s, self._towards = TURNS_S, _direction(xy, line)
 
     def _past(self, velocity: XY) -> XY:
         """The velocity without its component towards the obstacle, plus a little away from it."""
@@ -128,6 +149,18 @@ class EmergencyBraking:
         others_m = self._within_m - math.dist(xy, self._at)
         self._clear_at, self._clear_m = xy, min((others_m, *(here_m for here_m, _ in near)))
         return near
+
+
+def _roll(base: Base, wanted: VelocityCommand) -> XY:
+    """The direction in which a base at rest sets out, of length 1 at most; (0, 0): it turns first."""
+    course = direction_to((0.0, 0.0), wanted.velocity)
+    if not base.turns_to_go:
+        return math.cos(course), math.sin(course)
+    heading = base.pose.heading_rad
+    ahead = math.cos(course - heading)
+    if not wanted.may_reverse:
+        ahead = max(ahead, 0.0)
+    return ahead * math.cos(heading), ahead * math.sin(heading)
 
 
 def _lines_near(plan: FloorPlan, xy: XY, within_m: float) -> list[Line]:

@@ -135,7 +135,8 @@ class SpeedGovernor:
         heading = roomy.heading_rad
         if velocity == (0.0, 0.0) != roomy.velocity and base.turns_to_go and not roomy.may_reverse:
             heading = direction_to((0.0, 0.0), roomy.velocity)  # while others pass it turns to where it goes
-        left = self._emergency_braking.turned(base, VelocityCommand(velocity, heading, roomy.may_reverse))
+        left = VelocityCommand(velocity, heading, roomy.may_reverse)
+        left = self._emergency_braking.turned(base, left, plan)
         if looks and self._look_first is not None:
             left = self._look_first.allowed(base, left, plan)
         return left, most_m_s
