@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import inf
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.executor.test_revision import Script, anew, planned
 
-WHY = "declined: walked by the robot, 0.9 m from it"
+HOW = "walked by the robot, 0.9 m from it"
 
 
 def declines(visits, person: str, *, from_s: float = 1.0):
@@ -22,7 +23,7 @@ def declines(visits, person: str, *, from_s: float = 1.0):
 
     def motion():
         is_over = to[0] == person and visits.hall.now_s() >= from_s
-        return replace(told(), state="declined", text=WHY) if is_over else told()
+        return replace(told(), state="declined", text=HOW) if is_over else told()
 
     visits.hall.go, visits.hall.motion = note, motion
     return visits
@@ -34,9 +35,19 @@ def test_a_visit_that_is_declined_is_over_and_the_others_are_made(episode, from_
     visits = declines(episode("johanna", "alice"), "johanna", from_s=from_s).run()
     johanna, alice = visits.execution.visits
     if "say" not in johanna.greeting:
-        assert (johanna.outcome, johanna.failure) == ("declined", WHY)
+        assert (johanna.outcome, johanna.failure) == ("declined", f"declined: {HOW}")
     assert alice.outcome == "greeted"
     assert visits.execution.status == "success"
+
+
+def test_a_person_who_was_greeted_and_then_walks_on_has_not_declined(episode) -> None:
+    visits = declines(episode("johanna", "alice"), "johanna", from_s=inf)
+    visits.run(until=lambda: visits.execution.visits[0].outcome == "greeted")
+    declines(visits, "johanna", from_s=0.0).run()
+    johanna = visits.execution.visits[0]
+    assert (johanna.outcome, johanna.failure) == ("greeted", None)
+    texts = [cause.text for event in visits.execution.events for cause in event.because]
+    assert [text for text in texts if text.startswith("declined")] == []
 
 
 def test_the_robot_is_not_told_to_go_to_a_person_who_declined(episode) -> None:
@@ -55,7 +66,7 @@ def test_the_trace_says_how_the_person_declined(episode) -> None:
         if event.node == "given_up?(johanna)" and event.status == "success"
         for cause in event.because
     ]
-    assert because == [WHY]
+    assert because == [f"declined: {HOW}"]
 
 
 def test_a_planner_is_told_that_nothing_is_left_to_do_for_a_person_who_declined(episode) -> None:

@@ -74,7 +74,7 @@ def test_a_person_who_walks_by_has_declined_and_is_not_approached_again(speed, y
     world = hall(at=(2.0, y))
     walk_on(world, lambda _: (speed, 0.0), 11.0 / speed)
     assert world.robot.motion().state == "declined"
-    assert world.robot.motion().text.startswith("declined: ")
+    assert world.robot.motion().text.startswith("walked by the robot, ")
     assert approached_again_m(world, 0.8) < 0.1
     world.robot.dock("p0", POSE, speed_m_s=0.4)
     assert world.robot.motion().state == "declined"

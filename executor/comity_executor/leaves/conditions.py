@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from comity_executor.leaves.docking_band import DockingBand, enter_band, leave_band
-from comity_executor.memory.visit_context import SAY_ACT, VisitContext
+from comity_executor.memory.visit_context import DONE, SAY_ACT, VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.identity import NodeId
@@ -116,21 +116,20 @@ class IsGivenUp(Condition):
 
     def __init__(self, meeting: VisitContext) -> None:
         super().__init__(NodeId.of("given_up?", meeting.person))
-        self._person = meeting.person
-        self._memory = meeting.memory.seen_by(self, reads=("given_up", "declined", "failure"))
+        self._meeting = meeting.seen_by(self, reads=("given_up", "declined", "failure", *DONE))
 
     @property
     def ports(self) -> Ports:
         """The person concerned."""
-        return {"person": self._person}
+        return {"person": self._meeting.person}
 
     def check(self) -> bool:
         """True once the visit is given up; a new plan may try again."""
-        return self._memory.is_over
+        return self._meeting.memory.is_over
 
     def explain(self) -> Account | None:
         """Why it was given up."""
-        return Account(self._memory.why) if self._memory.why else None
+        return Account(why) if (why := self._meeting.why) else None
 
 
 class AreAllGreeted(Condition):

@@ -170,7 +170,8 @@ class VisitMemory(Board):
     """The distance that the person last chose; it also holds when the robot returns."""
     given_up = Entry(False)
     declined = Entry[str | None](None)
-    """How the person declined the visit; None if they did not. No other plan tries again."""
+    """How the person declined the visit, or the rest of it after the greeting; None if they did not. No other
+    plan tries again."""
     failure = Entry[str | None](None)
     """Why the visit was given up."""
 
@@ -180,11 +181,6 @@ class VisitMemory(Board):
     def is_over(self) -> bool:
         """Whether the robot will not approach the person again, with this plan or any."""
         return self.given_up or self.declined is not None
-
-    @property
-    def why(self) -> str | None:
-        """Why the visit is over; None if it is not."""
-        return self.declined or self.failure
 
     def give_up(self, reason: str) -> None:
         """Give up the visit in this plan; a later plan may try again."""

@@ -225,6 +225,13 @@ class VisitContext:
         return all(map(self.is_done, self.acts))
 
     @property
+    def why(self) -> str | None:
+        """Why the visit is over before its end; None if it is not. A person who was greeted has not declined."""
+        if (how := self.memory.declined) is None:
+            return self.memory.failure
+        return f"after the greeting, {how}" if self.is_greeted else f"declined: {how}"
+
+    @property
     def is_attended(self) -> bool:
         """Whether the person had time to show how they take the robot, where it is to wait for that."""
         return self.memory.attended or self.limits.attend_s == 0.0
@@ -235,15 +242,15 @@ class VisitContext:
         return (own, *(own.shared_with(companion) for companion in self.greet.companions))
 
     def _visit(self) -> Visit:
-        memory = self.memory
+        memory, outcome = self.memory, self._outcome()
         return Visit(
             person=self.person,
-            outcome=self._outcome(),
+            outcome=outcome,
             pose=memory.pose,
             docked_at=memory.docked_at,
             docked_s=memory.docked_s,
             greeting=tuple(act for act in self.acts if act in memory.performed),
-            failure=memory.why,
+            failure=None if outcome == "greeted" and memory.declined else self.why,
             noticed=memory.noticed,
             wanted=self.wanted,
             agenda=tuple(task.deed() for task in memory.agenda),

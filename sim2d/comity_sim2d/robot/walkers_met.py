@@ -206,7 +206,7 @@ class WalkersMet:
             self._decline(person, f"kept turning away from the robot, {stands.distance_m:.1f} m from it")
 
     def _decline(self, person: Person, how: str) -> None:
-        self.declined[person.name] = f"declined: {how}"
+        self.declined[person.name] = how
 
     def _choose(self, walker: Walker, aside_m: float, xy: XY, ways: RouteMap) -> XY | None:
         """The waiting place that the robot reaches earliest; None where there is none.
