@@ -12,7 +12,7 @@ from walkers_study import BEHIND_DEG, NEAR_M, approached_again_m, episode, longe
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Walk, World, docked
 from comity_sim2d.pose import Twist
-from comity_sim2d.robot.walkers_met import WALK_M
+from comity_sim2d.robot.walkers_met import WALK_M, gap_in_words
 
 FOLLOWS_S, BRAKES_S = 1.5, 0.9
 """Longest drive after a person who walks away [s]: in the study's rooms, and once the robot has seen it."""
@@ -78,6 +78,11 @@ def test_a_person_who_walks_by_has_declined_and_is_not_approached_again(speed, y
     assert approached_again_m(world, 0.8) < 0.1
     world.robot.dock("p0", POSE, speed_m_s=0.4)
     assert world.robot.motion().state == "declined"
+
+
+@pytest.mark.parametrize(("gap_m", "told"), [(-0.06, "0.0 m"), (-0.01, "0.0 m"), (0.86, "0.9 m")])
+def test_no_gap_is_told_below_zero_though_noise_lets_bodies_overlap(gap_m, told) -> None:
+    assert gap_in_words(gap_m) == told
 
 
 @settings(max_examples=8, deadline=None)

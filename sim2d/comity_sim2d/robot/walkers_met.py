@@ -183,7 +183,7 @@ class WalkersMet:
         if bearing_deg > BEHIND_DEG or gap_m > offer_m + LEAVES_M:
             turned = math.cos(person.heading_rad - offer.heading_rad) < TURNED_COS
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
-            self._decline(person, f"{how} the robot, {gap_m:.1f} m from it")
+            self._decline(person, f"{how} the robot, {gap_in_words(gap_m)} from it")
 
     def _note_pause(self, name: str, distance_m: float, robot: Pose) -> None:
         """Record that a person does not walk now.
@@ -201,9 +201,9 @@ class WalkersMet:
             self._offer = replace(offer, mark=person.xy, mark_s=now_s, pace_m_s=None)
         agreed = person.walk is not None and person.walk.accompanied
         if self._retreat.look(self._seen(name), stands, robot.xy) and not agreed:
-            self._decline(person, f"drew back from the robot, {stands.distance_m:.1f} m from it")
+            self._decline(person, f"drew back from the robot, {gap_in_words(stands.distance_m)} from it")
         if self._turning_away.look(person.heading_rad, stands) and not agreed:
-            self._decline(person, f"kept turning away from the robot, {stands.distance_m:.1f} m from it")
+            self._decline(person, f"kept turning away from the robot, {gap_in_words(stands.distance_m)} from it")
 
     def _decline(self, person: Person, how: str) -> None:
         self.declined[person.name] = how
@@ -271,6 +271,11 @@ def _offers_at_m(aside_m: float, bodies_m: float) -> float:
     to lose it from view: nearer, they would never see it ahead.
     """
     return max(OFFER_M, aside_m / math.sin(math.radians(FACES_DEG)) - bodies_m + COME_M)
+
+
+def gap_in_words(gap_m: float) -> str:
+    """A gap in words: at least 0 m, though by the noise of the sensor bodies may be believed to overlap."""
+    return f"{max(0.0, gap_m):.1f} m"
 
 
 def _goes_where_they_face(walker: Walker) -> bool:
