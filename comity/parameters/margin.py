@@ -83,6 +83,7 @@ def margin_facts_of(
         hears_well=all(one.hears_well for one in each),
         sees_well=all(one.sees_well for one in each),
         stands=all(one.stands for one in each),
+        words=tuple(dict(pair for one in reversed(each) for pair in one.words).items()),
     )
 
 
@@ -96,6 +97,11 @@ def _facts(facts: Mapping[str, object]) -> MarginFacts:
         hears_well=_is_unimpaired(facts.get("hearing")),
         sees_well=_is_unimpaired(facts.get("sight")),
         stands=facts.get("posture", "standing") == "standing",
+        words=tuple(
+            (name, str(word))
+            for name in MARGIN_FACTS[1:]
+            if (word := facts.get(name)) is not None and not _is_unimpaired(word)
+        ),
     )
 
 

@@ -88,27 +88,32 @@ def test_an_adult_who_steps_aside_is_passed_slowly_told_and_counted(written):
     [
         (
             "{name: Anna, age: 17, hearing: good, sight: good, mobility: full}",
-            "no age of 18 or more is declared",
+            "the least age that they declared is 17: below 18",
         ),
         ("{name: Anna, hearing: good, sight: good, mobility: full}", "no age of 18 or more is declared"),
         (
             "{name: Anna, age: 40, hearing: impaired, sight: good, mobility: full}",
-            "that they hear well is not declared",
+            "they declared their hearing as 'impaired'",
         ),
+        (
+            "{name: Anna, age: 40, hearing: good, sight: low vision, mobility: full}",
+            "they declared their sight as 'low vision'",
+        ),
+        ("{name: Anna, age: 40, hearing: good, mobility: full}", "that they see well is not declared"),
         (
             "{name: Anna, age: 40, hearing: good, sight: good, mobility: electric wheelchair}",
             "they use a wheelchair",
         ),
         (
             "{name: Anna, age: 40, hearing: good, sight: good, mobility: no wheelchair}",
-            "that they walk without an aid is not declared",
+            "they declared their mobility as 'no wheelchair'",
         ),
         (
             "{name: Anna, age: 40, hearing: good, sight: good, mobility: walking frame}",
-            "that they walk without an aid is not declared",
+            "they declared their mobility as 'walking frame'",
         ),
     ],
-    ids=["17", "no age", "impaired", "wheelchair", "no wheelchair", "walking frame"],
+    ids=["17", "no age", "impaired", "low vision", "no sight", "wheelchair", "no wheelchair", "walking frame"],
 )
 def test_a_person_who_declared_too_little_keeps_the_full_margin_and_it_is_said_why(written, profile, reason):
     ran = front_door.run(written(corridor(profile=profile, more="limits: {time_s: 30}\n")))
@@ -224,7 +229,9 @@ def test_who_sits_declares_all_the_rest():
 def test_what_is_told_later_counts_from_the_start(written):
     more = "changes: [{at_s: 20, person: anna, situation: {hearing: none}}]\n"
     stage = resolved(load_scenario(written(corridor(more=more))))
-    assert stage.scene.person("anna").margin_facts == MarginFacts(40.0, True, False, True)
+    facts = stage.scene.person("anna").margin_facts
+    assert facts == MarginFacts(40.0, True, False, True)
+    assert facts.words == (("hearing", "none"),)
 
 
 @pytest.mark.parametrize(

@@ -72,21 +72,22 @@ def _is_adult(declared: MarginFacts) -> bool:
     return declared.age_years is not None and declared.age_years >= ADULT_YEARS
 
 
+AGE = f"no age of {ADULT_YEARS:g} or more is declared"
+MOBILITY = "that they walk without an aid is not declared"
+HEARING = "that they hear well is not declared"
+SIGHT = "that they see well is not declared"
+FACTS = {MOBILITY: "mobility", HEARING: "hearing", SIGHT: "sight"}
+"""Declared facts by the reason to refuse where they are unknown."""
+
 CONDITIONS: tuple[Condition, ...] = (
     ("the scenario sets no smaller margin", lambda c: c.asked_m < PERSON_MARGIN_M),
     ("the robot cannot keep the margin that is set", lambda c: c.asked_m >= c.least_m),
-    (
-        f"no age of {ADULT_YEARS:g} or more is declared",
-        lambda c: _is_adult(c.declared),
-    ),
+    (AGE, lambda c: _is_adult(c.declared)),
     ("they use a wheelchair", lambda c: not c.declared.uses_wheelchair),
-    (
-        "that they walk without an aid is not declared",
-        lambda c: c.declared.walks_unaided or c.declared.uses_wheelchair,
-    ),
+    (MOBILITY, lambda c: c.declared.walks_unaided or c.declared.uses_wheelchair),
     ("they take up the room of somebody with an aid", lambda c: c.radius_m <= UNAIDED_RADIUS_M),
-    ("that they hear well is not declared", lambda c: c.declared.hears_well),
-    ("that they see well is not declared", lambda c: c.declared.sees_well),
+    (HEARING, lambda c: c.declared.hears_well),
+    (SIGHT, lambda c: c.declared.sees_well),
     ("the tracker does not see them", lambda c: c.is_known),
     ("they do not stand", lambda c: c.posture == "standing" and c.declared.stands),
     ("they walk", lambda c: not c.walks),
@@ -101,7 +102,16 @@ CONDITIONS: tuple[Condition, ...] = (
 
 def reasons_against(now: PassageFacts) -> tuple[str, ...]:
     """Every reason to keep `PERSON_MARGIN_M` from a person; empty where the scenario's margin is granted."""
-    return tuple(reason for reason, holds in CONDITIONS if not holds(now))
+    return tuple(_told(reason, now.declared) for reason, holds in CONDITIONS if not holds(now))
+
+
+def _told(reason: str, declared: MarginFacts) -> str:
+    """A reason, with the age or the word that was declared."""
+    if reason == AGE and declared.age_years is not None:
+        return f"the least age that they declared is {declared.age_years:g}: below {ADULT_YEARS:g}"
+    fact = FACTS.get(reason, "")
+    word = dict(declared.words).get(fact)
+    return f"they declared their {fact} as {word!r}" if word else reason
 
 
 def could_pass(spec: RobotBody, person: Person) -> bool:

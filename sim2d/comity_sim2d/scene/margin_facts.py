@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.scene_error import require_between
@@ -23,6 +23,8 @@ class MarginFacts:
     """Whether no other posture is declared, for now or later."""
     uses_wheelchair: bool = False
     """Whether that is declared; the reason to keep the full margin is told as such."""
+    words: tuple[tuple[str, str], ...] = field(default=(), compare=False)
+    """Declared words that refuse it, for reasons: pairs of `hearing`, `sight` or `mobility` and the word."""
 
     def __post_init__(self) -> None:
         if self.age_years is not None:
