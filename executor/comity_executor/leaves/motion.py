@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from comity_executor.memory.visit_context import VisitContext
+from comity_executor.memory.visit_context import DONE, VisitContext
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
 from comity_executor.nodes.identity import NodeId
@@ -35,7 +35,7 @@ class MotionAction(Action):
     ) -> None:
         super().__init__(node_id, meeting.reach_grounds)
         self.meeting = meeting.seen_by(
-            self, reads=("bindings", "values", *reads), writes=("base", "declined", *writes)
+            self, reads=("bindings", "values", *DONE, *reads), writes=("base", "declined", *writes)
         )
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
@@ -109,7 +109,7 @@ class MotionAction(Action):
         motion = self.motion()
         if motion.state == DECLINED:
             self.meeting.memory.declined = motion.text  # `given_up?` ends the branch in the next tick
-            self.say(Account(motion.text))
+            self.say(Account(self.meeting.why or motion.text))
             return True
         if not motion.is_blocked or (motion.blocked_by and not unasked):
             self._blocked_since_s = None
