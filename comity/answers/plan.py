@@ -80,7 +80,7 @@ class CustomDomainAnswer(Record):
 class RelaxableCondition(Record):
     """Something that stands in the way of a goal."""
 
-    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
+    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "deadline", "gap"]
     name: str
     """What of that kind."""
     text: str

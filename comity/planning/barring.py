@@ -114,6 +114,8 @@ def _themselves(scene: Scene, person: str, goals: Sequence[XY]) -> str | None:
     past, start = PastPeople(scene, others), scene.robot.pose.xy
     if not any(past.reaches(start, goal) for goal in goals):
         return None
+    if (gap := narrow_gap(scene, person, goals, beside_visited=True)) is not None:
+        return f"{person} bars the way: {gap.words}"
     beside_m = PERSON_MARGIN_M + 2 * scene.robot.radius_m + WALL_MARGIN_M
     return f"{person} bars the way: the robot needs {beside_m:.2f} m between them and a wall to get past"
 

@@ -11,7 +11,7 @@ from comity.answers.plan import RelaxableCondition, Unmet
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import opened
 from comity.planning.elbow_room import with_elbow_room
-from comity.planning.request import spots_of, why_unserved
+from comity.planning.request import gap_to, spots_of, why_unserved
 from comity_domain import (
     Circumstances,
     PlanningFailed,
@@ -27,7 +27,6 @@ from comity_sim2d.pose import XY
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from comity_domain import InTheWay
     from comity_fis import Inference
     from comity_sim2d import Scene
 
@@ -74,11 +73,17 @@ class UnservedCase:
 def diagnose(case: UnservedCase, reason: str) -> Unmet:
     """What stands in the way of one person's goal."""
     found = in_the_way(tuple(_conditions(case)), lambda lifted: _served(case, lifted))
-    return _unmet(case.visitee.name, reason, found)
+    any_of = found.any_of or (() if found.all_of else tuple(_wider(case)))
+    return Unmet(case.visitee.name, reason, any_of or found.all_of, together=not any_of)
 
 
-def _unmet(person: str, reason: str, found: InTheWay[RelaxableCondition]) -> Unmet:
-    return Unmet(person, reason, found.any_of or found.all_of, together=not found.any_of)
+def _wider(case: UnservedCase) -> Iterator[RelaxableCondition]:
+    """The gap that would have to be wider, where the robot gets nowhere before the person."""
+    if spots_of(case.scene, RouteMap(case.scene), case.visitee):
+        return
+    if (gap := gap_to(case.scene, case.visitee)) and gap.lacks_cm:
+        text = f"the gap {gap.where} were {gap.lacks_cm} cm wider"
+        yield RelaxableCondition("gap", " and ".join(gap.people), text)
 
 
 def _conditions(case: UnservedCase) -> Iterator[RelaxableCondition]:

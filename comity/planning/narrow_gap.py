@@ -36,8 +36,9 @@ STEP_M = 0.002
 THINNEST_M = 0.02
 """Radius of the thinnest robot that is tried [m] (our choice)."""
 ALIKE_M = 0.01
-"""Widths that differ by less are told in millimetres, with the `SLACK_M` that routes keep from each person
-beyond the margin [m]."""
+"""Widths that differ by less are told in millimetres [m]."""
+POLYGON_M = 0.002
+"""Routes keep up to so much more from a wall: a circle is a polygon to them [m]."""
 SAME_M = 0.02
 """A gap that would open by a margin so near to that is the one [m]: paths keep off by up to so much more."""
 
@@ -63,24 +64,37 @@ class NarrowGap:
         return self.needed_m - len(self.passable) * (PERSON_MARGIN_M - self.margin_m)
 
     @property
+    def more_m(self) -> float:
+        """What routes need beyond that: of two people each `SLACK_M`; beside a wall it is off at the wall."""
+        return 2 * SLACK_M if len(self.people) == 2 else POLYGON_M
+
+    @property
+    def where(self) -> str:
+        """Where it is, in words."""
+        one, *other = self.people
+        return f"between {one} and {other[0]}" if other else f"beside {one}"
+
+    @property
     def words(self) -> str:
         """Where it is, its width, and the widths that the robot needs."""
-        one, *other = self.people
-        where = f"between {one} and {other[0]}" if other else f"beside {one}"
         digits = 3 if self._is_nearly_wide_enough else 2
-        more_m = SLACK_M * len(self.people) if digits == 3 else 0.0
+        more_m = self.more_m if digits == 3 else 0.0
         needed = f"{self.needed_m + more_m:.{digits}f} m"
-        told = f"the widest gap, {where}, is {self.width_m:.{digits}f} m, and the robot needs {needed}"
+        told = f"the widest gap, {self.where}, is {self.width_m:.{digits}f} m, and the robot needs {needed}"
         if not self.passable:
             return told
         let, past_them = with_verb(self.passable, "lets", "let"), self.needed_past_them_m + more_m
         return f"{told}, or {past_them:.{digits}f} m where {let} it pass at {self.margin_m:.2f} m"
 
     @property
+    def lacks_cm(self) -> int:
+        """How much wider it has to be, in whole centimetres; 0 if people who let the robot pass suffice."""
+        return max(0, math.ceil(100 * (self.needed_past_them_m + self.more_m - self.width_m)))
+
+    @property
     def lacks(self) -> str:
-        """The same, and how much wider it has to be; empty if people who let the robot pass suffice."""
-        lacks_m = self.needed_past_them_m + SLACK_M * len(self.people) - self.width_m
-        return f"{self.words}; make it {math.ceil(100 * lacks_m):d} cm wider" if lacks_m > 0.0 else ""
+        """The same in words, after the widths; empty for 0."""
+        return f"{self.words}; make it {self.lacks_cm} cm wider" if self.lacks_cm else ""
 
     @property
     def _is_nearly_wide_enough(self) -> bool:
@@ -89,13 +103,16 @@ class NarrowGap:
         return any(abs(each - self.width_m) < ALIKE_M for each in needed)
 
 
-def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | None:
+def narrow_gap(
+    scene: Scene, visited: str, goals: Sequence[XY], *, beside_visited: bool = False
+) -> NarrowGap | None:
     """The widest gap beside people that is too narrow; None where no lower margin would give a way.
 
     Args:
         scene: As everything is: people bar every way.
-        visited: Whom the robot visits: gaps beside them are not meant.
+        visited: The person whom the robot visits; it never passes them at the scenario's margin.
         goals: Where the robot could stand, had it a way there; the first few are tried.
+        beside_visited: Whether gaps beside the visited person count, too.
     """
     place, start = Surroundings.of(scene), scene.robot.pose.xy
 
@@ -110,7 +127,11 @@ def narrow_gap(scene: Scene, visited: str, goals: Sequence[XY]) -> NarrowGap | N
     if not open_until:
         return None
     opens_m = tried[open_until - 1] + STEP_M / 2
-    near = ((abs(spare_m - opens_m), gap) for spare_m, gap in _gaps(scene, visited))
+    near = (
+        (abs(spare_m - opens_m), gap)
+        for spare_m, gap in _gaps(scene, visited)
+        if beside_visited or visited not in gap.people
+    )
     off_m, gap = min(near, key=itemgetter(0))
     return gap if off_m <= SAME_M else None
 
@@ -121,8 +142,8 @@ def _gaps(scene: Scene, visited: str) -> Iterator[tuple[float, NarrowGap]]:
     Where the gap is narrower than the robot, it is how much smaller its radius would have to be, negative.
     """
     body_m, margin_m = 2 * scene.robot.radius_m, scene.robot.margin_m
-    people = [person for person in scene.people if person.name != visited]
-    passable = {person.name for person in people if could_pass(scene.robot, person)}
+    people = scene.people
+    passable = {person.name for person in people if could_pass(scene.robot, person)} - {visited}
 
     def gap_of(width_m: float, needed_m: float, *names: str) -> NarrowGap:
         return NarrowGap(

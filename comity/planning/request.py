@@ -13,6 +13,7 @@ from comity.planning.barring import barring
 from comity.planning.companies import companies
 from comity.planning.elbow_room import with_elbow_room
 from comity.planning.lengths import Lengths
+from comity.planning.narrow_gap import NarrowGap, narrow_gap
 from comity.planning.travel_distances import TravelDistances
 from comity_domain import (
     Side,
@@ -184,6 +185,12 @@ def what_bars(scene: Scene, visitee: Visitee) -> str:
         lambda other: bool(spots_of(other, RouteMap(other), visitee)),
     )
     return f"; {bar}" if bar else ""
+
+
+def gap_to(scene: Scene, visitee: Visitee) -> NarrowGap | None:
+    """The widest gap beside people that is too narrow for the robot to get to a person; None if none is."""
+    goals = [place for place, _ in _free_places(scene, visitee)]
+    return narrow_gap(scene, visitee.name, goals, beside_visited=True)
 
 
 def _free_places(scene: Scene, visitee: Visitee) -> list[tuple[XY, str]]:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from comity.answers.plan import Unmet
 from comity.live_episode import execute
 from comity.planning.barring import barring
 from comity.preparation import prepare
@@ -136,6 +137,24 @@ def test_a_gap_that_lacks_millimetres_is_told_in_millimetres(gap_m, tmp_path):
     assert the_gap_told(told) == ("between bob and eve", pytest.approx(gap_m, abs=0.0005), 1.110)
 
 
+def beside_ada(wide: float) -> Unmet | None:
+    """What `comity plan` says of Ada, at the wall of a corridor: the gap beside her is 0.45 m less wide."""
+    Path("gap.scenario.yaml").write_text(CORRIDOR % {"wide": wide, "y": 0.25}, encoding="utf-8")
+    return next(iter(prepare(load_scenario("gap.scenario.yaml")).unmet), None)
+
+
+@pytest.mark.parametrize("gap_m", [0.60, 0.82, 0.848, 0.85])
+def test_a_gap_is_told_with_what_it_lacks_and_so_much_more_suffices(gap_m, here):
+    (gap,) = beside_ada(0.45 + gap_m).conditions
+    wider_cm = int(re.fullmatch(r"the gap beside ada were (\d+) cm wider", gap.text)[1])
+    assert 0.85 < gap_m + wider_cm / 100 < 0.863
+    assert beside_ada(0.45 + gap_m + wider_cm / 100) is None
+
+
+def test_a_gap_as_wide_as_the_robot_with_its_margins_is_told_with_another_number_than_is_needed(here):
+    assert the_gap_told(beside_ada(1.30).reason) == ("beside ada", 0.850, 0.852)
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.integers(20, 58))
 def test_a_gap_that_is_too_narrow_is_told_with_its_width_and_with_what_the_robot_needs(gap_cm):
@@ -178,8 +197,10 @@ def test_who_stands_in_a_corridor_with_their_back_to_the_robot_bars_the_way_unle
         if beside > 0.85:
             assert told is None
             return
-        end = "ada bars the way: the robot needs 0.85 m between them and a wall to get past"
-        assert told.endswith(f"; {end}")
+        assert "; ada bars the way: the widest gap, " in told
+        where, width_m, needed_m = the_gap_told(told)
+        assert where == "beside ada"
+        assert (width_m, needed_m) == (pytest.approx(beside, abs=0.0051), pytest.approx(0.85, abs=0.0021))
         episode = execute(prepared)
     assert (episode.outcome, episode.visits) == ("failed", ())
     assert episode.frames.time_s[-1] < 2.0

@@ -113,7 +113,16 @@ def test_an_adult_who_steps_aside_is_passed_slowly_told_and_counted(written):
             "they declared their mobility as 'walking frame'",
         ),
     ],
-    ids=["17", "no age", "impaired", "low vision", "no sight", "wheelchair", "no wheelchair", "walking frame"],
+    ids=[
+        "17",
+        "no age",
+        "impaired",
+        "low vision",
+        "no sight",
+        "wheelchair",
+        "no wheelchair",
+        "walking frame",
+    ],
 )
 def test_a_person_who_declared_too_little_keeps_the_full_margin_and_it_is_said_why(written, profile, reason):
     ran = front_door.run(written(corridor(profile=profile, more="limits: {time_s: 30}\n")))

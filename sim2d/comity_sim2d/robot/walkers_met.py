@@ -203,7 +203,9 @@ class WalkersMet:
         if self._retreat.look(self._seen(name), stands, robot.xy) and not agreed:
             self._decline(person, f"drew back from the robot, {gap_in_words(stands.distance_m)} from it")
         if self._turning_away.look(person.heading_rad, stands) and not agreed:
-            self._decline(person, f"kept turning away from the robot, {gap_in_words(stands.distance_m)} from it")
+            self._decline(
+                person, f"kept turning away from the robot, {gap_in_words(stands.distance_m)} from it"
+            )
 
     def _decline(self, person: Person, how: str) -> None:
         self.declined[person.name] = how
