@@ -42,10 +42,10 @@ def draw(
     `comity draw ward --graph`, `comity draw ward --ros-map maps`.
     """
     from comity.answers.figures import DrawAnswer
-    from comity.report.drawing import MARKS, form_of
+    from comity.report.drawing import check_picture, form_of
     from comity.report.place_picture import drawing_of
     from comity.report.text import show, unbroken
-    from comity.system.own_files import refuse_foreign, write_whole
+    from comity.system.own_files import write_whole
 
     if ros_map is not None:
         _require_no_picture(out, graph=graph)
@@ -54,7 +54,7 @@ def draw(
     form = form_of(out, "--out")
     drawing: Drawing = drawing_of(place, seed)
     path = out or Path(f"{drawing.slug}{'-graph' if graph else ''}.png")
-    refuse_foreign({path: MARKS[form]})
+    check_picture(path, "--out")
     content = drawing.graph(form) if graph else drawing.picture(form)
     write_whole(path, content, private=drawing.kind == "scenario")
     if as_json:

@@ -21,7 +21,10 @@ def evaluate(
     robot_radius: Radius = 0.25,
     person_radius: Radius = 0.20,
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE.png", help="Draw measured and predicted values there.")
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Draw measured and predicted values there, as a .png, .svg or .pdf file."
+        ),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -34,23 +37,21 @@ def evaluate(
     or person), n, sd, note; and culture or any variable of the rulebook. For example
     `comity evaluate bruno2017 mine.csv`.
     """
-    from comity.report.drawing import MARK
+    from comity.report.drawing import check_picture, write_picture
     from comity.report.rulebooks.evaluation import evaluate_answer, evaluate_text
     from comity.report.text import show, unbroken
-    from comity.system.own_files import refuse_foreign, write_whole
     from comity.tables.evaluation import Radii
     from comity.tables.evaluation import evaluate as hold_against
     from comity.tables.measurements import read_measurements
     from comity_fis import load_rulebook
 
-    if picture is not None:
-        refuse_foreign({picture: MARK})
+    check_picture(picture)
     book = load_rulebook(rulebook)
     evaluation = hold_against(book, read_measurements(tuples, book), Radii(robot_radius, person_radius))
     if picture is not None:
         from comity.report.rulebooks.evaluation_picture import evaluation_picture
 
-        write_whole(picture, evaluation_picture(evaluation))
+        write_picture(picture, lambda: evaluation_picture(evaluation))
     if as_json:
         print_json(evaluate_answer(evaluation, (str(picture),) if picture else ()))
     else:

@@ -22,7 +22,10 @@ Coerced = Annotated[
 ]
 Out = Annotated[Path | None, typer.Option(metavar="FILE.yaml", help="Write the variable there.")]
 Picture = Annotated[
-    Path | None, typer.Option(metavar="FILE.png", help="Draw scores, memberships and curves there.")
+    Path | None,
+    typer.Option(
+        metavar="FILE", help="Draw scores, memberships and curves there, as a .png, .svg or .pdf file."
+    ),
 ]
 
 
@@ -42,18 +45,17 @@ def fit(
 
     Exit code 1: the data form one cluster at this radius, and so no terms.
     """
-    from comity.report.drawing import MARK as PICTURE_MARK
+    from comity.report.drawing import check_picture, write_picture
     from comity.report.rulebooks.fit import MARK, fit_answer, fit_text, variable_yaml
     from comity.report.text import show, unbroken
-    from comity.system.own_files import check_suffix, refuse_foreign, write_whole
+    from comity.system.own_files import refuse_foreign, write_whole
     from comity.tables.column import read_column
     from comity.tables.fit import fit_column
     from comity_fis import Level
 
-    if picture is not None:
-        check_suffix(picture)
-    marks = {out: MARK.encode(), picture: PICTURE_MARK}
-    refuse_foreign({path: mark for path, mark in marks.items() if path is not None})
+    check_picture(picture)
+    if out is not None:
+        refuse_foreign({out: MARK.encode()})
     found = fit_column(
         read_column(file, column), radius=radius, domain=range_, level=Level[level.upper()], coercion=coercion
     )
@@ -64,7 +66,7 @@ def fit(
     if picture is not None:
         from comity.report.rulebooks.fit_picture import fit_picture
 
-        write_whole(picture, fit_picture(found))
+        write_picture(picture, lambda: fit_picture(found))
         written.append(str(picture))
     if as_json:
         print_json(fit_answer(found, tuple(written)))

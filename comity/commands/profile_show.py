@@ -22,7 +22,8 @@ def show(
         str | None, typer.Option(metavar="FROM..TO", help="A life: the parameters year by year.")
     ] = None,
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="With --years: draw them as a PNG.")
+        Path | None,
+        typer.Option(metavar="FILE", help="With --years: draw them, as a .png, .svg or .pdf file."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -76,19 +77,18 @@ def _show_life(
 ) -> None:
     from comity.adaptation.life import life, years_in_words
     from comity.parameters.which_rulebook import which_rulebook
-    from comity.report.drawing import MARK
+    from comity.report.drawing import check_picture, write_picture
     from comity.report.people.life import life_answer, life_text
     from comity.report.people.life_picture import life_picture
     from comity.report.text import show as show_text
     from comity.report.text import unbroken
-    from comity.system.own_files import refuse_foreign, write_whole
     from comity_fis import load_rulebook
 
+    check_picture(picture)
     lived = life(declared, load_rulebook(rulebook or which_rulebook([declared]).name), *years_in_words(years))
     called = declared.profile.name
     if picture is not None:
-        refuse_foreign({picture: MARK})
-        write_whole(picture, life_picture(called, lived), private=True)
+        write_picture(picture, lambda: life_picture(called, lived), private=True)
     if as_json:
         print_json(life_answer(called, lived, str(picture) if picture else None))
     else:

@@ -62,7 +62,8 @@ def replay(
 
 
 def _draw(folder: RunFolder, path: Path) -> None:
-    from comity.replay.pictures import check_picture, write_picture
+    from comity.replay.pictures import write_picture
+    from comity.report.drawing import check_picture
     from comity.report.text import show, unbroken
 
     check_picture(path)

@@ -152,6 +152,7 @@ def run(
     from comity.output.run_folder import place_for
     from comity.parameters.speaking import at_site
     from comity.preparation import prepare
+    from comity.report.drawing import check_picture
     from comity.scenario import load_scenario
     from comity.sharing.run import FOLDER
 
@@ -160,8 +161,7 @@ def run(
     file = at_site(file, language=site_language, wordings=wordings)
     # Before the planning: a folder that cannot be used costs no wait.
     place_for(out, FOLDER if pseudonyms else file.scenario.name)
-    if picture is not None:
-        _check_picture(picture)
+    check_picture(picture)
     needs = {
         "--adults-only": adults_only,
         "--reduced-margin": reduced_margin,
@@ -299,12 +299,6 @@ def _written(recorded: Recorded, picture: Path | None) -> Iterator[RenderableTyp
         yield unbroken(f"Picture  {picture}")
     yield unbroken(f"Folder   {recorded.folder.path}")
     yield f"Size     {size_text(recorded.answer.bytes_per_minute)}"
-
-
-def _check_picture(path: Path) -> None:
-    from comity.replay.pictures import check_picture
-
-    check_picture(path)
 
 
 def _draw(recorded: Recorded, path: Path) -> None:

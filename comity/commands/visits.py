@@ -27,7 +27,9 @@ Wants = Annotated[
     ),
 ]
 Seed = Annotated[int, typer.Option(min=0, help="For what the person likes and shows, and for the sensors.")]
-Picture = Annotated[Path | None, typer.Option(metavar="FILE", help="Also draw the visits to this PNG.")]
+Picture = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Draw the visits, as a .png, .svg or .pdf file.")
+]
 Keep = Annotated[
     bool,
     typer.Option("--keep", help="Remember the simulated visits of somebody who is kept, marked as such."),
@@ -59,12 +61,16 @@ def visits(
     from datetime import date
 
     from comity.adaptation.visits import acquainted, interval_in_words, likes
+    from comity.people.remembered import require_kept
+    from comity.report.drawing import check_picture
     from comity.report.people.visits import summary, visits_answer
     from comity.report.text import show, unbroken
 
+    check_picture(picture)
     comfort = interval_in_words(wants) if wants else None
     acquaintance, kept_as = acquainted(profile, rulebook, every_days=every, begin=day(at), seed=seed)
-    _refuse(picture, keep, kept_as)
+    if keep:
+        require_kept(kept_as)
     comfort = comfort or likes(acquaintance)
     meetings = _met(acquaintance, comfort, times, quiet=as_json)
     remembered_as = kept_as if keep and _remembered(kept_as, meetings) else None
@@ -84,18 +90,6 @@ def visits(
     show(*summary(answer))
     if picture:
         show(unbroken(f"\nPicture  {picture}"))
-
-
-def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
-    """Refuse what could not be written in the end, before anybody is met."""
-    from comity.people.remembered import require_kept
-    from comity.report.drawing import MARK
-    from comity.system.own_files import refuse_foreign
-
-    if keep:
-        require_kept(kept_as)
-    if picture:
-        refuse_foreign({picture: MARK})
 
 
 def _met(acquaintance: Acquaintance, comfort: ComfortSpec, times: int, *, quiet: bool) -> list[VisitRecord]:
@@ -122,7 +116,7 @@ def _remembered(kept_as: str | None, meetings: Sequence[VisitRecord]) -> bool:
 
 
 def _draw(answer: VisitsAnswer, picture: Path) -> None:
+    from comity.report.drawing import write_picture
     from comity.report.people.visits_picture import visits_picture
-    from comity.system.own_files import write_whole
 
-    write_whole(picture, visits_picture(answer), private=True)
+    write_picture(picture, lambda: visits_picture(answer), private=True)

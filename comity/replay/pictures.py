@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, TypedDict
 
 from comity.replay.planned_routes import planned_routes
 from comity.replay.saved_run import read_run
-from comity.report.drawing import MARKS, form_of
 from comity.report.text import words
-from comity.system.own_files import refuse_foreign, writing, written_whole
+from comity.system.own_files import writing, written_whole
 from comity_domain.problem.bound_parameters import BEARING, DISTANCE
 from comity_sim2d import ActEvent, DoorTurn, PlannedRoute, Ring, draw_picture, write_gif
 from comity_sim2d.pictures.animation import MARK as GIF_MARK
@@ -22,21 +21,12 @@ if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
 
-__all__ = ["GIF_MARK", "check_picture", "draw_run", "film_run", "film_stimulus", "rings_of", "write_picture"]
+__all__ = ["GIF_MARK", "draw_run", "film_run", "film_stimulus", "rings_of", "write_picture"]
 
 
 def draw_run(run: SavedRun, path: Path) -> None:
     """Write a PNG, SVG or PDF, by suffix: planned route, driven path, each person's preferred distance."""
     draw_picture(path, run.scene, run.frames, title=_title(run), **_shown(run))
-
-
-def check_picture(path: Path) -> None:
-    """Check the path of a run's picture before anything is computed.
-
-    Raises:
-        InputError: for another suffix than a picture's, or an existing file not written by Comity.
-    """
-    refuse_foreign({path: MARKS[form_of(path, "--picture")]})
 
 
 def write_picture(folder: RunFolder, path: Path) -> None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import wraps
 from pathlib import Path
 from textwrap import wrap
-from typing import TYPE_CHECKING, ParamSpec
+from typing import TYPE_CHECKING
 
+from comity.system.own_files import refuse_foreign, write_whole
 from comity_fis import InputError, Where
 from comity_sim2d.pictures import colours
 from comity_sim2d.pictures.page import FORMS, PDF_MARK, as_bytes, words_as_words
@@ -17,8 +17,6 @@ from comity_sim2d.pictures.page import FORMS, PDF_MARK, as_bytes, words_as_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-P = ParamSpec("P")
 
 COLOURS, INK, GREY = colours.PALETTE, colours.INK, colours.GREY
 FAINT, PALE = "#C4C8CE", "#F3F1EC"
@@ -52,16 +50,6 @@ class Label:
     colour: str
 
 
-def drawn(draw: Callable[P, Figure]) -> Callable[P, bytes]:
-    """A drawing as PNG bytes: the same for a matplotlib version, whatever the user's settings or the date."""
-
-    @wraps(draw)
-    def png(*args: P.args, **kwargs: P.kwargs) -> bytes:
-        return picture(lambda: draw(*args, **kwargs), "png")
-
-    return png
-
-
 def picture(draw: Callable[[], Figure], form: str, dpi: float = DPI) -> bytes:
     """A drawing as a file in one of `FORMS`, deterministic whatever the user's settings or the date.
 
@@ -89,6 +77,28 @@ def form_of(path: Path | None, option: str) -> str:
             where=Where(option),
         )
     return form
+
+
+def check_picture(path: Path | None, option: str = "--picture") -> None:
+    """Check the path of a picture, if there is one, before anything is computed.
+
+    Raises:
+        InputError: for another suffix than a picture's, or an existing file not written by Comity.
+    """
+    if path is not None:
+        refuse_foreign({path: MARKS[form_of(path, option)]})
+
+
+def write_picture(path: Path, draw: Callable[[], Figure], *, dpi: float = DPI, private: bool = False) -> None:
+    """Write a drawing in the format of the path's suffix.
+
+    Args:
+        path: Path of the picture, already checked.
+        draw: Function that creates the figure.
+        dpi: Resolution of a PNG [pixels/in].
+        private: Whether it holds personal data, so that only the user may read it.
+    """
+    write_whole(path, picture(draw, form_of(path, "--picture"), dpi), private=private)
 
 
 def _settled(figure: Figure) -> Figure:

@@ -39,21 +39,6 @@ def refuse_foreign(marks: Mapping[Path, bytes]) -> None:
                 )
 
 
-def check_suffix(picture: Path) -> None:
-    """Refuse a picture's name that promises another format than PNG.
-
-    Raises:
-        InputError: for a name such as why.pdf.
-    """
-    if picture.suffix.lower() != ".png":
-        raise InputError(
-            expected="a PNG file to write",
-            got=repr(picture.name),
-            remedy=f"Pictures are PNG: name it {picture.with_suffix('.png').name}, or convert it afterwards.",
-            where=Where("--picture"),
-        )
-
-
 PRIVATE, PRIVATE_FOLDER = 0o600, 0o700
 """Permissions of personal data: readable by the user only."""
 ASIDE = ".part."

@@ -105,12 +105,6 @@ def test_hundreds_of_values_are_drawn_and_fitted(comity, here):
     assert [round(term["centre"]) for term in said.json["terms"].values()] == [20, 60]
 
 
-def test_a_picture_that_is_no_png_by_its_name_is_refused(comity, here):
-    said = comity("fit", SHIPPED, "--column", "individualism", "--picture", "fit.pdf")
-    assert (said.code, said.out) == (2, "")
-    assert "name it fit.png" in said.err
-
-
 @pytest.mark.parametrize(("option", "name"), [("--out", "thesis"), ("--picture", "thesis.png")])
 def test_nothing_of_somebody_else_is_overwritten(comity, here, option, name):
     (here / name).write_text("seven chapters")

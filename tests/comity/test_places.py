@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from importlib.resources import files
 from pathlib import Path
 
 import pytest
@@ -175,6 +176,9 @@ def test_a_picture_of_a_map_or_a_scenario_is_the_same_twice(comity, here, name: 
     assert (here / "one.png").read_bytes() == (here / "two.png").read_bytes()
 
 
+INDIVIDUALISM = str(files("comity_fis").joinpath("data/individualism.csv"))
+
+
 @pytest.mark.parametrize("name", ["y", "y.", "y.jpg", ".png"])
 @pytest.mark.parametrize(
     "command",
@@ -183,13 +187,38 @@ def test_a_picture_of_a_map_or_a_scenario_is_the_same_twice(comity, here, name: 
         ("draw", "ward", "--graph", "--out"),
         ("explain", "conversational_distance", "--picture"),
         ("run", "johanna", "--out", "runs/one", "--picture"),
+        ("evaluate", "bruno2017", "--picture"),
+        ("fit", INDIVIDUALISM, "--column", "individualism", "--out", "fit.yaml", "--picture"),
+        ("visits", "german_woman", "--picture"),
+        ("profile", "show", "one_life", "--years", "2003..2022", "--picture"),
     ],
 )
 def test_a_picture_without_the_ending_of_a_picture_is_refused_before_anything_is_written(
     comity, here: Path, command: tuple[str, ...], name: str
 ) -> None:
-    assert comity(*command, name).code == 2
+    said = comity(*command, name)
+    assert (said.code, said.out) == (2, "")
+    assert "a picture that ends with .png, .svg or .pdf" in said.err
     assert not list(here.iterdir())
+
+
+@pytest.mark.parametrize("name", ["one.png", "one.svg", "one.pdf"])
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("evaluate", "bruno2017"),
+        ("fit", INDIVIDUALISM, "--column", "individualism"),
+        ("visits", "german_woman", "--times", "1"),
+        ("profile", "show", "one_life", "--years", "2003..2005"),
+    ],
+)
+def test_a_picture_has_the_format_of_its_ending(
+    comity, here: Path, command: tuple[str, ...], name: str
+) -> None:
+    assert comity(*command, "--picture", name).code == 0
+    first = (here / name).read_bytes()
+    assert first.startswith({"one.png": b"\x89PNG", "one.svg": b"<?xml", "one.pdf": b"%PDF"}[name])
+    assert comity(*command, "--picture", name).code == 0, "it replaces its own picture"
 
 
 def test_a_drawing_replaces_its_own_picture_and_nothing_else(comity, here) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, NOTE, drawn, heading, sheet
+from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, NOTE, heading, sheet
 from comity.report.people.life import changing
 from comity.report.text import words
 
@@ -20,7 +20,6 @@ NUMBER_IN, WORD_IN = 1.9, 0.9
 """Heights of numeric and of nominal panels [in]."""
 
 
-@drawn
 def life_picture(name: str, years: Sequence[Year]) -> Figure:
     """Numbers as lines with the spread between individuals, categories as steps, changed facts as rules."""
     varying = changing(years) or list(years[0].inference.parameters)[:1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, LABEL, NOTE, drawn, sheet
+from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, LABEL, NOTE, sheet
 from comity_fis.learning.signals import SAID
 
 if TYPE_CHECKING:
@@ -29,7 +29,6 @@ NOTE_TEXT = (
 )
 
 
-@drawn
 def visits_picture(answer: VisitsAnswer) -> Figure:
     """Distance over the number of the visit."""
     low, high = answer.likes_m

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, colour, drawn, heading, scaled_axis, sheet
+from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, colour, heading, scaled_axis, sheet
 from comity.report.text import stated, words
 from comity.tables.evaluation import by_study
 from comity_fis import InputError
@@ -24,7 +24,6 @@ NAMES_IN = 3.0
 MOST_LETTERS = 34
 
 
-@drawn
 def evaluation_picture(evaluation: Evaluation) -> Figure:
     """A panel for each numeric parameter.
 

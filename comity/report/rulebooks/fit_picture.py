@@ -17,7 +17,6 @@ from comity.report.drawing import (
     Label,
     colour,
     degrees_axis,
-    drawn,
     heading,
     held_inside,
     scaled_axis,
@@ -39,7 +38,6 @@ HIGHEST_PILE = 14
 """More dots than that are drawn as a bar."""
 
 
-@drawn
 def fit_picture(fit: Fit) -> Figure:
     """Everything about a fit on one sheet."""
     values, empty = fit.column.values, fit.column.empty

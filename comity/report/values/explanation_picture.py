@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
-from comity.report.drawing import MARKS, folded, form_of, picture
+from comity.report.drawing import check_picture, folded, write_picture
 from comity.report.text import number, stated, words, words_of
 from comity.report.values.explanation_drawing import (
     FAINT,
@@ -23,7 +23,6 @@ from comity.report.values.explanation_drawing import (
 from comity.report.values.explanation_words import fine, ordered_rules, speaking, steps
 from comity.report.values.inference import outvoted_text
 from comity.report.values.known_picture import draw_known
-from comity.system.own_files import refuse_foreign, write_whole
 from comity_fis import Choice, NumericParameter, kept_back
 
 if TYPE_CHECKING:
@@ -51,9 +50,8 @@ def write_explanation(explanation: Explanation, path: Path) -> None:
     Raises:
         InputError: if Comity did not write what is at `path`, or nothing can be written there.
     """
-    form = form_of(path, "--picture")
-    refuse_foreign({path: MARKS[form]})
-    write_whole(path, picture(_Drawing(explanation).figure, form, DPI), private=True)
+    check_picture(path)
+    write_picture(path, _Drawing(explanation).figure, dpi=DPI, private=True)
 
 
 @dataclass(frozen=True, slots=True)
