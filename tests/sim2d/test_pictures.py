@@ -51,7 +51,7 @@ from comity_sim2d.pictures.drawing import (
     o_spaces_at,
     robot_artists,
 )
-from comity_sim2d.pictures.label_placement import APART_PX, Box, Page
+from comity_sim2d.pictures.label_placement import APART_PX, Box, Disc, Page
 from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.lettering import lacking, lettering
 from comity_sim2d.pictures.map_labels import MOST_LINES, MapLabels
@@ -585,7 +585,61 @@ def test_labels_do_not_overlap_even_where_many_share_a_place() -> None:
     page = Page(Box(0.0, 0.0, 800.0, 600.0), [], [])
     boxes = [page.place((400.0, 300.0), 20.0, (120.0, 30.0)) for _ in range(12)]
     assert all(one.overlap(other) == 0.0 for one, other in combinations(boxes, 2))
-    assert all(box.outside(page.area) == pytest.approx(0.0) for box in boxes)
+    assert all(lies_on(page, box) for box in boxes)
+
+
+def lies_on(page: Page, box: Box) -> bool:
+    return box.overlap(page.area) == pytest.approx((box.right - box.left) * (box.top - box.bottom))
+
+
+def covers(box: Box, body: Disc) -> bool:
+    return math.dist(box.nearest(body[0]), body[0]) < body[1]
+
+
+@given(st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0)), st.integers(0, 60))
+def test_a_label_is_whole_on_the_page_whatever_it_covers(at: tuple[float, float], walls: int) -> None:
+    page = Page(Box(0.0, 0.0, 330.0, 900.0), [], [])
+    page.lines += [Box.around((165.0 + 60.0 * (k % 2), 15.0 * k), 6.0, 6.0) for k in range(walls)]
+    assert lies_on(page, page.place((at[0] * 330.0, at[1] * 900.0), 8.0, (220.0, 100.0), math.pi))
+
+
+@given(st.lists(st.tuples(st.floats(0.0, 800.0), st.floats(0.0, 600.0)), max_size=30))
+@example([(400.0, 350.0)])
+def test_a_label_hides_no_body_where_it_has_another_place(bodies: list[XY]) -> None:
+    page = Page(Box(0.0, 0.0, 800.0, 600.0), [], [], bodies=[(at, 12.0) for at in bodies])
+    tries = [box.moved_into(page.area) for box, *_ in page._candidates((400.0, 300.0), 12.0, (200.0, 36.0))]
+    label = page.place((400.0, 300.0), 12.0, (200.0, 36.0), prefer_rad=math.pi / 2)
+    assert sum(covers(label, body) for body in page.bodies) == min(
+        sum(covers(box, body) for body in page.bodies) for box in tries
+    )
+
+
+def test_a_line_leads_to_a_name_that_has_no_place_near_its_person() -> None:
+    person = SCENE.people[0]
+
+    def leaders(taken_m: float) -> int:
+        ax, _, labels = on_a_map(SCENE)
+        x, y = labels._at(person.xy)
+        labels._page.labels.append(Box.around((x, y), *[2.0 * labels._px(taken_m)] * 2))
+        labels.name(person.name, person.pose, person.radius_m, "#000000")
+        return len(ax.lines)
+
+    assert (leaders(0.3), leaders(1.6)) == (0, 1)
+
+
+@pytest.mark.parametrize("size", [(60.0, 3.0), (3.0, 60.0)])
+def test_names_hide_no_passer_by_in_a_long_corridor(size: XY) -> None:
+    """Passers-by show as many pixels with twelve long names as with short ones."""
+    wide, high = size
+    spots = [(8.0 + 4.0 * k, 2.0) if wide > high else (2.0, 8.0 + 4.0 * k) for k in range(12)]
+
+    def seen(called: str) -> int:
+        people = tuple(Person(called.format(k), x, y, -math.pi / 2) for k, (x, y) in enumerate(spots))
+        scene = Scene(Room.rectangle(wide, high), RobotBody(1.0, 1.0), people, passers_by=PassersBy(15))
+        with Image.open(BytesIO(draw_map(scene, title="a corridor"))) as image:
+            return int((np.asarray(image.convert("RGB")) == (0xB9, 0xBD, 0xC4)).all(axis=2).sum())
+
+    assert seen("person number {} with a long name") == seen("{}")
 
 
 @given(st.integers(0, 20), st.integers(0, 60), st.integers(-15, 15))
@@ -614,9 +668,9 @@ def test_a_bubble_lies_on_the_page_and_hides_nobody_where_it_has_room(
     anchor = (at[0] * size[0], at[1] * size[1])
     tries = [box.moved_into(page.area) for box, *_ in page._candidates(anchor, 30.0, wanted)]
     bubble = page.place(anchor, 30.0, wanted, math.pi / 2, keep_off=bodies)
-    assert bubble.outside(page.area) == pytest.approx(0.0, abs=1e-6)
-    assert sum(bubble.covers(*body) for body in bodies) == min(
-        sum(box.covers(*body) for body in bodies) for box in tries
+    assert lies_on(page, bubble)
+    assert sum(covers(bubble, body) for body in bodies) == min(
+        sum(covers(box, body) for body in bodies) for box in tries
     )
 
 
@@ -633,9 +687,9 @@ def test_the_tail_of_a_bubble_crosses_nobody_where_it_has_another_place() -> Non
 def test_a_large_bubble_moves_off_a_small_body_that_a_label_would_cover_lightly() -> None:
     page = Page(Box(0.0, 0.0, 800.0, 600.0), [], [Box.around((400.0, 370.0), 20.0, 20.0)])
     wanted, body = (200.0, 90.0), ((400.0, 370.0), 10.0)
-    assert page.place((400.0, 300.0), 30.0, wanted, math.pi / 2).covers(*body)
+    assert covers(page.place((400.0, 300.0), 30.0, wanted, math.pi / 2), body)
     page.labels.clear()
-    assert not page.place((400.0, 300.0), 30.0, wanted, math.pi / 2, keep_off=[body]).covers(*body)
+    assert not covers(page.place((400.0, 300.0), 30.0, wanted, math.pi / 2, keep_off=[body]), body)
 
 
 NARROW = Scene(
@@ -667,7 +721,7 @@ def test_what_is_said_in_a_narrow_room_is_on_the_picture_and_hides_nobody(room: 
     for person in people:
         x, y = ax.transData.transform(person.xy).tolist()
         rim = ax.transData.transform((person.x_m + person.radius_m, person.y_m))[0] - x
-        assert not bubble.covers((x, y), rim)
+        assert not covers(bubble, ((x, y), rim))
 
 
 def test_the_animation_of_a_tall_narrow_room_has_place_for_headline_and_bubble(tmp_path) -> None:

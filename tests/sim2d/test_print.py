@@ -222,6 +222,15 @@ def test_a_corridor_has_room_for_words_above_and_below(width_m, flat, count) -> 
     )
 
 
+@pytest.mark.parametrize("visits", [2, 4])
+def test_a_corridor_has_twice_the_area_that_many_names_and_bubbles_take(visits: int) -> None:
+    people = tuple(Person(f"p{i}", 2.0 + 4.0 * i, 1.0, 0.0) for i in range(12))
+    scene = Scene(Room.rectangle(60.0, 3.0), RobotBody(0.3, 0.3), people)
+    page = episode_layout.layout(scene, [card(f"p{i}") for i in range(visits)], Legend(visits=True))
+    free_in2 = 2.0 * page.above_m * page.in_per_m * page.map[2]
+    assert free_in2 >= 2.0 * (len(people) * 2.1 * 0.45 + visits * (2.2 * 0.7 + 1.1 * 0.3)) - 1e-9
+
+
 def test_what_is_said_again_and_again_is_in_one_bubble_with_how_often() -> None:
     world = World(SCENE)
     world.robot.dock("johanna", DockingPose(0.64, 0.0), speed_m_s=0.7)

@@ -262,7 +262,7 @@ class _Film:
     def _write(self, labels: MapLabels, rings: Sequence[Ring], people: Sequence[Person]) -> list[Artist]:
         """Write the static labels; returns people's names, which are drawn above all bodies."""
         for person in people:
-            labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
+            labels.avoid_body(person.pose.xy, person.radius_m, nose=d.NOSE)
         for person, distance_m, _ in self._wanted(rings, people):
             labels.avoid_circle(person.xy, person.radius_m + distance_m)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])

@@ -27,6 +27,9 @@ larger (our choice)."""
 FLAT = 0.22
 """Minimum ratio of height to width of a map above its panel, so that labels fit above and below a
 corridor."""
+PERSON_IN2, BUBBLE_IN2 = 2.0, 4.0
+"""Area above and below a flat map for a person's name, and for the bubble and the numbers of a visit [in^2]:
+about half of it is taken (our choice)."""
 
 Place = tuple[float, float, float, float]
 """Left, bottom, width and height [in]."""
@@ -120,6 +123,10 @@ def _under(cards: Sequence[Card], legend: Legend, most: int) -> list[CardColumn]
 def _panel_below(scene: Scene, cards: Sequence[Card], legend: Legend) -> Layout:
     wide, high = d.extent_m(scene)
     above_m = max(0.0, (FLAT * wide - high) / 2)
+    if above_m:
+        labels_in2 = PERSON_IN2 * len(scene.people) + BUBBLE_IN2 * len(cards)
+        in_per_m = (WIDEST_IN - 2 * EDGE_IN) / wide
+        above_m = max(above_m, labels_in2 / in_per_m**2 / wide / 2)
     high += 2 * above_m
     width = WIDEST_IN
     scale = min((width - 2 * EDGE_IN) / wide, TALLEST_MAP_IN / high)

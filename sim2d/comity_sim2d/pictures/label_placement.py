@@ -14,11 +14,17 @@ from comity_sim2d.pose import XY
 DIRECTIONS = 24
 APART_PX = 6.0
 """Labels nearer to each other than this seem to overlap [px] (our choice)."""
-REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0)
+REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0, 170.0, 230.0)
+FAR_PX, FAR = 125.0, 10.0
+"""A label farther from its object than this seems to belong to another [px], and the cost of that: equal to
+20 covered pieces of a wall (our choice)."""
 TAIL = 0.1
 """Cost of a body under a bubble's tail, relative to one under the bubble (our choice)."""
 PIECE = 0.5
 """Cost of a covered piece of a wall or a path: equal to 30 px more distance (our choice)."""
+
+Disc = tuple[XY, float]
+"""A body: its centre and its radius."""
 
 Cost = tuple[float, float]
 """Number of hidden labels and bodies, which counts first, and the remaining cost."""
@@ -50,15 +56,10 @@ class Box:
         height = min(self.top, other.top) - max(self.bottom, other.bottom)
         return max(width, 0.0) * max(height, 0.0)
 
-    def outside(self, page: Box) -> float:
-        """The area that is not on the page."""
-        return (self.right - self.left) * (self.top - self.bottom) - self.overlap(page)
-
-    def covers(self, centre: XY, radius: float) -> bool:
-        """Whether a disc overlaps it."""
-        across = max(self.left - centre[0], centre[0] - self.right, 0.0)
-        along = max(self.bottom - centre[1], centre[1] - self.top, 0.0)
-        return math.hypot(across, along) < radius
+    def nearest(self, point: XY) -> XY:
+        """The point of the box that is nearest to another one."""
+        x, y = point
+        return (min(max(x, self.left), self.right), min(max(y, self.bottom), self.top))
 
     def moved_into(self, page: Box) -> Box:
         """The box moved onto the page as little as possible; centred if it is larger."""
@@ -84,6 +85,8 @@ class Page:
     """Walls and paths in pieces: even a thin line spoils text, however small its area."""
     room: Box | None = None
     """Bounding box of the floor: labels across its edge are also tried inside it."""
+    bodies: list[Disc] = field(default_factory=list)
+    """Bodies of people and the robot: labels hide none, if there is another place."""
 
     def place(
         self,
@@ -93,7 +96,7 @@ class Page:
         prefer_rad: float | None = None,
         *,
         besides: Sequence[Box] = (),
-        keep_off: Sequence[tuple[XY, float]] | None = None,
+        keep_off: Sequence[Disc] | None = None,
     ) -> Box:
         """Place a label at the best position near its anchor; an obstacle for later ones. See `best`."""
         _, box = self.best(anchor, radius, size, prefer_rad, besides=besides, keep_off=keep_off)
@@ -108,7 +111,7 @@ class Page:
         prefer_rad: float | None = None,
         *,
         besides: Sequence[Box] = (),
-        keep_off: Sequence[tuple[XY, float]] | None = None,
+        keep_off: Sequence[Disc] | None = None,
     ) -> tuple[Cost, Box]:
         """Find the best position of a label near its anchor, without overlapping others if possible.
 
@@ -120,24 +123,29 @@ class Page:
             besides: Further boxes that this label should not cover.
             keep_off: Discs, by centre and radius [px], that this label covers only if no position on the page
                 is free of them and of other labels. By area alone, a large label would hide a small body.
-                None: area decides.
+                It has a tail, which avoids them as well. None: the bodies, without a tail.
 
         Returns:
             The cost, to compare with other sizes of the label, and the box.
         """
         labels, marks = _edges(self.labels), _edges([*self.marks, *besides])
         lines = _edges(self.lines)
+        discs = np.array([(*at, r) for at, r in (self.bodies if keep_off is None else keep_off)]).reshape(
+            -1, 3
+        )
         best, cheapest = None, (math.inf, math.inf)
         for tried, angle, reach in self._candidates(anchor, radius, size):
-            box = tried if keep_off is None else tried.moved_into(self.area)
+            box = tried.moved_into(self.area)
+            hides = float(_covered(box.grown(APART_PX), labels) > 0.0)
+            hides += _discs_in(box, discs)
+            hides += TAIL * _discs_between(box.centre, anchor, discs) if keep_off is not None else 0.0
+            if hides > cheapest[0]:
+                continue
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
             hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box.grown(2.0), marks) * 8.0
-            hidden += box.outside(self.area) * 200.0
+            away = reach / 60.0 + FAR * (reach > FAR_PX)
             crossed = PIECE * _count_covered(box.grown(1.0), lines)
-            crowded = _covered(box.grown(APART_PX), labels) > 0.0
-            covers = float(sum(box.covers(*disc) for disc in keep_off or ()))
-            covers += TAIL * sum(_between(box.centre, anchor, *disc) for disc in keep_off or ())
-            cost = (crowded + covers, hidden / (size[0] * size[1]) + crossed + reach / 60.0 + 0.6 * aside)
+            cost = (hides, hidden / (size[0] * size[1]) + crossed + away + 0.6 * aside)
             if cost < cheapest:
                 best, cheapest = box, cost
         assert best is not None
@@ -158,13 +166,23 @@ class Page:
                     yield box.moved_into(self.room), angle, reach
 
 
-def _between(start: XY, end: XY, centre: XY, radius: float) -> bool:
-    """Whether a bubble's tail crosses a disc other than the one it points to."""
-    along, across = complex(*end) - complex(*start), complex(*centre) - complex(*start)
-    if along == 0.0 or centre == end:
-        return False
-    share = min(max((across * along.conjugate()).real / abs(along) ** 2, 0.0), 1.0)
-    return abs(across - share * along) < radius
+def _discs_in(box: Box, discs: NDArray[np.float64]) -> int:
+    """Number of discs that a box covers or touches."""
+    x, y, radius = discs.T
+    across = np.maximum(np.maximum(box.left - x, x - box.right), 0.0)
+    along = np.maximum(np.maximum(box.bottom - y, y - box.top), 0.0)
+    return int((np.hypot(across, along) < radius).sum())
+
+
+def _discs_between(start: XY, end: XY, discs: NDArray[np.float64]) -> int:
+    """Number of discs, other than one around its end, that the line from a label to its anchor crosses."""
+    line = complex(*end) - complex(*start)
+    if line == 0.0:
+        return 0
+    centres = discs[:, 0] + 1j * discs[:, 1]
+    along = (centres - complex(*start)) / line
+    away = np.abs(along - np.clip(along.real, 0.0, 1.0)) * abs(line)
+    return int(((away < discs[:, 2]) & (centres != complex(*end))).sum())
 
 
 def _shift(low: float, high: float, least: float, most: float) -> float:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from comity_sim2d.pictures import drawing as d
-from comity_sim2d.pictures.label_placement import Box, Page
+from comity_sim2d.pictures.label_placement import FAR_PX, Box, Disc, Page
 from comity_sim2d.pictures.page import LINE_SPACING
 from comity_sim2d.pose import XY, Pose, direction_to
 
@@ -33,22 +33,19 @@ EDGE_PX = 10.0
 LINE_PX = 3.0
 WALL_PX = 7.0
 """Distance from the outline of the floor to text inside [px]: half the outer wall, and some space."""
-NAME_PT, AREA_PT = 9.0, 9.5
+NAME_PT, AREA_PT, PERSON_PT = 9.0, 9.5, 10.5
 MUCH = 30
 """Maximum number of furniture names placed next to their piece: more would hide the rest (our choice)."""
-BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
-"""Maximum characters per line of a bubble (the first, unless a narrower one has a better place) and of a
-name."""
+BUBBLE_CHARACTERS, PERSON_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), (24, 22, 20, 18, 16, 14), 24
+"""Maximum characters per line of a bubble and of a person's name (the first, unless a narrower one has a
+better place), and of other names."""
 NARROWER = 0.5
-"""Cost of each narrower shape of a bubble: equal to 30 px more distance (our choice)."""
+"""Cost of each narrower shape of a bubble or a name: equal to 30 px more distance (our choice)."""
 MOST_LINES = 8
 """Maximum number of lines of a bubble; a larger one would hide the addressee. The run's page has the full
 text (our choice)."""
 RIM = 0.8
 """Share of the speaker's radius that a bubble stays outside of (our choice)."""
-
-Disc = tuple[XY, float]
-"""A body on the map: its centre and its radius [m]."""
 
 
 class MapLabels:
@@ -64,13 +61,18 @@ class MapLabels:
         self._metres_to_px = ax.transData + self._to_px
         area = ax.get_window_extent(self._renderer).transformed(self._to_px)
         self._page = Page(Box(area.x0, area.y0, area.x1, area.y1).grown(-EDGE_PX), [], [])
-        self._bodies: list[Box] = []
+        self._discs: list[Box] = []
 
     def avoid_disc(self, xy: XY, radius_m: float) -> None:
-        """Avoid this body."""
+        """Avoid this disc."""
         size = 2.0 * self._px(radius_m)
-        self._bodies.append(Box.around(self._at(xy), size, size))
-        self._page.marks.append(self._bodies[-1])
+        self._discs.append(Box.around(self._at(xy), size, size))
+        self._page.marks.append(self._discs[-1])
+
+    def avoid_body(self, xy: XY, radius_m: float, *, nose: float = 1.0) -> None:
+        """Avoid this body, before everything else; `nose` is how far it reaches, in radii."""
+        self.avoid_disc(xy, radius_m * nose)
+        self._page.bodies.append((self._at(xy), self._px(radius_m)))
 
     def avoid_line(self, points: Sequence[XY]) -> None:
         """Avoid this wall or path."""
@@ -127,7 +129,7 @@ class MapLabels:
             width, height = self._size(text, points, "normal")
             inside = Box.around((middle.x, middle.y), *((height, width) if turned else (width, height)))
             room = inside.grown(2.0)
-            hides = any(room.overlap(body) for body in self._bodies)
+            hides = any(room.overlap(disc) for disc in self._discs)
             if not hides and outline.contains(box(room.left, room.bottom, room.right, room.top)):
                 self._page.labels.append(inside)
                 self._text(inside.centre, text, points, d.GREY, turned=turned)
@@ -165,10 +167,20 @@ class MapLabels:
         self._text(box.centre, words, AREA_PT, d.GREY, "bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
-        """Write a person's name, all of it, preferably behind their back."""
+        """Write a person's name, all of it, preferably behind their back; a line leads to a far one."""
+        from matplotlib.lines import Line2D
+
         behind = pose.heading_rad + math.pi
-        words = d.in_lines(name, NAME_CHARACTERS)
-        return self.near(pose.xy, radius_m, words, size=10.5, colour=colour, weight="bold", prefer_rad=behind)
+        texts = dict.fromkeys(d.in_lines(name, characters) for characters in PERSON_CHARACTERS)
+        shapes = [(text, self._size(text, PERSON_PT)) for text in texts]
+        at, radius = self._at(pose.xy), self._px(radius_m)
+        box, text = self._best(at, radius, shapes, behind)
+        start = box.nearest(at)
+        if math.dist(start, at) - radius > FAR_PX:
+            leader = Line2D(*zip(start, at, strict=True), color=colour, lw=0.8, zorder=4.9)
+            leader.set_transform(self._to_px.inverted())
+            self.ax.add_artist(leader)
+        return self._text(box.centre, text, PERSON_PT, colour, "bold")
 
     def near(
         self,
@@ -202,16 +214,28 @@ class MapLabels:
         anchor, radius = self._at(xy), self._px(radius_m)
         bodies = [(self._at(other), self._px(other_m)) for other, other_m in besides]
         keep_off = [(anchor, RIM * radius), *bodies]
-        found = []
-        for narrower, (text, size) in enumerate(self._wrapped(deeds)):
-            (hides, cost), box = self._page.best(anchor, radius + 8.0, size, math.pi / 2.0, keep_off=keep_off)
-            found.append(((hides, cost + NARROWER * narrower), narrower, box, text))
-        *_, box, text = min(found)
-        self._page.labels.append(box)
+        box, text = self._best(anchor, radius + 8.0, self._wrapped(deeds), math.pi / 2.0, keep_off)
         parts = _bubble(box, anchor, radius, colour)
         for part in parts:
             part.set_transform(self._to_px.inverted())
         return [*parts, self._label(box.centre, text, 10.0, d.INK, "normal")]
+
+    def _best(
+        self,
+        anchor: XY,
+        radius: float,
+        shapes: Sequence[tuple[str, XY]],
+        prefer_rad: float,
+        keep_off: Sequence[Disc] | None = None,
+    ) -> tuple[Box, str]:
+        """The best place and shape of a text, by its shapes with their sizes [px], the widest first."""
+        found = []
+        for narrower, (text, size) in enumerate(shapes):
+            (hides, cost), box = self._page.best(anchor, radius, size, prefer_rad, keep_off=keep_off)
+            found.append(((hides, cost + NARROWER * narrower), narrower, box, text))
+        *_, box, text = min(found)
+        self._page.labels.append(box)
+        return box, text
 
     def _wrapped(self, deeds: Sequence[str]) -> list[tuple[str, XY]]:
         """The wrapped text of a bubble in several widths, each with its size [px]; none wider than the page.

@@ -37,8 +37,8 @@ EDGE_IN, HEADER_IN, LINE_IN, SCALE_IN = 0.25, 0.58, 0.17, 0.45
 """Margin, height of the headline, of each line below it, and of the scale bar [in]."""
 LEAST_IN, MOST_IN = 4.5, 18.0
 """Minimum width of a map, unless it is high, and maximum length of its longer side [in]."""
-LEAST_WORDS_IN = 3.0
-"""Minimum width of the text above a map, and of the space for the names on it [in]."""
+LEAST_WORDS_IN, LEAST_NAMES_IN = 3.0, 2.2
+"""Minimum width of the text above a map and of the space for the names on it, and its minimum height [in]."""
 IN_PER_M = 1.0
 """Default scale [in/m], at which labels fit, unless the page would be too small or too large."""
 FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
@@ -87,14 +87,16 @@ def draw_map(
     width = max(wide * scale, LEAST_WORDS_IN) + 2 * EDGE_IN
     beside_m = (width - 2 * EDGE_IN) / scale / 2 - wide / 2
     lines = _lines(subtitle, width - 2 * EDGE_IN)
-    size = (width, high * scale + HEADER_IN + LINE_IN * len(lines) + SCALE_IN)
+    height = max(high * scale, LEAST_NAMES_IN)
+    above_m = height / scale / 2 - high / 2
+    size = (width, height + HEADER_IN + LINE_IN * len(lines) + SCALE_IN)
     with own_page([*names_in(place), title, subtitle]):
         figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         area = (EDGE_IN / size[0], SCALE_IN / size[1], 1 - 2 * EDGE_IN / size[0])
-        ax = figure.add_axes((*area, high * scale / size[1]))
+        ax = figure.add_axes((*area, height / size[1]))
         _write_frame(canvas, title, lines, scale)
-        floor = d.draw_place(ax, place, beside_m)
+        floor = d.draw_place(ax, place, beside_m, above_m)
         _draw(floor, MapLabels(ax, canvas), place, rings, seed)
         return as_bytes(figure, format)
 
@@ -182,7 +184,7 @@ def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
             towards = one.stops[0] - one.at
             pose = Pose(one.at.real, one.at.imag, math.atan2(towards.imag, towards.real))
             d.add_all(ax, d.person_artists(pose, scene.passers_by.radius_m, d.FAINT))
-            labels.avoid_disc(pose.xy, scene.passers_by.radius_m * d.NOSE)
+            labels.avoid_body(pose.xy, scene.passers_by.radius_m, nose=d.NOSE)
 
 
 def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
@@ -207,8 +209,8 @@ def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
         labels.avoid_circle(location.xy, 2.0 * SPOT_M)
     if isinstance(place, Scene):
         for person in place.people:
-            labels.avoid_disc(person.xy, person.radius_m * d.NOSE)
-        labels.avoid_disc(place.robot.pose.xy, place.robot.radius_m)
+            labels.avoid_body(person.xy, person.radius_m, nose=d.NOSE)
+        labels.avoid_body(place.robot.pose.xy, place.robot.radius_m)
 
 
 def _write_frame(canvas: FigureCanvasAgg, title: str, lines: Sequence[str], in_per_m: float) -> None:

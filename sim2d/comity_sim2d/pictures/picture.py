@@ -21,8 +21,9 @@ from comity_sim2d.pictures import panel
 from comity_sim2d.pictures.cards import cards, reached_s
 from comity_sim2d.pictures.drawing_check import check_drawing
 from comity_sim2d.pictures.episode_layout import EDGE_IN, SCALE_IN, Layout, layout
+from comity_sim2d.pictures.label_placement import Disc
 from comity_sim2d.pictures.legend import Legend
-from comity_sim2d.pictures.map_labels import Disc, MapLabels
+from comity_sim2d.pictures.map_labels import MapLabels
 from comity_sim2d.pictures.page import DPI, FORMS, as_bytes, own_page
 from comity_sim2d.pictures.panel import Card
 from comity_sim2d.pictures.person_colours import person_colours
@@ -278,11 +279,11 @@ class _Picture:
     def _mark(self, labels: MapLabels) -> None:
         """Mark what labels should not hide."""
         for pose in (*self._reached.values(), self._end):
-            labels.avoid_disc(pose.xy, self._radius_m)
+            labels.avoid_body(pose.xy, self._radius_m)
         for person in self._scene.people:
-            labels.avoid_disc(self._stands[person.name].xy, person.radius_m * d.NOSE)
+            labels.avoid_body(self._stands[person.name].xy, person.radius_m, nose=d.NOSE)
         for name, radius_m in d.passers_by(self._scene):
-            labels.avoid_disc(d.pose_at(self._frames, name).xy, radius_m * d.NOSE)
+            labels.avoid_body(d.pose_at(self._frames, name).xy, radius_m, nose=d.NOSE)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._robot)[::8, :2].tolist()])
         for ring in self._rings:
             radius = self._scene.person(ring.person).radius_m + ring.wanted_m

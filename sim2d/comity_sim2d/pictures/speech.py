@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
 
     from comity_sim2d.frames import Frames
-    from comity_sim2d.pictures.map_labels import Disc, MapLabels
+    from comity_sim2d.pictures.label_placement import Disc
+    from comity_sim2d.pictures.map_labels import MapLabels
     from comity_sim2d.robot.acts import ActEvent
     from comity_sim2d.scene.scene import Scene
 
