@@ -2,9 +2,9 @@
 
 `python tests/room_study.py [ROOMS]` prints a table of 1,000 rooms of the kind `stand`, and 500 each of `walk`
 (some walk along routes of the scenario) and `mix` (passers-by, too), one of 40 rooms in which people stay,
-step aside or let the robot pass when it asks, and one that compares profiles in the same rooms. Rooms are
-drawn from a wide range: one to three parts with doorways, furniture, both drives, noise and delay of the
-sensors, short sight. The judge (`judging`) reads the frames.
+step aside or let the robot pass when it asks, one that compares profiles in the same rooms, and one of
+robots that do not see all round. Rooms are drawn from a wide range: one to three parts with doorways,
+furniture, both drives, noise and delay of the sensors, short sight. The judge (`judging`) reads the frames.
 """
 
 from __future__ import annotations
@@ -44,6 +44,8 @@ PROFILES = (
     "arab_man", "arab_woman", "british_elder", "german_man", "german_woman", "indian_man", "japanese_woman",
     "swedish_regular", "unknown",
 )  # fmt: skip
+VIEWS_DEG, ROOMS_BY_VIEW = (360, 180, 120, 60), 120
+"""Fields of view of robots that meet the same rooms of the kinds `walk` and `mix`, so many of each."""
 APART_M = 0.6
 """So far from one another people, ends of walks and the middles of furniture are."""
 DRAWS = 60
@@ -56,7 +58,7 @@ MOVES_M_S = 0.02
 """Slower towards a person, it stands."""
 
 
-def room(kind: str, seed: int, draw: int = 0, profile: str | None = None) -> str:
+def room(kind: str, seed: int, draw: int = 0, profile: str | None = None, view_deg: float = 360.0) -> str:
     """The text of a scenario; some draws put people onto furniture, and are refused.
 
     Args:
@@ -64,6 +66,7 @@ def room(kind: str, seed: int, draw: int = 0, profile: str | None = None) -> str
         seed: Decides the room.
         draw: Further rooms of this seed.
         profile: Of everybody; without it each person has one by chance.
+        view_deg: The robot's field of view.
     """
     answers = kind in ANSWERS
     drawn = "stand" if answers else kind
@@ -88,7 +91,7 @@ def room(kind: str, seed: int, draw: int = 0, profile: str | None = None) -> str
             lines.append(
                 f"    - {{name: box {i}, box_m: [{x}, {y}, {size}], angle_deg: {dice.uniform(0, 180):.1f}}}"
             )
-    lines += [f"robot: {{at_m: {list(spot())}, {_robot(dice, answers)}}}", "people:"]
+    lines += [f"robot: {{at_m: {list(spot())}, {_robot(dice, answers, view_deg)}}}", "people:"]
     for name in NAMES:
         walks = drawn != "stand" and dice.random() < 0.45
         way = f", walks: {_walk(dice, spot)}" if walks else ""
@@ -118,11 +121,12 @@ def _walls(dice: random.Random, wide: float, high: float) -> list[str]:
     return [f"  walls_m: [{', '.join(found)}]"] if found else []
 
 
-def _robot(dice: random.Random, reduces_margin: bool) -> str:
+def _robot(dice: random.Random, reduces_margin: bool, view_deg: float) -> str:
     noise, delay = dice.choice([(0.0, 0.0), (0.0, 0.0), (0.03, 0.1), (0.05, 0.2)])
     sensor = [f"noise_m: {noise}, delay_s: {delay}"] if noise else []
     sensor += ["range_m: 3.9"] if dice.random() < 0.2 else []
     sensor += ["hidden_by_walls: true"] if dice.random() < 0.5 else []
+    sensor += [f"field_of_view_deg: {view_deg:g}"] if view_deg < 360.0 else []
     drive = dice.choice(["omnidirectional", "differential"])
     jerk = dice.choice([20.0, 20.0, 1.0])
     text = f"facing_deg: {dice.uniform(-180, 180):.1f}, drive: {drive}, max_jerk_m_s3: {jerk}"
@@ -146,12 +150,12 @@ def _walk(dice: random.Random, spot: Any) -> str:
     )
 
 
-def prepared(kind: str, seed: int, profile: str | None = None) -> PlannedEpisode:
+def prepared(kind: str, seed: int, profile: str | None = None, view_deg: float = 360.0) -> PlannedEpisode:
     """The planned episode of the first draw that is a room."""
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"{kind}{seed}.scenario.yaml"
         for draw in range(DRAWS):
-            file.write_text(room(kind, seed, draw, profile), encoding="utf-8")
+            file.write_text(room(kind, seed, draw, profile, view_deg), encoding="utf-8")
             try:
                 case = prepare(load_scenario(str(file)))
                 World(
@@ -163,9 +167,9 @@ def prepared(kind: str, seed: int, profile: str | None = None) -> PlannedEpisode
     raise AssertionError(f"no room in {DRAWS} draws")
 
 
-def episode(kind: str, seed: int, profile: str | None = None) -> dict[str, Any]:
+def episode(kind: str, seed: int, profile: str | None = None, view_deg: float = 360.0) -> dict[str, Any]:
     """What came of one room, judged."""
-    case = prepared(kind, seed, profile)
+    case = prepared(kind, seed, profile, view_deg)
     start = time.process_time()
     got = execute(case, seed=seed)
     cpu_s, tracks = time.process_time() - start, tracks_of(got)
@@ -175,6 +179,7 @@ def episode(kind: str, seed: int, profile: str | None = None) -> dict[str, Any]:
         "kind": kind,
         "seed": seed,
         "profile": profile,
+        "view_deg": view_deg,
         "noisy": case.scene.robot.sensor.sigma_m > 0.0,
         "drive": case.scene.robot.drive,
         "outcome": got.outcome,
@@ -240,6 +245,8 @@ def tables(rooms: int | None = None) -> Iterator[str]:
     yield from by_answer([line for kind in ANSWERS for line in rooms_of(kind, rooms or MANY[kind])])
     yield ""
     yield from by_profile(profile_rows(rooms or ROOMS_BY_PROFILE))
+    yield ""
+    yield from by_view(view_rows(rooms or ROOMS_BY_VIEW))
 
 
 def rooms_of(kind: str, rooms: int) -> list[dict[str, Any]]:
@@ -250,6 +257,14 @@ def rooms_of(kind: str, rooms: int) -> list[dict[str, Any]]:
 def profile_rows(rooms: int) -> list[dict[str, Any]]:
     """So many rooms of each kind, each with everybody of one profile, for every profile."""
     cases = [(kind, seed, profile) for kind in KINDS for seed in range(rooms) for profile in PROFILES]
+    return studied("rooms", episode, cases)
+
+
+def view_rows(rooms: int) -> list[dict[str, Any]]:
+    """So many rooms with walkers of each kind, for every field of view."""
+    cases = [
+        (kind, seed, None, view) for kind in ("walk", "mix") for seed in range(rooms) for view in VIEWS_DEG
+    ]
     return studied("rooms", episode, cases)
 
 
@@ -338,6 +353,19 @@ def by_profile(lines: list[dict[str, Any]]) -> Iterator[str]:
             f"{found['intrusions'][0]:+.3f} ± {2 * found['intrusions'][1]:.3f}",
         )
         yield f"| `{profile}` | {len(unknown)} | {served} | {took} | {near} |"
+
+
+def by_view(lines: list[dict[str, Any]]) -> Iterator[str]:
+    """The table by the robot's field of view, in the same rooms."""
+    yield "| field of view | rooms | contacts by the robot | by people | visits served | simulated hours |"
+    yield "|---" * 6 + "|"
+    for view in VIEWS_DEG:
+        chosen = [line for line in lines if line["view_deg"] == view]
+        total = {key: sum(line[key] for line in chosen) for key in TOTALS}
+        yield (
+            f"| {view}° | {len(chosen)} | {total['by_robot']} | {total['by_people']} "
+            f"| {total['served'] / total['asked']:.1%} | {total['simulated_s'] / 3600.0:.1f} |"
+        )
 
 
 if __name__ == "__main__":

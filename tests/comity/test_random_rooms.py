@@ -26,6 +26,13 @@ def test_a_room_of_one_profile_is_the_same_room(seed):
 
 
 @pytest.mark.parametrize("seed", range(5))
+def test_a_room_for_a_robot_that_does_not_see_all_round_is_the_same_room(seed):
+    seeing, other = prepared("walk", seed).scene, prepared("walk", seed, view_deg=60).scene
+    narrow = replace(seeing.robot.sensor, field_of_view_deg=60.0)
+    assert other == replace(seeing, robot=replace(seeing.robot, sensor=narrow))
+
+
+@pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("kind", ANSWERS)
 def test_a_room_in_which_people_answer_is_the_room_in_which_they_stand(kind, seed):
     plain, answering = prepared("stand", seed).scene, prepared(kind, seed).scene
