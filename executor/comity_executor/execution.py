@@ -265,6 +265,7 @@ class Execution:
         if self._recovery and self._recovery.is_waiting:
             with suppress(Exception):  # the wait continues until there is a new plan
                 self.tree.root.stop(Status.INVALID)
+            self._recorder.note_halts(t, RESUMED.text, "preempted")
         elif self._planner:
             self._review(t, self._planner, (RESUMED,))
 

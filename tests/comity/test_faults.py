@@ -191,6 +191,17 @@ def test_a_door_that_shuts_is_waited_for_and_one_that_stays_shut_ends_the_visit(
     assert opened.outcome == "success"
 
 
+@pytest.mark.parametrize(("pressed_s", "held_s"), [(3.0, 1.0), (5.0, 9.5), (6.0, 1.0)])
+def test_a_stop_may_be_pressed_and_resumed_while_the_robot_waits_for_a_door(run, pressed_s, held_s):
+    """The next plan may take over in the very tick in which it resumes."""
+    stop = f"{{at_s: {pressed_s}, emergency_stop_s: {held_s}}}"
+    more = f"changes: [{stop}]\nlimits: {{resumes: true}}\n"
+    ran = run("at_s: 1, fault: door closes, door: study, for_s: 12", text=STUDY, more=more)
+    stood = [(event.status, event.halt) for event in ran.events if event.node == "Stand_still"]
+    assert stood == [("running", None), ("halted", "preempted")]
+    assert ran.outcome == "success"
+
+
 def test_a_walk_through_a_door_that_shuts_hinders_no_new_plan_for_others_and_no_picture(run):
     """What the robot plans in and what is drawn at the end are places in which that walk cannot be walked."""
     walker = "  kim: {at_m: [4.4, 4.9], walks: {route: [[7.2, 7.0], [4.4, 4.9]], loop: true}}\n"
