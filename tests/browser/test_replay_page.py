@@ -330,16 +330,31 @@ def overlap(one, other) -> bool:
     return across > 0 and along > 7
 
 
-@pytest.mark.parametrize("width", [420, 1920])
+@pytest.mark.parametrize("width", [420, 1366, 1920])
 def test_the_distance_to_a_person_does_not_lie_on_another_person_s_name(reader, runs, width):
     reader.page.set_viewport_size({"width": width, "height": 1080})
     page = reader.open(page_of(runs["passed"]))
-    for t in (0.0, 1.0, 2.0, 3.0):
+    for t in (0.0, 1.0, 2.0, 3.0, 5.0, 9.0, 12.0, 19.0):
         go(page, t)
         names = [name.bounding_box() for name in page.locator(".person-name:visible").all()]
         distance = page.locator(".gap-label:visible").bounding_box()
         assert len(names) == 4
         assert not any(overlap(distance, name) for name in names), t
+
+
+@pytest.mark.parametrize("width", [420, 1366])
+def test_the_distance_to_a_person_is_on_the_drawing_and_lies_on_nobody(reader, runs, width):
+    reader.page.set_viewport_size({"width": width, "height": 768})
+    page = reader.open(page_of(runs["passed"]))
+    world = page.locator(".world").bounding_box()
+    for t in (2.0, 8.5, 9.0, 10.0):
+        go(page, t)
+        distance = page.locator(".gap-label:visible").bounding_box()
+        bodies = [body.bounding_box() for body in page.locator(".person .body, .robot .body").all()]
+        assert overlap(distance, world)
+        assert world["x"] <= distance["x"]
+        assert distance["x"] + distance["width"] <= world["x"] + world["width"]
+        assert not any(overlap(distance, body) for body in bodies), t
 
 
 @pytest.mark.parametrize("width", [400, 1100])

@@ -3,7 +3,7 @@
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
 import { lookOf, withClass } from "./look.js";
-import { labelBox, nameBox, nameLines, overlap } from "./name_place.js";
+import { labelBox, labelPlaces, leastCovering, nameBox, nameLines, overlap } from "./name_place.js";
 import { Place } from "./place.js";
 import { MARGIN_M, Projection, SCALE } from "./projection.js";
 import { Things } from "./things.js";
@@ -11,8 +11,6 @@ import { measured, short } from "./words.js";
 
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
-const ASIDE_PX = 13;
-const SHARES = [0.5, 0.35, 0.65, 0.2, 0.8]; // of the line between robot and person, where its length may stand
 const EDGE_PX = 6;
 const LEGIBLE_PX = 45; // to a metre; in a smaller drawing what is carried goes without its name
 
@@ -204,7 +202,8 @@ export class World {
       const others = [...bodies].filter(([other]) => other !== name).map(([, box]) => box);
       this.placeName(name, (radius + value) * SCALE, names, others);
     }
-    this.taken = [...names, ...bodies.values()];
+    const everybody = [...this.episode.track.bodies].map(([name, { radius }]) => this.bodyBox(name, radius));
+    this.taken = { names, bodies: everybody };
   }
 
   bodyBox(name, radius) {
@@ -253,17 +252,19 @@ export class World {
     const [x2, y2] = this.projection.at(b.x - b.radius * Math.cos(angle), b.y - b.radius * Math.sin(angle));
     for (const [name, value] of Object.entries({ x1, y1, x2, y2 })) put(this.line, name, value.toFixed(2));
     const words = measured(this.episode.distance(step.person, t), "m", 2);
-    const px = 1 / (this.perUnit ?? 1);
-    const right = Math.cos(angle) > 0 ? -1 : 1;
-    const aside = [right * Math.sin(angle) * ASIDE_PX * 1.7 * px, -Math.abs(Math.cos(angle)) * ASIDE_PX * px];
-    const places = SHARES.flatMap((share) =>
-      [1, -1].map((side) => [x1 + share * (x2 - x1) + side * aside[0], y1 + share * (y2 - y1) + side * aside[1]]),
-    );
-    const free = ([x, y]) => !this.taken.some((other) => overlap(labelBox(x, y, words, px), other));
-    const [x, y] = places.find(free) ?? places[0]; // beside the line, where it hides neither of the two
-    put(this.label, "x", x.toFixed(2));
-    put(this.label, "y", y.toFixed(2));
+    this.placeLabel(words, [x1, y1], [x2, y2]);
     say(this.label, words);
+  }
+
+  /** Move the label beside the line, to where it covers no name and least of anybody; otherwise hide it. */
+  placeLabel(words, from, to) {
+    const px = 1 / (this.perUnit ?? 1);
+    const places = labelPlaces(from, to, px).map(([x, y]) => ({ x, y, box: labelBox(x, y, words, px) }));
+    const best = leastCovering(places, this.taken, this.projection);
+    put(this.label, "visibility", best ? "inherit" : "hidden");
+    if (!best) return;
+    put(this.label, "x", best.x.toFixed(2));
+    put(this.label, "y", best.y.toFixed(2));
   }
 
   showActs(t, pose) {
