@@ -734,6 +734,14 @@ def test_the_animation_of_a_tall_narrow_room_has_place_for_headline_and_bubble(t
         assert square.size[0] == 720
 
 
+def test_the_animation_of_a_corridor_has_place_for_names_above_and_below_it(tmp_path) -> None:
+    corridor = Scene(Room.rectangle(60.0, 3.0), RobotBody(1.0, 1.0), (Person("johanna", 8.0, 2.0, 0.0),))
+    write_gif(tmp_path / "flat.gif", corridor, World(corridor).frames)
+    with Image.open(tmp_path / "flat.gif") as flat:
+        assert flat.size[0] == 720
+        assert flat.size[1] >= 0.3 * 700
+
+
 def test_the_name_of_a_room_is_not_written_over_a_passer_by(tmp_path) -> None:
     """Who stands in the middle of a room shows as many pixels with the room's name as without."""
     halls = (Area("left", ((0, 0), (4, 0), (4, 4), (0, 4))), Area("right", ((4, 0), (8, 0), (8, 4), (4, 4))))

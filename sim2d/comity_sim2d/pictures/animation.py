@@ -250,7 +250,7 @@ class _Film:
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
         """Draw the static background; returns the floor, for clipping."""
         resting = replace(self._scene, doors=self._doors.resting)
-        floor = d.draw_place(self._ax, resting, d.beside_m(self._scene))
+        floor = d.draw_place(self._ax, resting, d.beside_m(self._scene), d.above_m(self._scene))
         for person, distance_m, colour in self._wanted(rings, people):
             circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
             self._ax.add_patch(circle)
@@ -339,7 +339,7 @@ def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
     from matplotlib.figure import Figure
 
     wide, high = d.extent_m(scene)
-    wide += 2 * d.beside_m(scene)
+    wide, high = wide + 2 * d.beside_m(scene), high + 2 * d.above_m(scene)
     scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - FOOT_IN) / high)
     page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + FOOT_IN)
     figure = Figure(figsize=page, dpi=DPI, facecolor="#FFFFFF")

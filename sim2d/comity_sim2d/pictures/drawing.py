@@ -55,6 +55,10 @@ SLENDER = 0.5
 """Minimum ratio of width to height of an episode's map, so that labels fit next to a narrow room (our choice:
 half of the height of the tallest animation holds a bubble and a headline)."""
 
+FLAT = 0.3
+"""Minimum ratio of height to width of an animation's map, so that labels fit above and below a corridor (our
+choice: four lines of a name on either side)."""
+
 
 def passers_by(scene: Scene) -> list[tuple[str, float]]:
     """Names and radii [m] of people who are in no plan."""
@@ -123,6 +127,12 @@ def beside_m(scene: Scene) -> float:
     """Free space on either side of an episode's map [m]; 0 except for narrow rooms, see `SLENDER`."""
     wide, high = extent_m(scene)
     return max(0.0, (SLENDER * high - wide) / 2)
+
+
+def above_m(scene: Scene) -> float:
+    """Free space above and below an animation's map [m]; 0 except for flat rooms, see `FLAT`."""
+    wide, high = extent_m(scene)
+    return max(0.0, (FLAT * wide - high) / 2)
 
 
 def person_artists(pose: Pose, radius_m: float, colour: str, *, ghost: bool = False) -> list[Artist]:
