@@ -330,6 +330,11 @@ def overlap(one, other) -> bool:
     return across > 0 and along > 7
 
 
+def ink(locator):
+    """The box of what is drawn, without the halo around it."""
+    return locator.evaluate("one => one.getBoundingClientRect().toJSON()")
+
+
 @pytest.mark.parametrize("width", [420, 1366, 1920])
 def test_the_distance_to_a_person_does_not_lie_on_another_person_s_name(reader, runs, width):
     reader.page.set_viewport_size({"width": width, "height": 1080})
@@ -345,16 +350,28 @@ def test_the_distance_to_a_person_does_not_lie_on_another_person_s_name(reader, 
 @pytest.mark.parametrize("width", [420, 1366])
 def test_the_distance_to_a_person_is_on_the_drawing_and_lies_on_nobody(reader, runs, width):
     reader.page.set_viewport_size({"width": width, "height": 768})
-    page = reader.open(page_of(runs["passed"]))
+    page = reader.open(page_of(runs["many"]))
     world = page.locator(".world").bounding_box()
-    for t in (2.0, 8.5, 9.0, 10.0):
+    for t in (0.0, 9.0, 9.5, 10.0, 24.0):
         go(page, t)
-        distance = page.locator(".gap-label:visible").bounding_box()
-        bodies = [body.bounding_box() for body in page.locator(".person .body, .robot .body").all()]
+        distance = ink(page.locator(".gap-label:visible"))
+        bodies = [ink(body) for body in page.locator(".person .body, .robot .body").all()]
         assert overlap(distance, world)
         assert world["x"] <= distance["x"]
         assert distance["x"] + distance["width"] <= world["x"] + world["width"]
         assert not any(overlap(distance, body) for body in bodies), t
+
+
+@pytest.mark.parametrize("width", [400, 420, 1366])
+@pytest.mark.parametrize("name", ["visits", "many", "tall"])
+def test_the_metre_stands_below_the_room_and_on_the_drawing(reader, runs, name, width):
+    reader.page.set_viewport_size({"width": width, "height": 900})
+    page = reader.open(page_of(runs[name]))
+    drawing, room, metre = (ink(page.locator(one)) for one in (".world svg", ".room", ".scale-bar text"))
+    assert room["y"] + room["height"] <= metre["y"]
+    assert metre["y"] + metre["height"] <= drawing["y"] + drawing["height"]
+    assert drawing["x"] <= metre["x"]
+    assert metre["x"] + metre["width"] <= drawing["x"] + drawing["width"]
 
 
 @pytest.mark.parametrize("width", [400, 1100])

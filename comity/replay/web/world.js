@@ -12,6 +12,7 @@ import { measured, short } from "./words.js";
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
 const EDGE_PX = 6;
+const FOOT_PX = 18; // below the room, at least: a metre stands there
 const LEGIBLE_PX = 45; // to a metre; in a smaller drawing what is carried goes without its name
 
 export class World {
@@ -25,7 +26,7 @@ export class World {
     this.bubble = new Bubble();
     this.drawing = svg(
       "svg",
-      { viewBox: `0 0 ${this.projection.width} ${this.projection.height}`, role: "img", "aria-label": "The world from above" },
+      { role: "img", "aria-label": "The world from above" },
       this.place.element,
       this.scaleBar(),
       this.rings(),
@@ -44,8 +45,13 @@ export class World {
   /** Letters have the same size on the screen, however large the room is. */
   fit() {
     const { width, height } = this.projection;
-    const shown = Math.min(this.element.clientWidth / width, this.element.clientHeight / height);
-    this.perUnit = shown || 1;
+    const { clientWidth: wide, clientHeight: high } = this.element;
+    const room = height - MARGIN_M * SCALE; // down to its lower wall
+    const shown = Math.min(wide / width, high / height, (high - FOOT_PX) / room);
+    this.perUnit = shown > 0 ? shown : 1;
+    this.height = Math.max(height, room + FOOT_PX / this.perUnit);
+    this.drawing.setAttribute("viewBox", `0 0 ${width} ${this.height}`);
+    this.metre.setAttribute("transform", `translate(0 ${(room + this.height) / 2})`);
     this.drawing.style.setProperty("--px", `${1 / this.perUnit}px`);
     this.drawing.classList.toggle("small", this.perUnit * SCALE < LEGIBLE_PX);
     this.place.fit(this.perUnit);
@@ -55,9 +61,10 @@ export class World {
 
   /** A metre, below the room. */
   scaleBar() {
-    const [left, y] = [MARGIN_M * SCALE, this.projection.height - (MARGIN_M * SCALE) / 2];
-    const bar = svg("line", { x1: left, x2: left + SCALE, y1: y, y2: y });
-    return svg("g", { class: "scale-bar" }, bar, svg("text", { x: left + SCALE * 1.08, y }, "1 m"));
+    const left = MARGIN_M * SCALE;
+    const bar = svg("line", { x1: left, x2: left + SCALE });
+    this.metre = svg("g", { class: "scale-bar" }, bar, svg("text", { x: left + SCALE * 1.08 }, "1 m"));
+    return this.metre;
   }
 
   rings() {
@@ -273,9 +280,8 @@ export class World {
     if (acts.length === 0) return;
     const { clientWidth: wide, clientHeight: high } = this.element;
     const [x, y] = this.projection.at(pose.x, pose.y).map((units) => units * this.perUnit);
-    const { width, height } = this.projection;
-    const [aside, above] = [(wide - width * this.perUnit) / 2, (high - height * this.perUnit) / 2];
+    const [across, down] = [this.projection.width, this.height].map((units) => units * this.perUnit);
     const below = this.episode.track.pose(acts[0].person, t).y > pose.y; // where the person does not stand
-    this.bubble.place(aside + x, above + y, pose.radius * SCALE * this.perUnit, wide, below);
+    this.bubble.place((wide - across) / 2 + x, (high - down) / 2 + y, pose.radius * SCALE * this.perUnit, wide, below);
   }
 }
