@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from PIL import Image
-from scipy.ndimage import label
+from scipy.ndimage import binary_erosion, label
 from shapely import Point, Polygon, box, get_parts, union_all
 
 from comity_fis.errors import InputError, Where
@@ -134,6 +134,44 @@ def test_every_shipped_map_comes_back_with_its_named_places(name: str, tmp_path:
         [one.heading_rad for one in place.locations]
     )
     assert f"cells of {CELL_M:g} m" in back.about
+
+
+def exported(folder: Path, name: str) -> tuple[Path, PlaceMap]:
+    """A shipped map as a ROS map, with itself."""
+    place = load_map(name)
+    for file, content in ros_map_files(place, name).items():
+        (folder / file).write_bytes(content)
+    return folder / f"{name}.yaml", place
+
+
+@pytest.mark.parametrize("name", ["apartment", "office", "ward"])
+def test_a_shipped_map_comes_back_with_its_walls_within_the_tolerance(name: str, tmp_path: Path) -> None:
+    path, place = exported(tmp_path, name)
+    plan = floor_plan_of(place.room, place.walls, place.furniture, doors=())
+    back = shape(load_map(path))
+    assert back.difference(plan.clear_space(0.0, at_least=False).buffer(MILLIMETRE)).area < 1e-6
+    assert plan.clear_space(0.13).difference(back).area < 1e-6, "the guide says 13 cm"
+
+
+@pytest.mark.parametrize("name", ["apartment", "office", "ward"])
+@pytest.mark.parametrize("tolerance_m", [0.05, 0.3])
+def test_of_single_cells_those_on_the_floor_are_holes_and_free_ones_in_walls_are_left_out(
+    name: str, tolerance_m: float, tmp_path: Path
+) -> None:
+    path, _ = exported(tmp_path, name)
+    grey = np.asarray(Image.open(path.with_suffix(".pgm"))).copy()
+    on_floor = np.argwhere(binary_erosion(grey == 254, iterations=10))[::997]
+    in_walls = np.argwhere(binary_erosion(grey != 254, np.ones((3, 3))))[::97]
+    for i, (row, column) in enumerate(on_floor):
+        grey[row, column] = (0, 205)[i % 2]
+    grey[tuple(in_walls.T)] = 254
+    Image.fromarray(grey).save(path.with_suffix(".pgm"))
+    path.with_suffix(".places.yaml").write_text(f"schema_version: 1\ntolerance_m: {tolerance_m}\n")
+    place = load_map(path)
+    for row, column in (*on_floor, *in_walls):  # the picture begins a cell before the point 0, 0
+        x, y = (column - 1) * CELL_M, (len(grey) - row - 2) * CELL_M
+        assert shape(place).intersection(box(x, y, x + CELL_M, y + CELL_M)).area < 1e-6
+    assert len(place.room.holes) >= len(on_floor)
 
 
 SHADES: Mapping[str, tuple[str, list[int]]] = {
