@@ -59,7 +59,8 @@ def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
         return read_yaml(known[str(name)], str(name))
     path = Path(name) if beside is None else beside / name
     if looks_like_a_file(str(name), path):
-        from comity_sim2d.maps.ros_map import converted, is_ros_map, refuse_picture
+        from comity_sim2d.maps.ros_import import converted
+        from comity_sim2d.maps.ros_map import is_ros_map, refuse_picture
 
         refuse_picture(path)
         file = read_yaml(path)
