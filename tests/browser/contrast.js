@@ -11,10 +11,23 @@
   const above = function* (element) {
     for (let one = element; one; one = one.parentElement) yield one;
   };
-  const ground = (element) => {
-    if (element.closest(".world svg")) return parse(getComputedStyle(document.querySelector(".room")).fill).slice(0, 3);
+  const grounds = (element) => {
+    if (element.closest(".world svg")) return inWorld(element);
     const layers = [...above(element)].map((one) => parse(getComputedStyle(one).backgroundColor)).reverse();
-    return layers.reduce((below, top) => over(top, below), [255, 255, 255]);
+    return [layers.reduce((below, top) => over(top, below), [255, 255, 255])];
+  };
+  const fill = (one) => parse(getComputedStyle(one).fill);
+  const veil = (one) => [...fill(one).slice(0, 3), getComputedStyle(one).opacity * getComputedStyle(one).fillOpacity];
+  const inWorld = (element) => {
+    const all = (kinds) => [...document.querySelectorAll(kinds)];
+    if (getComputedStyle(element).stroke !== "none") return all(".room").map((one) => fill(one).slice(0, 3)); // its halo
+    const bare = all(".room, .furniture").map((one) => fill(one).slice(0, 3));
+    const seen = bare.flatMap((below) => [below, ...all(".gaze").map((one) => over(veil(one), below))]);
+    return seen.flatMap((below) => [below, ...all(".ring").map((one) => over(veil(one), below))]);
+  };
+  const contrast = (...colours) => {
+    const [dark, light] = colours.map(luminance).sort((one, other) => one - other);
+    return (light + 0.05) / (dark + 0.05);
   };
   const weak = new Set();
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -26,9 +39,7 @@
     const style = getComputedStyle(element);
     const [r, g, b, alpha] = parse(element instanceof SVGElement ? style.fill : style.color);
     const opacity = [...above(element)].reduce((all, one) => all * getComputedStyle(one).opacity, alpha);
-    const below = ground(element);
-    const [dark, light] = [over([r, g, b, opacity], below), below].map(luminance).sort((one, other) => one - other);
-    const ratio = (light + 0.05) / (dark + 0.05);
+    const ratio = Math.min(...grounds(element).map((below) => contrast(over([r, g, b, opacity], below), below)));
     if (ratio < least) weak.add(`${ratio.toFixed(2)} ${element.getAttribute("class")} ${words.slice(0, 30)}`);
   }
   return [...weak];

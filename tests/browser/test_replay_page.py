@@ -17,7 +17,7 @@ from comity.scenario import load_scenario
 from comity.system.library import find
 from comity_executor import History, first_divergence, read_blackboard, read_nodes, read_trace
 from comity_sim2d.pictures.person_colours import person_colour
-from tests.browser.moments import cursor_of, go
+from tests.browser.moments import cursor_of, go, weak_texts
 
 SCRIPT = "<script>alert(1)</script>"
 """A person's name, which is shown as that name."""
@@ -372,6 +372,23 @@ def test_the_metre_stands_below_the_room_and_on_the_drawing(reader, runs, name, 
     assert metre["y"] + metre["height"] <= drawing["y"] + drawing["height"]
     assert drawing["x"] <= metre["x"]
     assert metre["x"] + metre["width"] <= drawing["x"] + drawing["width"]
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("name", ["passed", "many"])
+def test_names_in_the_world_stand_out_on_furniture_in_rings_and_in_the_robot_s_gaze(
+    reader, runs, name, theme
+):
+    reader.page.emulate_media(color_scheme=theme)
+    page = reader.open(page_of(runs[name]))
+    assert page.locator(".furniture-name:visible").count() > 0
+    assert weak_texts(page) == []
+    order = page.eval_on_selector_all(
+        ".ring, .gaze, .world svg text", "all => all.map(one => one.getAttribute('class') ?? 'metre')"
+    )
+    tints = [i for i, kind in enumerate(order) if kind.split()[0] in ("ring", "gaze")]
+    words = [i for i, kind in enumerate(order) if kind.endswith("-name")]
+    assert max(tints) < min(words), "no tint lies on words"
 
 
 @pytest.mark.parametrize("width", [400, 1100])

@@ -23,16 +23,16 @@ export class Place {
       {},
       svg("path", { class: "room", d: floor, "fill-rule": "evenodd" }),
       this.groups.element,
-      furniture.map(([name, corners], i) => this.piece(name, corners, this.names[i].text)),
-      this.areas.map(({ text }) => text),
+      furniture.map(([name, corners]) => this.piece(name, corners)),
       walls.map((wall) => this.wall(wall)),
       this.doors.element,
     );
+    this.labels = svg("g", {}, [...this.names, ...this.areas].map(({ text }) => text));
   }
 
-  piece(name, corners, text) {
+  piece(name, corners) {
     const shape = svg("polygon", { class: "furniture", points: this.projection.points(corners) });
-    return svg("g", {}, shape, svg("title", {}, plain(name)), text);
+    return svg("g", {}, shape, svg("title", {}, plain(name)));
   }
 
   wall([ax, ay, bx, by, thick]) {

@@ -30,6 +30,8 @@ export class World {
       this.place.element,
       this.scaleBar(),
       this.rings(),
+      this.gaze(),
+      this.place.labels,
       this.planned(),
       this.driven(),
       this.gap(),
@@ -149,20 +151,23 @@ export class World {
     return this.gapGroup;
   }
 
-  robot() {
-    const radius = this.episode.track.bodies.get(this.episode.robot).radius * SCALE;
+  gaze() {
     const [dx, dy] = [Math.cos(GAZE_RAD) * GAZE_M * SCALE, Math.sin(GAZE_RAD) * GAZE_M * SCALE];
     const gaze = svg("path", {
       class: "gaze",
       d: `M 0 0 L ${dx} ${-dy} A ${GAZE_M * SCALE} ${GAZE_M * SCALE} 0 0 1 ${dx} ${dy} Z`,
     });
+    return this.follow(this.episode.robot, svg("g", {}, gaze), true);
+  }
+
+  robot() {
+    const radius = this.episode.track.bodies.get(this.episode.robot).radius * SCALE;
     const eyes = [-1, 1].map((side) =>
       svg("circle", { class: "eye", cx: radius * 0.55, cy: side * radius * 0.34, r: radius * 0.15 }),
     );
     const body = svg(
       "g",
       { class: "robot", "data-robot": this.episode.robot },
-      gaze,
       svg("circle", { class: "body", r: radius }),
       eyes,
     );
