@@ -7,6 +7,7 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from comity_executor.robots.rest import Rest
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
 from comity_sim2d.base.base import VelocityCommand
 from comity_sim2d.base.differential import Differential
@@ -84,6 +85,31 @@ def test_a_base_docks_within_its_limits(drive: str, x: float, y: float, heading:
     assert np.abs(turning).max() <= 1.5 + 1e-6
     assert np.abs(np.diff(speeds, 2)).max() * 400.0 <= 2.2 * max(jerk, 6.0)  # both axes, and the bends
     assert docked(world.robot.pose, 0.25, world.people[0]).distance_m == pytest.approx(0.8, abs=0.01)
+
+
+@given(
+    st.sampled_from(["omnidirectional", "differential"]),
+    st.tuples(*STARTS),
+    st.tuples(st.floats(0.1, 25.0), st.floats(0.1, 3.0)),
+    st.floats(0.3, 8.0),
+)
+@example("differential", (1.0, 1.0, -2.0), (0.3, 1.5), 4.0)
+@example("omnidirectional", (1.0, 1.0, 0.0), (1.5, 1.5), 3.0)
+@FEW
+def test_a_base_that_is_told_to_stop_is_at_rest_within_twice_the_time_that_it_states(
+    drive: str, start: tuple[float, float, float], limits: tuple[float, float], told_s: float
+) -> None:
+    """With little jerk commands take hold up to 2 s later."""
+    jerk, acceleration = limits
+    body = RobotBody(*start, drive=drive, max_jerk_m_s3=jerk, max_acceleration_m_s2=acceleration)
+    assume(math.dist(start[:2], (6.0, 6.0)) > 2.0)
+    world = World(Scene(Room.rectangle(12.0, 12.0), body, (Person("ada", 6.0, 6.0, 0.5),)))
+    world.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.8)
+    world.run(told_s)
+    world.robot.stop()
+    patience_s = Rest(world.robot, 0.8).patience_s
+    world.run(patience_s - 2 * DT_S)
+    assert world.robot.motion().is_at_rest
 
 
 @given(st.sampled_from(["omnidirectional", "differential"]), *STARTS, LIMITS)

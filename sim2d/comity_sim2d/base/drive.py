@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 
-from comity_sim2d.base.smoothing import LONGEST_S, acceleration_within
+from comity_sim2d.base.smoothing import LONGEST_S, acceleration_within, window_ticks
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
@@ -56,6 +56,13 @@ def stopping_time_s(body: RobotBody) -> float:
     """Maximum time to stop from full speed with normal braking [s]."""
     braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
     return body.max_speed_m_s / braking + LONGEST_S
+
+
+def mean_braking(body: RobotBody, step_s: float) -> float:
+    """Mean deceleration of a stop from full speed, which a jerk limit prolongs [m/s^2]."""
+    within = acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+    lag_s = (window_ticks(within, body.max_jerk_m_s3, step_s) - 1) * step_s
+    return body.max_speed_m_s / (body.max_speed_m_s / within + lag_s)
 
 
 def hardest_change(body: RobotBody, step_s: float) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from comity_fis.defuzzification.curve import Curve
 from comity_fis.errors import WrongValueError
 from comity_sim2d.base.bump_stop import BumpStop
+from comity_sim2d.base.drive import mean_braking
 from comity_sim2d.base.emergency import EmergencyStop
 from comity_sim2d.base.physics import Physics
 from comity_sim2d.clock import Clock
@@ -130,7 +131,7 @@ class SimRobot:
     def capabilities(self) -> BaseCapabilities:
         """It follows commands at once, stops exactly, and brakes as its body can."""
         return BaseCapabilities(
-            braking_m_s2=self._spec.max_acceleration_m_s2,
+            braking_m_s2=mean_braking(self._spec, self._clock.step_s),
             feedback_hz=1.0 / self._clock.step_s,
             lease_s=LEASE_S,
         )
