@@ -35,10 +35,10 @@ STEP_M = 0.002
 """To this the margin is found at which a path opens [m] (our choice)."""
 THINNEST_M = 0.02
 """Radius of the thinnest robot that is tried [m] (our choice)."""
-ALIKE_M = 0.01
-"""Widths that differ by less are told in millimetres [m]."""
 POLYGON_M = 0.002
 """Routes keep up to so much more from a wall: a circle is a polygon to them [m]."""
+TINY_CM = 1e-6
+"""Floating-point error that rounding disregards [cm]."""
 SAME_M = 0.02
 """A gap that would open by a margin so near to that is the one [m]: paths keep off by up to so much more."""
 
@@ -64,11 +64,6 @@ class NarrowGap:
         return self.needed_m - len(self.passable) * (PERSON_MARGIN_M - self.margin_m)
 
     @property
-    def more_m(self) -> float:
-        """What routes need beyond that: of two people each `SLACK_M`; beside a wall it is off at the wall."""
-        return 2 * SLACK_M if len(self.people) == 2 else POLYGON_M
-
-    @property
     def where(self) -> str:
         """Where it is, in words."""
         one, *other = self.people
@@ -77,19 +72,20 @@ class NarrowGap:
     @property
     def words(self) -> str:
         """Where it is, its width, and the widths that the robot needs."""
-        digits = 3 if self._is_nearly_wide_enough else 2
-        more_m = self.more_m if digits == 3 else 0.0
-        needed = f"{self.needed_m + more_m:.{digits}f} m"
-        told = f"the widest gap, {self.where}, is {self.width_m:.{digits}f} m, and the robot needs {needed}"
+        needed = f"{self._suffices_cm(self.needed_m) / 100:.2f} m"
+        told = f"the widest gap, {self.where}, is {self._width_cm / 100:.2f} m, and the robot needs {needed}"
         if not self.passable:
             return told
-        let, past_them = with_verb(self.passable, "lets", "let"), self.needed_past_them_m + more_m
-        return f"{told}, or {past_them:.{digits}f} m where {let} it pass at {self.margin_m:.2f} m"
+        past_them = f"{self._suffices_cm(self.needed_past_them_m) / 100:.2f} m"
+        let = with_verb(self.passable, "lets", "let")
+        return f"{told}, or {past_them} where {let} it pass at {self.margin_m:.2f} m"
 
     @property
     def lacks_cm(self) -> int:
-        """How much wider it has to be, in whole centimetres; 0 if people who let the robot pass suffice."""
-        return max(0, math.ceil(100 * (self.needed_past_them_m + self.more_m - self.width_m)))
+        """The difference of the widths in `words` [cm]; 0 if people who let the robot pass suffice."""
+        if self.needed_past_them_m + self._more_m <= self.width_m:
+            return 0
+        return self._suffices_cm(self.needed_past_them_m) - self._width_cm
 
     @property
     def lacks(self) -> str:
@@ -97,10 +93,18 @@ class NarrowGap:
         return f"{self.words}; make it {self.lacks_cm} cm wider" if self.lacks_cm else ""
 
     @property
-    def _is_nearly_wide_enough(self) -> bool:
-        """Whether the width and one of the widths needed may read alike in centimetres."""
-        needed = (self.needed_m, self.needed_past_them_m) if self.passable else (self.needed_m,)
-        return any(abs(each - self.width_m) < ALIKE_M for each in needed)
+    def _more_m(self) -> float:
+        """What routes need beyond that: of two people each `SLACK_M`; beside a wall it is off at the wall."""
+        return 2 * SLACK_M if len(self.people) == 2 else POLYGON_M
+
+    @property
+    def _width_cm(self) -> int:
+        """The width, rounded down, so that a gap that is too narrow never reads as wide enough [cm]."""
+        return math.floor(100 * self.width_m + TINY_CM)
+
+    def _suffices_cm(self, needed_m: float) -> int:
+        """A needed width with all that routes need, rounded up [cm]."""
+        return math.ceil(100 * (needed_m + self._more_m) - TINY_CM)
 
 
 def narrow_gap(

@@ -306,11 +306,11 @@ goals: [{greet: bert}]
 @pytest.mark.parametrize("gap_m", [0.78, 0.82])
 @pytest.mark.parametrize("profile", [FIT, FIT.replace("40", "9")])
 def test_the_run_gets_through_where_the_gap_is_as_wide_as_is_told(written, gap_m, profile):
-    """Beside Anna: 0.85 m at the full margin, 0.80 m at 0.25 m, which a child is never passed at."""
+    """Beside Anna: 0.86 m at the full margin, 0.81 m at 0.25 m, which a child is never passed at."""
     numbers = {"height": gap_m + 0.5, "middle": gap_m / 2 + 0.25, "y": gap_m + 0.2}
     ran = front_door.run(written(BESIDE % {**numbers, "profile": profile}))
     full_m, past_m, names = the_needs_told(ran.prepared.asked.unreachable["bert"])
-    assert (full_m, past_m) == (0.85, 0.80 if profile == FIT else 0.85)
+    assert (full_m, past_m) == (0.86, 0.81 if profile == FIT else 0.86)
     assert names == (["anna"] if profile == FIT else [])
     assert (ran.outcome == "success") == (gap_m >= past_m)
 
@@ -336,5 +336,5 @@ def test_between_two_the_smaller_margin_is_told_for_each_who_may_be_passed_at_it
     )
     full_m, past_m, names = the_needs_told(prepare(load_scenario(str(path))).asked.unreachable["ada"])
     adults = [name for name, age in zip(("anna", "eve"), ages, strict=True) if age and age >= 18]
-    assert (full_m, names) == (1.10, adults)
-    assert past_m == pytest.approx(1.10 - len(adults) * (0.3 - margin_m), abs=0.0051)
+    assert (full_m, names) == (1.11, adults)
+    assert -1e-9 < past_m - (1.11 - len(adults) * (0.3 - margin_m)) < 0.0101

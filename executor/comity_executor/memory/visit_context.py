@@ -226,7 +226,7 @@ class VisitContext:
 
     @property
     def why(self) -> str | None:
-        """Why the visit is over before its end; None if it is not. A person who was greeted has not declined."""
+        """Why the visit is over before its end; None if it is not. Whoever was greeted has not declined."""
         if (how := self.memory.declined) is None:
             return self.memory.failure
         return f"after the greeting, {how}" if self.is_greeted else f"declined: {how}"
