@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -9,6 +11,7 @@ from hypothesis import strategies as st
 from comity_executor import Limits
 from comity_executor.leaves.docking_band import enter_band, leave_band, lost_band
 from comity_executor.memory.visit import PlannedPose
+from comity_executor.robots.bearing import bearing_error_deg
 
 poses = st.builds(PlannedPose, distance_m=st.floats(0.3, 3.0), bearing_deg=st.floats(-180, 180))
 quantities = st.fixed_dictionaries(
@@ -52,6 +55,32 @@ def test_the_account_names_what_is_outside(reading, quantity, text, parameter) -
     account = band.account(reading(**quantity))
     assert (account.text, account.parameter) == (text, parameter)
     assert account.value == next(iter(quantity.values()))
+
+
+@pytest.mark.parametrize(
+    ("quantity", "text"),
+    [
+        ({"bearing_deg": -74.94}, "bearing -74.9 deg left ±10 around -85.0"),
+        ({"bearing_deg": -74.96}, "bearing -74.96 deg left ±10 around -84.98"),
+        ({"distance_m": 1.0604}, "distance 1.0604 m left 0.9600..1.0600 around 1.0100"),
+    ],
+)
+def test_what_is_outside_by_less_than_the_last_digit_is_told_with_more(reading, quantity, text) -> None:
+    band = lost_band(PlannedPose(1.01, -84.98), Limits())
+    assert band.account(reading(**{"bearing_deg": -80.0, **quantity})).text == text
+
+
+@given(poses, quantities)
+def test_the_numbers_told_are_outside_as_well(reading, pose, quantities) -> None:
+    band, seen = enter_band(pose, Limits()), reading(**quantities)
+    text = band.account(seen).text
+    if found := re.fullmatch(r"distance (\S+) m is not in (\S+)\.\.(\S+) around \S+", text):
+        it, near, far = map(float, found.groups())
+        assert not near <= it <= far or min(abs(it - near), abs(it - far)) < 1e-8
+    elif found := re.fullmatch(r"bearing (\S+) deg is not in ±3 around (\S+)", text):
+        assert bearing_error_deg(*map(float, found.groups())) > 3.0
+    elif found := re.fullmatch(r"facing error (\S+) deg is above 5", text):
+        assert float(found[1]) >= 5.0
 
 
 def test_the_loose_band_is_asymmetric(reading) -> None:

@@ -6,6 +6,7 @@ a docked robot stays docked while the person shuffles or the sensor is noisy.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
 
@@ -14,6 +15,11 @@ from comity_executor.nodes.limits import Limits
 from comity_executor.robots.bearing import bearing_error_deg
 from comity_executor.robots.goals import RelativePose
 from comity_executor.robots.robot import Reading, is_seen
+
+MOST_DIGITS = 9
+"""What differs by less reads as equal."""
+TINY = 1e-9
+"""Floating-point error of a difference of rounded angles [deg]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,24 +50,46 @@ class DockingBand:
 
     def account(self, reading: Reading) -> Account:
         """The first quantity outside the band; the distance and the angles if all are inside."""
+        return self._outside(reading) or _inside(reading)
+
+    def _outside(self, reading: Reading) -> Account | None:
+        """The first quantity outside the band, with the digits that it takes to read so; None if none is."""
         distance, bearing, wanted = reading.distance_m, reading.bearing_deg, self.pose
-        if not self.nearest_m <= distance <= self.farthest_m:
-            band = f"{self.nearest_m:.2f}..{self.farthest_m:.2f} around {wanted.distance_m:.2f}"
-            text = f"distance {distance:.2f} m {self.verb} {band}"
+        near, far = self.nearest_m, self.farthest_m
+        if not near <= distance <= far:
+            n = _digits(2, lambda n: not round(near, n) <= round(distance, n) <= round(far, n))
+            band = f"{near:.{n}f}..{far:.{n}f} around {wanted.distance_m:.{n}f}"
+            text = f"distance {distance:.{n}f} m {self.verb} {band}"
             return Account(text, distance, "conversational_distance")
-        if bearing_error_deg(bearing, wanted.bearing_deg) > self.bearing_deg:
-            band = f"±{self.bearing_deg:g} around {wanted.bearing_deg:z.1f}"
-            return Account(f"bearing {bearing:z.1f} deg {self.verb} {band}", bearing, "approach_direction")
-        if reading.facing_error_deg > self.facing_deg:
-            error = reading.facing_error_deg
-            return Account(f"facing error {error:.1f} deg is above {self.facing_deg:g}", error)
-        if not reading.speed_m_s < self.speed_m_s:
-            speed = reading.speed_m_s
-            return Account(f"speed {speed:.2f} m/s is not below {self.speed_m_s:g}", speed)
-        presumed = "" if is_seen(reading) else ", not verified: from where they were last seen"
-        angles = f"bearing {bearing:z.1f} deg, facing error {reading.facing_error_deg:.1f} deg"
-        text = f"distance {distance:.2f} m, {angles}{presumed}"
-        return Account(text, distance, "conversational_distance")
+        if bearing_error_deg(bearing, at := wanted.bearing_deg) > self.bearing_deg:
+            least = self.bearing_deg + TINY
+            n = _digits(1, lambda n: bearing_error_deg(round(bearing, n), round(at, n)) > least)
+            text = f"bearing {bearing:z.{n}f} deg {self.verb} ±{self.bearing_deg:g} around {at:z.{n}f}"
+            return Account(text, bearing, "approach_direction")
+        if (error := reading.facing_error_deg) > self.facing_deg:
+            n = _digits(1, lambda n: round(error, n) > self.facing_deg)
+            return Account(f"facing error {error:.{n}f} deg is above {self.facing_deg:g}", error)
+        if not (speed := reading.speed_m_s) < self.speed_m_s:
+            n = _digits(2, lambda n: round(speed, n) >= self.speed_m_s)
+            return Account(f"speed {speed:.{n}f} m/s is not below {self.speed_m_s:g}", speed)
+        return None
+
+
+def _inside(reading: Reading) -> Account:
+    presumed = "" if is_seen(reading) else ", not verified: from where they were last seen"
+    angles = f"bearing {reading.bearing_deg:z.1f} deg, facing error {reading.facing_error_deg:.1f} deg"
+    text = f"distance {reading.distance_m:.2f} m, {angles}{presumed}"
+    return Account(text, reading.distance_m, "conversational_distance")
+
+
+def _digits(least: int, is_outside: Callable[[int], bool]) -> int:
+    """The fewest digits with which a quantity that is outside reads so.
+
+    Args:
+        least: Digits where that suffices.
+        is_outside: Whether it is, with everything rounded to so many.
+    """
+    return next(filter(is_outside, range(least, MOST_DIGITS)), MOST_DIGITS)
 
 
 def enter_band(pose: RelativePose, limits: Limits) -> DockingBand:
