@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from comity_sim2d.robot.acts import ActEvent
     from comity_sim2d.robot.margins import MarginDecision
 
+KEEPS = f"the robot keeps {PERSON_MARGIN_M:.2f} m from"
+"""How it is told that the robot comes no nearer than the full margin."""
 ANSWERS_S = 2.0
 """Time within which people who step aside have begun to, or made a short step [s]."""
 SLACK_M = 1e-3
@@ -39,7 +41,7 @@ def passages(
     gaps, time_s = clearances_m(frames), frames.time_s
     for one in decisions:
         if one.reasons:
-            told = f"the robot keeps {one.clearance_m:.2f} m from {one.person}, who lets it pass"
+            told = f"{KEEPS} {one.person}, who lets it pass"
             yield Disturbance(one.t, one.t, "passage", one.person, f"{told}: {'; '.join(one.reasons)}")
             continue
         gap_m = gaps[:, frames.entities.index(one.person) - 1]
@@ -50,7 +52,7 @@ def passages(
             text = f"the robot passes {one.person}, who lets it pass, at {gap_m[near].min():.2f} m"
             yield Disturbance(start_s, end_s, "passage", one.person, text)
         else:
-            kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {one.person}, who lets it pass"
+            kept = f"{KEEPS} {one.person}, who lets it pass"
             text = f"{kept}: {lacks(one.t) or _in_vain(one, float(time_s[-1]))}"
             yield Disturbance(one.t, one.end_s, "passage", one.person, text)
 
@@ -83,6 +85,6 @@ def without_room(frames: Frames, acts: Iterable[ActEvent], people: Iterable[Pers
         stood = frames.of(act.person)[then : later + 1, :2]
         heard = np.hypot(*(frames.poses[then, 0, :2] - stood[0])) <= HEARD_M
         if heard and np.hypot(*(stood - stood[0]).T).max() < LEAST_ASIDE_M:
-            kept = f"the robot keeps {PERSON_MARGIN_M:.2f} m from {act.person}, who was asked to let it pass"
+            kept = f"{KEEPS} {act.person}, who was asked to let it pass"
             text = f"{kept}: no room to step aside by {LEAST_ASIDE_M:.2f} m"
             yield Disturbance(act.t_end, act.t_end, "passage", act.person, text)

@@ -16,6 +16,7 @@ from comity.parameters.margin import MARGIN_FACTS, UNIMPAIRED, margin_facts_of
 from comity.people.profile import Profile
 from comity.preparation import prepare, resolved
 from comity.recording import record
+from comity.report.episodes.run import visit_answers
 from comity.scenario import load_scenario
 from comity_fis import InputError, countries
 from comity_sim2d.metrics import clearances_m
@@ -152,6 +153,40 @@ def test_leave_in_a_gap_that_is_too_narrow_is_told_with_the_width_that_lacks(wri
     assert wider_m == 0.06
     text = corridor(anna="lets_pass: true", width_m=1.20 + wider_m)
     assert front_door.run(written(text.replace("at_m: [4, 0.63]", "at_m: [4, 0.25]"))).outcome == "success"
+
+
+def reason_told(ran) -> str:
+    """What the account says of the visit to Bert."""
+    (visit,) = visit_answers(ran)
+    return visit.reason
+
+
+IN_VAIN = "anna was asked to let the robot pass, and the way was not free within 6 s"
+
+
+@pytest.mark.parametrize(
+    ("who", "why"),
+    [
+        ({"profile": FIT.replace("40", "17")}, "the least age that they declared is 17: below 18"),
+        ({"anna": "lets_pass: true", "width_m": 0.9}, "make it "),
+        ({"anna": "posture: standing"}, None),
+    ],
+)
+def test_the_reason_of_a_visit_has_why_who_was_asked_was_not_passed(written, who, why):
+    told = reason_told(front_door.run(written(corridor(**who, more="limits: {time_s: 40}\n"))))
+    assert told.startswith(IN_VAIN)
+    assert why in told if why else told == IN_VAIN
+
+
+def test_a_time_limit_hides_nobody_who_was_asked_in_vain(written):
+    """Anna walks to and fro before the robot: some attempts end as she was asked, others at the limit."""
+    walks = "walks: {route: [[4, 0.3], [4, 0.9]], loop: true, speed_m_s: 0.3, pause_s: 3}"
+    ran = front_door.run(written(corridor(anna=walks, more="limits: {reach_s: 20}\n")))
+    (visit,) = ran.visits
+    assert "did not end within 20 s" in visit.failure
+    assert reason_told(ran).startswith(
+        f"{visit.failure}; before that, {IN_VAIN}; the robot keeps 0.30 m from anna"
+    )
 
 
 @pytest.mark.parametrize("y", [0.27, 0.635])

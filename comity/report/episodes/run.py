@@ -26,6 +26,7 @@ from comity.report.episodes.facing import facing_error_deg
 from comity.report.episodes.nearness import nearness_answers
 from comity.report.episodes.revisions import door_answers, revision_answers
 from comity.report.episodes.trace import disturbance_text
+from comity.report.episodes.visit_reason import reason_of
 from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
 from comity.report.text import number, spans, table, words
@@ -241,7 +242,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         by_s=deadline_s(prepared.visitees, visit.person),
         greeted_s=visit.greeted_s,
         late_s=late_s(prepared.visitees, visit),
-        reason=visit.failure,
+        reason=reason_of(visit, episode),
         noticed=visit.noticed.kind if visit.noticed else None,
     )
 
