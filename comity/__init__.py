@@ -29,6 +29,7 @@ _LAZY = {
     "Plan": "comity_domain",
     "PlanningFailed": "comity_domain.errors",
     "Rulebook": "comity_fis",
+    "SceneError": "comity_sim2d",
     "StoredProfile": "comity.adaptation.stored_profile",
 }
 """What the functions here return and raise, by name, with the module that is loaded when it is asked for."""
@@ -94,6 +95,7 @@ def run(
 
     Raises:
         InputError: If an argument is invalid.
+        SceneError: If the scenario's scene is, such as two people in one place; also an `InputError`.
         PlanningFailed: If the planner finds no plan.
     """
     from dataclasses import replace

@@ -29,6 +29,15 @@ def test_the_errors_of_its_functions_are_called_by_its_name(here: Path) -> None:
     )
     with pytest.raises(package.InputError, match=r"shut\.map\.yaml:3: room right"):
         package.run("s.scenario.yaml")
+    place = "place: {width_m: 5, height_m: 5}"
+    (here / "one.scenario.yaml").write_text(
+        f"schema_version: 1\nname: one\n{place}\nrobot: {{at_m: [1, 1]}}\n"
+        "people: {a: {at_m: [3, 3]}, b: {at_m: [3, 3]}}\ngoals: [{greet: a}]\n"
+    )
+    with pytest.raises(package.SceneError, match=r"one\.scenario\.yaml:5"):
+        package.run("one.scenario.yaml")
+    assert "SceneError: " in package.run.__doc__
+    assert issubclass(package.SceneError, package.InputError)
     assert issubclass(package.InputError, package.ComityError)
     assert issubclass(package.PlanningFailed, package.ComityError)
 

@@ -281,7 +281,7 @@ def test_what_is_told_later_counts_from_the_start(written):
 @pytest.mark.parametrize(
     ("text", "said", "line"),
     [
-        (corridor(margin_m=0.2), "at least 0.237 m", 4),
+        (corridor(margin_m=0.2), "expected margin_m of at least 0.237 m", 4),
         (corridor(margin_m=0.1), "0.15", 4),
         (corridor(margin_m=0.4), "0.3", 4),
         (corridor(anna="steps_aside: true\n    posture: seated"), "somebody who stands", 9),

@@ -174,8 +174,8 @@ def check_margin(spec: RobotBody, step_s: float = 1.0 / CONTROL_HZ) -> None:
     raise SceneError(
         entity=spec.name,
         field="margin_m",
-        expected=f"at least {least_m:.3f} m, which is {BODY_MARGIN_M:g} m and what this robot's latency, "
-        f"braking and tracking add at {REDUCED_M_S:g} m/s",
+        expected=f"margin_m of at least {least_m:.3f} m, which is {BODY_MARGIN_M:g} m and what this robot's "
+        f"latency, braking and tracking add at {REDUCED_M_S:g} m/s",
         got=f"{spec.margin_m:g}",
         remedy=f"Set at least that, or leave it at {PERSON_MARGIN_M:g}; a sensor with less delay and noise "
         "and more acceleration lower it."
