@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 import comity as front_door
+from comity.report.episodes.run import visit_answers
 
 STANDS_AT_M = [5.0, 2.45]
 """In the middle of the only gap in the wall between the robot and the shelf."""
@@ -60,6 +61,16 @@ def test_whoever_stands_in_the_way_to_what_is_fetched_is_asked_and_the_run_ends_
     assert done(ran, "say"), "what can be done without the tea is done"
     assert ran.outcome == "partial"
     assert ran.frames.time_s[-1] < 90.0
+
+
+def test_whoever_stands_where_it_is_fetched_is_told_to_have_stood_there(run):
+    """Not only that the way was not free: all of it was, but its end."""
+    place = {**ROOM["place"], "walls_m": []}
+    before_the_shelf = {"at_s": 0.5, "person": "dan", "moves_to_m": [8.6, 2.6], "speed_m_s": 2.0}
+    (told,) = visit_answers(run(changes=[before_the_shelf], place=place, limits={"replans": 0}))
+    assert told.reason == f"{REASON}; dan stood where the robot was to stand"
+    (told,) = visit_answers(run(limits={"replans": 0}))
+    assert told.reason == REASON
 
 
 def test_whoever_stands_there_from_the_start_is_asked_too_and_it_is_fetched_once_they_have_gone(run):
