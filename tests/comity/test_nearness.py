@@ -93,6 +93,16 @@ def test_who_makes_the_robot_give_way_is_the_reason_that_it_comes_near_to_anothe
     assert "it gave way to fay" in {one.text.split(": ", 1)[1] for one in nearness_answers(episode)}
 
 
+def test_where_nothing_else_explains_it_is_told_where_the_robot_went_and_who_walked_near_it():
+    """Its routes led round people who walk; Dot passed it."""
+    episode = execute(prepared("mix", 105), seed=105)
+    (told,) = (one for one in nearness_answers(episode) if (one.about, round(one.t, 1)) == ("ben", 12.8))
+    _, _, walked = told.text.partition(": it came nearer by itself on its way to eli, as ")
+    assert "dot" in walked
+    assert "ben" not in walked
+    assert walked.endswith(" walked near it")
+
+
 @pytest.mark.parametrize("room", [("stand", 0), ("walk", 4), ("walk", 6), ("walk", 16), ("walk", 18)])
 def test_the_reason_for_a_stay_holds_in_the_frames(room):
     """A place is as near as the robot came, a person who came moved, a route keeps 0.30 m."""

@@ -10,11 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.answers.run import Disturbance
+from comity.monitoring.measuring import turns
 from comity.simulation.manoeuvres import DREW_BACK
 from comity.simulation.scene_later import scene_at
 from comity_executor.trees.passing import ASK
+from comity_fis.listing import listed
 from comity_fis.proxemics import PERSON_MARGIN_M
 from comity_sim2d import RouteMap, SceneError
+from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.metrics import clearances_m, intrusion_of, own_distances_m
 from comity_sim2d.metrics.intrusion import TICK_S
 from comity_sim2d.robot.margins import MOVED_M
@@ -47,6 +50,9 @@ ASKED_S = 15.0
 NO_ROUTE, BY_ITSELF = "no route led to its goal", "it came nearer by itself"
 BEFORE_S = 1.0
 """Time before a stay in which the approaching party is determined [s]."""
+
+WALKED_S = 5.0
+"""People who walked near the robot count until so long before it was nearest [s] (our choice)."""
 
 
 def nearness_answers(episode: Episode) -> Iterator[Disturbance]:
@@ -177,7 +183,33 @@ class _Why:
             return f"{self.stay.person} moved while it was on its way"
         times = () if self.is_in_margin else (left_s, begun_s)
         reasons = [reason for t in times if (reason := self._of_route(t))]
-        return next((each for each in reasons if each != NO_ROUTE), reasons[0] if reasons else BY_ITSELF)
+        return next(
+            (each for each in reasons if each != NO_ROUTE), reasons[0] if reasons else self._by_itself
+        )
+
+    @property
+    def _by_itself(self) -> str:
+        """That nothing else explains it, with where the robot went and who walked near it then."""
+        to = next(
+            (name for name, start_s, end_s in turns(self.episode.events) if self._is_in(start_s, end_s)), ""
+        )
+        way = f" on its way to {to}" if to and to != self.stay.person else ""
+        walked = list(self._walked_near())
+        return f"{BY_ITSELF}{way}{f', as {listed(walked)} walked near it' if walked else ''}"
+
+    def _is_in(self, start_s: float, end_s: float) -> bool:
+        return start_s <= self._nearest_s < end_s
+
+    def _walked_near(self) -> Iterator[str]:
+        """Who else walked and was near the robot just before it was nearest."""
+        frames, begun_s = self.episode.frames, max(self._since_s, self._nearest_s - WALKED_S)
+        rows = slice(int(np.searchsorted(frames.time_s, begun_s - TICK_S)), self.nearest + 1)
+        robot = frames.of(self._robot_name)[rows, :2]
+        for name in frames.entities[1:]:
+            path = frames.of(name)[rows, :2]
+            is_near = np.hypot(*(path - robot).T).min() <= NEAR_PEOPLE_M
+            if name != self.stay.person and is_near and np.ptp(path, axis=0).max() > MOVED_M:
+                yield name
 
     @property
     def _asked(self) -> str:
