@@ -11,7 +11,7 @@ from comity.answers.plan import RelaxableCondition, Unmet
 from comity.planning.agenda import against_agenda, places_for
 from comity.planning.barring import opened
 from comity.planning.elbow_room import with_elbow_room
-from comity.planning.request import gap_to, spots_of, why_unserved
+from comity.planning.request import gap_to, others_who_bar, spots_of, why_unserved
 from comity_domain import (
     Circumstances,
     PlanningFailed,
@@ -73,17 +73,26 @@ class UnservedCase:
 def diagnose(case: UnservedCase, reason: str) -> Unmet:
     """What stands in the way of one person's goal."""
     found = in_the_way(tuple(_conditions(case)), lambda lifted: _served(case, lifted))
-    any_of = found.any_of or (() if found.all_of else tuple(_wider(case)))
-    return Unmet(case.visitee.name, reason, any_of or found.all_of, together=not any_of)
+    if found.any_of or found.all_of:
+        return Unmet(case.visitee.name, reason, found.any_of or found.all_of, together=not found.any_of)
+    wider = tuple(_wider(case))
+    return Unmet(case.visitee.name, reason, wider, together=len(wider) != 1)
 
 
 def _wider(case: UnservedCase) -> Iterator[RelaxableCondition]:
-    """The gap that would have to be wider, where the robot gets nowhere before the person."""
-    if spots_of(case.scene, RouteMap(case.scene), case.visitee):
+    """The gap that would have to be wider, and who else bars the way, where the robot gets nowhere."""
+    scene, visitee = case.scene, case.visitee
+    if spots_of(scene, RouteMap(scene), visitee):
         return
-    if (gap := gap_to(case.scene, case.visitee)) and gap.lacks_cm:
-        text = f"the gap {gap.where} were {gap.lacks_cm} cm wider"
-        yield RelaxableCondition("gap", " and ".join(gap.people), text)
+    others = {person.name for person in scene.people} - {visitee.name}
+    alone = gap_to(scene.without(others), visitee)
+    gap = alone or gap_to(scene, visitee)
+    if gap is None or not gap.lacks_cm:
+        return
+    text = f"the gap {gap.where} were {gap.lacks_cm} cm wider"
+    yield RelaxableCondition("gap", " and ".join(gap.people), text)
+    for name in others_who_bar(scene, visitee) if alone else ():
+        yield RelaxableCondition("side", name, f"{name} stood elsewhere")
 
 
 def _conditions(case: UnservedCase) -> Iterator[RelaxableCondition]:

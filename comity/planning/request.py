@@ -23,6 +23,7 @@ from comity_domain import (
     VisitRequest,
     distance_desirability,
     greetings,
+    in_the_way,
     location,
     ruled_out,
     sides,
@@ -191,6 +192,20 @@ def gap_to(scene: Scene, visitee: Visitee) -> NarrowGap | None:
     """The widest gap beside people that is too narrow for the robot to get to a person; None if none is."""
     goals = [place for place, _ in _free_places(scene, visitee)]
     return narrow_gap(scene, visitee.name, goals, beside_visited=True)
+
+
+def others_who_bar(scene: Scene, visitee: Visitee) -> tuple[str, ...]:
+    """The fewest others who bar every way to a person even if that person were not in the way themselves."""
+    goals, start = [place for place, _ in _free_places(scene, visitee)], scene.robot.pose.xy
+
+    def is_reached(gone: Sequence[str]) -> bool:
+        ways = RouteMap(scene.without({visitee.name, *gone}))
+        return any(ways.reaches(start, goal) for goal in goals)
+
+    if is_reached(()):
+        return ()
+    found = in_the_way([other.name for other in scene.people if other.name != visitee.name], is_reached)
+    return found.any_of[:1] or found.all_of
 
 
 def _free_places(scene: Scene, visitee: Visitee) -> list[tuple[XY, str]]:

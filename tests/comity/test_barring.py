@@ -159,6 +159,19 @@ def test_a_gap_is_told_with_what_it_lacks_and_so_much_more_suffices(gap_m, here)
     assert beside_ada(0.45 + gap_m + wider_cm / 100) is None
 
 
+@pytest.mark.parametrize("bob_m", [0.25, 0.40])
+def test_a_gap_that_is_not_all_that_bars_the_way_is_told_with_who_else_does(bob_m, here):
+    """Beside Ada 0.75 m are free; Bob stands in the same corridor, between her and the robot."""
+    both = (CORRIDOR % {"wide": 1.2, "y": 0.25}).replace("goals:", f"  bob: {{at_m: [9, {bob_m}]}}\ngoals:")
+    Path("gap.scenario.yaml").write_text(both, encoding="utf-8")
+    (told,) = prepare(load_scenario("gap.scenario.yaml")).unmet
+    assert told.together
+    assert [one.text for one in told.conditions] == [
+        "the gap beside ada were 11 cm wider",
+        "bob stood elsewhere",
+    ]
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.integers(20, 58))
 def test_a_gap_that_is_too_narrow_is_told_with_its_width_and_with_what_the_robot_needs(gap_cm):
