@@ -104,6 +104,15 @@ def test_who_passes_as_the_visit_begins_has_not_declined(speed, y) -> None:
 
 
 @settings(max_examples=6, deadline=None)
+@given(speed=st.floats(0.4, 1.4), facing=st.floats(-math.pi, math.pi))
+def test_who_sets_out_beside_the_robot_as_the_visit_begins_has_not_declined(speed, facing) -> None:
+    """Ada stands within the distance of the visit, and did not pause there for the robot."""
+    world = hall(Walk(((1.0, 7.0),), speed_m_s=speed), at=(6.0, 2.6), facing=facing)
+    world.run(2.0)
+    assert world.robot.motion().state != "declined"
+
+
+@settings(max_examples=6, deadline=None)
 @given(speed=st.floats(0.4, 0.9))
 def test_the_robot_waits_ahead_in_view_outside_her_path_and_her_space(speed) -> None:
     world = hall()

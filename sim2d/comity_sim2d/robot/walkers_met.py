@@ -43,7 +43,7 @@ LOST_DEG = 120.0
 """Beyond this bearing from a walker's facing an accompanying robot has fallen behind [deg] (our choice)."""
 NOTICED_S = 2.0
 """Time for which the robot has been visiting a walker before they can take it for an offer [s]: who passes
-by sooner is missed, and has not declined (our choice)."""
+by or walks on sooner is missed, and has not declined (our choice)."""
 SETTLES_S, FASTER, FASTER_M_S = 1.0, 1.5, 0.3
 """A walker speeds up if their mean speed over `SETTLES_S` [s] exceeds their initial one by the factor
 `FASTER` and by `FASTER_M_S` [m/s] (our choice)."""
@@ -168,9 +168,8 @@ class WalkersMet:
         """Record that a walker sees the robot ahead, and how they decline."""
         person, now_s, offer = walker.person, self._clock.now_s, self._offer
         if offer is None:
-            is_noticed = now_s - self._since_s >= NOTICED_S and self._senses.sees(person.name)
             faces = stands.facing_error_deg <= OFFERS_DEG
-            if is_noticed and faces and _is_near(stands, offer_m):
+            if self._is_noticed(person.name) and faces and _is_near(stands, offer_m):
                 self._offer = _Offer(person.heading_rad, person.xy, now_s)
             return
         gap_m, bearing_deg = stands.distance_m, abs(stands.bearing_deg)
@@ -185,6 +184,10 @@ class WalkersMet:
             how = "turned away from" if turned or bearing_deg <= BEHIND_DEG else "walked by"
             self._decline(person, f"{how} the robot, {gap_in_words(gap_m)} from it")
 
+    def _is_noticed(self, name: str) -> bool:
+        """Whether a person in view can have taken the robot's visit for an offer by now."""
+        return self._clock.now_s - self._since_s >= NOTICED_S and self._senses.sees(name)
+
     def _note_pause(self, name: str, distance_m: float, robot: Pose) -> None:
         """Record that a person does not walk now.
 
@@ -194,7 +197,7 @@ class WalkersMet:
         person, now_s, offer = self._senses.person(name), self._clock.now_s, self._offer
         stands = docked(robot, self._spec.radius_m, person)
         reaches_m = distance_m + COME_M
-        has_come = _is_near(stands, reaches_m) and self._senses.sees(name)
+        has_come = _is_near(stands, reaches_m) and self._is_noticed(name)
         if offer is None and has_come and person.walk is not None and not goes_along(self._spec, person):
             offer = _Offer(person.heading_rad, person.xy, now_s)
         if offer is not None:
