@@ -22,7 +22,12 @@ if TYPE_CHECKING:
 
 
 def what_may_help(
-    scene: Scene, visitee: Visitee, *, met: Collection[str], refused: Collection[str] = ()
+    scene: Scene,
+    visitee: Visitee,
+    *,
+    met: Collection[str],
+    walkers: Collection[str] = (),
+    refused: Collection[str] = (),
 ) -> str | None:
     """What would open a route to a person, in words; None if nothing is known.
 
@@ -30,6 +35,7 @@ def what_may_help(
         scene: The current scene.
         visitee: The person who cannot currently be served.
         met: People to whom there was a route before: they stood differently, and may do so again.
+        walkers: People who walk: they may come to where there is a route.
         refused: People asked in vain to make way: they may change their minds.
     """
     shut = [door.name for door in scene.doors if not door.is_open]
@@ -42,9 +48,12 @@ def what_may_help(
     alone = opened(scene, shut).without(others)
     if _is_served(alone, visitee):
         return f"others near {visitee.name} may go"
-    turns = visitee.name in met and sides(visitee.values)  # who accepts no side does not, however they stand
-    if turns and not spots_of(scene, PastPeople(scene), visitee):
-        return f"{visitee.name}, who could be reached before, may move"
+    how = "who could be reached before" if visitee.name in met else "who walks"
+    moves = visitee.name in {*met, *walkers} and sides(
+        visitee.values
+    )  # who accepts no side does not anywhere
+    if moves and not spots_of(scene, PastPeople(scene), visitee):
+        return f"{visitee.name}, {how}, may move"
     return None
 
 

@@ -66,6 +66,7 @@ class WorldPlanner:
         self._before = self._now()
         self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
         """People to whom there was a route at some time."""
+        self._walkers = {person.name for person in prepared.scene.people if person.walk}
         self._moved: set[str] = set()
         """People who moved, not yet reported to the execution."""
         self._barred = dict(prepared.asked.unreachable)
@@ -297,7 +298,7 @@ class WorldPlanner:
         moment, visitees = self._now(), self._remaining(course).visitees(course)
         scene = self._scene(moment)
         found = (
-            what_may_help(scene, visitee, met=self._met, refused=refused)
+            what_may_help(scene, visitee, met=self._met, walkers=self._walkers, refused=refused)
             for visitee in visitees
             if visitee.name in asked.unreachable.keys() - moment.absent - self._skipped.keys()
         )

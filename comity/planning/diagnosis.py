@@ -75,8 +75,8 @@ def diagnose(case: UnservedCase, reason: str) -> Unmet:
     found = in_the_way(tuple(_conditions(case)), lambda lifted: _served(case, lifted))
     if found.any_of or found.all_of:
         return Unmet(case.visitee.name, reason, found.any_of or found.all_of, together=not found.any_of)
-    wider = tuple(_wider(case))
-    return Unmet(case.visitee.name, reason, wider, together=len(wider) != 1)
+    otherwise = tuple(_wider(case)) or tuple(_walked_on(case))
+    return Unmet(case.visitee.name, reason, otherwise, together=len(otherwise) != 1)
 
 
 def _wider(case: UnservedCase) -> Iterator[RelaxableCondition]:
@@ -93,6 +93,13 @@ def _wider(case: UnservedCase) -> Iterator[RelaxableCondition]:
     yield RelaxableCondition("gap", " and ".join(gap.people), text)
     for name in others_who_bar(scene, visitee) if alone else ():
         yield RelaxableCondition("side", name, f"{name} stood elsewhere")
+
+
+def _walked_on(case: UnservedCase) -> Iterator[RelaxableCondition]:
+    """That a person who walks comes to where the robot may stand, which it waits for."""
+    name = case.visitee.name
+    if case.scene.person(name).walk and not spots_of(case.scene, RouteMap(case.scene), case.visitee):
+        yield RelaxableCondition("side", name, f"{name}, who walks, came to another place")
 
 
 def _conditions(case: UnservedCase) -> Iterator[RelaxableCondition]:

@@ -63,6 +63,20 @@ def test_whoever_is_behind_a_door_that_is_shut_from_the_start_is_waited_for(run)
     assert [(t, status) for t, status, _ in of_plans(ran)] == [(0.0, "not_replanned"), (3.0, "replanned")]
 
 
+@pytest.mark.parametrize("pause_s", [0, 6])
+def test_who_walks_out_of_a_corner_is_waited_for_and_who_stands_in_it_is_not(run, pause_s: int):
+    """Before her there is no place at the start; `comity plan` says that she may come to another."""
+    walks = f", walks: {{route: [[0.4, 5.6], [4, 3]], pause_s: {pause_s}, speed_m_s: 1.0}}"
+    corner = "schema_version: 1\nname: corner\nplace: {width_m: 8, height_m: 6}\nrobot: {at_m: [6, 1]}\n"
+    corner += "people:\n  ann: {at_m: [0.4, 5.6], facing_deg: 135%s}\ngoals: [{greet: ann}]\n"
+    ran = run(corner % walks)
+    assert ran.outcome == "success"
+    assert of_plans(ran)[0][2].endswith("ann, who walks, may move")
+    (unmet,) = ran.prepared.unmet
+    assert [condition.name for condition in unmet.conditions] == ["ann"]
+    assert run(corner % "").outcome == "failed"
+
+
 def test_patience_has_an_end_that_the_scenario_sets_and_nobody_waits_without_it(run):
     ran = run(SHUT + GREET, limits="{patience_s: 7}")
     assert ran.outcome == "failed"
