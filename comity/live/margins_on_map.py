@@ -67,7 +67,7 @@ class MarginsOnMap:
             keeps_all: Returns whether some route, however long, keeps the full margin from everybody.
         """
         self._clock.take(self._known.now_s())
-        self._listen(blocked_by)
+        self._listen({*blocked_by, *(person.name for person in self._margins.let_by)})
         self._margins.look(self._here.xy, to, blocked_by, keeps_all)
 
     @property
@@ -75,7 +75,7 @@ class MarginsOnMap:
         return self._known.here
 
     def _listen(self, people: Collection[str]) -> None:
-        """Record which of these people agreed; errors of speech recognition count as silence."""
+        """Record what these people said; errors of speech recognition count as silence."""
         self._said.clear()
         heard = getattr(self._base, "heard", None)
         if heard is None:
@@ -83,10 +83,15 @@ class MarginsOnMap:
         for name in people:
             with suppress(Exception):
                 self._said += [
-                    Said(self._known.own_time_s(words.t), name, GO_AHEAD)
+                    Said(self._known.own_time_s(words.t), name, _yes_or_other(words.text))
                     for words in heard(name)
-                    if words.text.strip().casefold() == GO_AHEAD.casefold() and isfinite(words.t)
+                    if isfinite(words.t)
                 ]
+
+
+def _yes_or_other(text: str) -> str:
+    """The words of consent in their own form, whatever the case; all others as they are."""
+    return GO_AHEAD if text.strip().casefold() == GO_AHEAD.casefold() else text
 
 
 @dataclass(slots=True)

@@ -31,6 +31,7 @@ GRANTED = PassageFacts(
     walks=False,
     bearing_deg=30.0,
     said_yes=True,
+    said_otherwise=False,
     has_waited=True,
     has_other_route=False,
 )
@@ -54,6 +55,8 @@ BREAKS: list[dict[str, Any]] = [
     {"bearing_deg": None},
     {"said_yes": False, "has_stepped_aside": True, "bearing_deg": 61.0},
     {"said_yes": False, "has_stepped_aside": False},
+    {"said_otherwise": True},
+    {"said_yes": False, "has_stepped_aside": True, "said_otherwise": True},
     {"has_waited": False},
     {"has_other_route": True},
 ]

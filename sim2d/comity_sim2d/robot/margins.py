@@ -101,6 +101,8 @@ class _Leave:
     person: Person
     """The person as they stood then."""
     to: str
+    asked_s: float
+    """End of the request that was answered [s]."""
     came: bool = False
     """Whether the robot has been nearer than the full margin."""
 
@@ -201,6 +203,7 @@ class Margins:
         moved_m = math.dist(person.xy, waiting.asked_xy)
         heading_rad = self._senses.heading_rad(person.name)
         towards_rad = direction_to(person.xy, robot)
+        words = self._words_since(waiting.asked_s or 0.0, person.name)
         return PassageFacts(
             asked_m=self._spec.margin_m,
             least_m=self._least_m,
@@ -211,17 +214,20 @@ class Margins:
             walks=self._senses.walks(person.name) or now_s - waiting.since_s < STANDS_S - 1e-9,
             bearing_deg=None if heading_rad is None else math.degrees(wrap_angle(towards_rad - heading_rad)),
             has_stepped_aside=moved_m > MOVED_M + self._noise_m,
-            said_yes=self._said_yes(person.name, waiting),
+            said_yes=words == GO_AHEAD,
+            said_otherwise=words not in (None, GO_AHEAD),
             has_waited=waiting.waited_s >= WAITED_S - 1e-9,
             has_other_route=False,
         )
 
-    def _said_yes(self, name: str, waiting: _Waiting) -> bool:
+    def _words_since(self, asked_s: float, name: str) -> str | None:
+        """The last words of a person since they were asked; None if they were silent.
+
+        Of several at one time others than the yes count.
+        """
         heard_s = self._clock.now_s - self._spec.sensor.delay_s
-        return any(
-            words.person == name and words.text == GO_AHEAD and (waiting.asked_s or 0.0) <= words.t <= heard_s
-            for words in self._said
-        )
+        said = [one for one in self._said if one.person == name and asked_s <= one.t <= heard_s]
+        return max(said, key=lambda one: (one.t, one.text != GO_AHEAD)).text if said else None
 
     def _decide(self, person: Person, waiting: _Waiting, reasons: tuple[str, ...]) -> None:
         if reasons and reasons == waiting.told:
@@ -230,13 +236,17 @@ class Margins:
         clearance_m = PERSON_MARGIN_M if reasons else self._spec.margin_m
         self.decisions.append(MarginDecision(self._clock.now_s, person.name, clearance_m, reasons))
         if not reasons:
-            self._leave[person.name] = _Leave(len(self.decisions) - 1, person, self._to)
+            self._leave[person.name] = _Leave(
+                len(self.decisions) - 1, person, self._to, waiting.asked_s or 0.0
+            )
             self._senses.keep(person.name, clearance_m)
 
     def _goes_on(self, leave: _Leave, robot: XY) -> bool:
-        """Whether a permission holds: the person still stands there, and the robot has not passed."""
+        """Whether a permission holds: the person stands there, said nothing else, and was not passed yet."""
         then = leave.person
         if leave.to != self._to or not self._senses.sees(then.name):
+            return False
+        if self._words_since(leave.asked_s, then.name) not in (None, GO_AHEAD):
             return False
         now = self._senses.person(then.name)
         gap_m = now.gap_m(robot, self._spec.radius_m)

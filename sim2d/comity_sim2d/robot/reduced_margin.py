@@ -53,6 +53,8 @@ class PassageFacts:
     """Whether the person was asked, moved, and stands again."""
     said_yes: bool = False
     """Whether the person was asked and agreed; silence means no."""
+    said_otherwise: bool = True
+    """Whether the last words of the person since they were asked are others than the yes."""
     has_waited: bool = False
     """Whether the robot has waited for the path to become free, and has asked."""
     has_other_route: bool = True
@@ -95,6 +97,7 @@ CONDITIONS: tuple[Condition, ...] = (
     ("the robot comes from behind", lambda c: _within(c.bearing_deg, BEHIND_DEG)),
     ("they neither face nor answer the robot", lambda c: c.said_yes or _within(c.bearing_deg, FACES_DEG)),
     ("they neither stepped aside nor said yes", lambda c: c.has_stepped_aside or c.said_yes),
+    ("the last that they said is not the yes", lambda c: not c.said_otherwise),
     ("the robot has not waited and asked", lambda c: c.has_waited),
     ("another route keeps the margin", lambda c: not c.has_other_route),
 )
@@ -127,6 +130,7 @@ def could_pass(spec: RobotBody, person: Person) -> bool:
         bearing_deg=0.0,
         has_stepped_aside=True,
         said_yes=True,
+        said_otherwise=False,
         has_waited=True,
         has_other_route=False,
     )

@@ -28,6 +28,7 @@ from comity_executor import (
 )
 from comity_executor.robots.goals import PlannedPose
 from comity_fis import InputError, countries
+from comity_sim2d import Said
 
 NAMES = tuple(asdict(STATED))
 ASIDE = {"anna": (4.0, ASIDE_M, 180.0), "bert": (8.0, LANE_M, 180.0)}
@@ -72,6 +73,28 @@ def test_a_person_at_the_wall_who_says_yes_is_passed(ran):
     robot = Careful(people=dict(ASIDE), answer="says yes")
     assert ran(robot).outcome == "success"
     assert robot.least_m == pytest.approx(0.25, abs=1e-3)
+
+
+@pytest.mark.parametrize("later_s", [0.0, 1.0, 3.5])
+@pytest.mark.parametrize("answer", ["says yes", "steps aside"])
+def test_who_says_anything_else_afterwards_is_not_passed_nearer(ran, answer, later_s):
+    robot = Careful(people=dict(ASIDE) if answer == "says yes" else dict(Careful().people), answer=answer)
+    sleep, start, answered_s = robot.sleep, robot.people["anna"], []
+
+    def sleep_and_think_better_of_it(seconds: float) -> None:
+        sleep(seconds)
+        if robot.said or robot.people["anna"] != start:
+            answered_s.append(robot.t)
+        if answered_s and robot.t >= answered_s[0] + later_s and "No, stop!" not in str(robot.said):
+            robot.said.append(Said(robot.t, "anna", "No, stop!"))
+            robot.answer = "is silent"
+
+    robot.sleep = sleep_and_think_better_of_it  # type: ignore[method-assign]
+    ran(robot)
+    no_s = robot.said[-1].t
+    told_later = [goal for t, _, goal in robot.log if isinstance(goal, MapGoal) and t > no_s + 0.1]
+    assert not any(goal.passages for goal in told_later)
+    assert robot.least_m >= 0.3 or later_s > 1.0
 
 
 AT_THE_WALL = {"people": ASIDE, "answer": "says yes"}
