@@ -62,8 +62,9 @@ def _in_vain(one: MarginDecision, last_s: float) -> str:
     for_s = (last_s if one.end_s is None else one.end_s) - one.t
     leave = f"it might come to {one.clearance_m:.2f} m for {for_s:.1f} s only, until"
     if one.end_s is None:
-        return f"{leave} the run ended; allow it more time"
-    return f"{leave} they moved, turned away or were out of its view; keep them still and in view"
+        return f"{leave} the run ended"
+    otherwise = "they moved, turned away, said something else or were out of its view"
+    return f"{leave} {otherwise}; keep them still and in view"
 
 
 def without_room(frames: Frames, acts: Iterable[ActEvent], people: Iterable[Person]) -> Iterator[Disturbance]:

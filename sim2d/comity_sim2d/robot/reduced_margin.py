@@ -90,7 +90,7 @@ CONDITIONS: tuple[Condition, ...] = (
     ("they take up the room of somebody with an aid", lambda c: c.radius_m <= UNAIDED_RADIUS_M),
     (HEARING, lambda c: c.declared.hears_well),
     (SIGHT, lambda c: c.declared.sees_well),
-    ("the tracker does not see them", lambda c: c.is_known),
+    ("the tracker does not see and recognise them", lambda c: c.is_known),
     ("they do not stand", lambda c: c.posture == "standing" and c.declared.stands),
     ("they walk", lambda c: not c.walks),
     ("it is not known where they face", lambda c: c.bearing_deg is not None),
