@@ -44,7 +44,7 @@ PROFILES = (
     "arab_man", "arab_woman", "british_elder", "german_man", "german_woman", "indian_man", "japanese_woman",
     "swedish_regular", "unknown",
 )  # fmt: skip
-VIEWS_DEG, ROOMS_BY_VIEW = (360, 180, 120, 60), 120
+VIEWS_DEG, ROOMS_BY_VIEW = (360, 180, 120, 60), 60
 """Fields of view of robots that meet the same rooms of the kinds `walk` and `mix`, so many of each."""
 APART_M = 0.6
 """So far from one another people, ends of walks and the middles of furniture are."""
