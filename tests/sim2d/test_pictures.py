@@ -684,6 +684,20 @@ def test_the_tail_of_a_bubble_crosses_nobody_where_it_has_another_place() -> Non
     assert not LineString([bubble.centre, (300.0, 220.0)]).intersects(Point(person[0]).buffer(person[1]))
 
 
+@given(st.floats(0.0, 2.0 * math.pi), st.floats(60.0, 110.0))
+@example(math.pi / 2, 70.0)
+def test_the_tail_of_a_bubble_crosses_no_label_on_a_large_page(angle: float, away_px: float) -> None:
+    """Such as the distance to the addressee, which is written between them."""
+    anchor = (300.0, 300.0)
+    number = Box.around(
+        (anchor[0] + away_px * math.cos(angle), anchor[1] + away_px * math.sin(angle)), 110.0, 28.0
+    )
+    page = Page(Box(0.0, 0.0, 600.0, 600.0), [number], [])
+    bubble = page.place(anchor, 30.0, (120.0, 40.0), math.pi / 2, keep_off=[(anchor, 20.0)])
+    tail = LineString([bubble.centre, anchor])
+    assert tail.intersection(box(number.left, number.bottom, number.right, number.top)).length < APART_PX
+
+
 def test_a_large_bubble_moves_off_a_small_body_that_a_label_would_cover_lightly() -> None:
     page = Page(Box(0.0, 0.0, 800.0, 600.0), [], [Box.around((400.0, 370.0), 20.0, 20.0)])
     wanted, body = (200.0, 90.0), ((400.0, 370.0), 10.0)

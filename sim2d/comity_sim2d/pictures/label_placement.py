@@ -19,7 +19,7 @@ FAR_PX, FAR = 125.0, 10.0
 """A label farther from its object than this seems to belong to another [px], and the cost of that: equal to
 20 covered pieces of a wall (our choice)."""
 TAIL = 0.1
-"""Cost of a body under a bubble's tail, relative to one under the bubble (our choice)."""
+"""Cost of a body or a label under a bubble's tail, relative to one under the bubble (our choice)."""
 PIECE = 0.5
 """Cost of a covered piece of a wall or a path: equal to 30 px more distance (our choice)."""
 
@@ -123,7 +123,7 @@ class Page:
             besides: Further boxes that this label should not cover.
             keep_off: Discs, by centre and radius [px], that this label covers only if no position on the page
                 is free of them and of other labels. By area alone, a large label would hide a small body.
-                It has a tail, which avoids them as well. None: the bodies, without a tail.
+                It has a tail, which avoids them and other labels as well. None: the bodies, without a tail.
 
         Returns:
             The cost, to compare with other sizes of the label, and the box.
@@ -138,7 +138,11 @@ class Page:
             box = tried.moved_into(self.area)
             hides = float(_covered(box.grown(APART_PX), labels) > 0.0)
             hides += _discs_in(box, discs)
-            hides += TAIL * _discs_between(box.centre, anchor, discs) if keep_off is not None else 0.0
+            if keep_off is not None:
+                under_tail = _discs_between(box.centre, anchor, discs) + _boxes_between(
+                    box.centre, anchor, labels
+                )
+                hides += TAIL * under_tail
             if hides > cheapest[0]:
                 continue
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
@@ -183,6 +187,14 @@ def _discs_between(start: XY, end: XY, discs: NDArray[np.float64]) -> int:
     along = (centres - complex(*start)) / line
     away = np.abs(along - np.clip(along.real, 0.0, 1.0)) * abs(line)
     return int(((away < discs[:, 2]) & (centres != complex(*end))).sum())
+
+
+def _boxes_between(start: XY, end: XY, edges: NDArray[np.float64]) -> int:
+    """Number of boxes that the line from a label to its anchor crosses."""
+    x, y = np.linspace(start, end, max(2, math.ceil(math.dist(start, end) / APART_PX))).T
+    left, bottom, right, top = edges
+    inside = (x[:, None] > left) & (x[:, None] < right) & (y[:, None] > bottom) & (y[:, None] < top)
+    return int(inside.any(axis=0).sum())
 
 
 def _shift(low: float, high: float, least: float, most: float) -> float:
